@@ -13,9 +13,9 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // Shares of the false alarms. The average finds lasting changes, for which the charts are kept.
-constexpr double average_share = 0.5;
-constexpr double individuals_share = 0.25;
-constexpr double ranges_share = 0.25;
+constexpr double average_share = 0.7;
+constexpr double individuals_share = 0.2;
+constexpr double ranges_share = 0.1;
 // Alarms of the family for each alarm of its charts: one result may lie outside several of them
 // (tests/statistical/test_control_charts.cpp, baselines of 10 to 100).
 constexpr double alarms_apart = 0.85;

@@ -41,20 +41,21 @@ private slots:
         }
     }
 
-    // A quarter of one alarm in 370 * 0.85 points for values and for changes: Student's t at
-    // 0.25 / 314.5 on both sides with 19 degrees of freedom is 3.98.
+    // Of one alarm in 370 * 0.85 points a fifth is for values, a tenth for changes, the rest for the
+    // average.
     void limits_allow_for_a_baseline_of_finite_length() {
         std::vector<double> values;
         for (int k = 0; k < 20; ++k) {
             values.push_back(k % 2 == 0 ? 1 : -1);
         }
         const ControlCharts charts = control_charts(values, std::vector<double>(20, absent), 20);
-        const double t = student_limit(0.25 / (370 * 0.85), 19);
-        VYBEG_CLOSE(charts.individuals.limits[3] / charts.deviations[3], t * std::sqrt(1.05), 1e-9);
-        VYBEG_CLOSE(charts.ranges.limits[3] / charts.deviations[3], t * std::sqrt(2), 1e-9);
+        const double value = student_limit(0.2 / (370 * 0.85), 19) * std::sqrt(1.05);
+        const double range = student_limit(0.1 / (370 * 0.85), 19) * std::sqrt(2);
+        VYBEG_CLOSE(charts.individuals.limits[3] / charts.deviations[3], value, 1e-9);
+        VYBEG_CLOSE(charts.ranges.limits[3] / charts.deviations[3], range, 1e-9);
         QVERIFY(std::isnan(charts.ranges.limits[0]));
         VYBEG_CLOSE(charts.average.limits.back(),
-                    ewma_limit(0.2, 20, 370 * 0.85 / 0.5) / 3, 1e-3);  // sqrt(0.2 / 1.8)
+                    ewma_limit(0.2, 20, 370 * 0.85 / 0.7) / 3, 1e-3);  // sqrt(0.2 / 1.8)
     }
 
     // Abramowitz and Stegun, table 26.10: t of 0.05 and 0.001 on both sides together.
