@@ -170,7 +170,7 @@ private slots:
         const QJsonObject json = object(run({"info", "i.wav", "--json"}).out);
         QCOMPARE(json["check"].toArray().size(), 1);
         const QJsonObject check = json["check"][0].toObject();
-        QCOMPARE(check.keys(), (QStringList{"count", "first_frame", "kind", "text"}));
+        QCOMPARE(check.keys(), (QStringList{"count", "first_frame", "kind", "severity", "text"}));
         QCOMPARE(check["kind"].toString(), QString("file-ends-early"));
         QVERIFY(check["text"].toString().contains("16666"));
         const Outcome text = run({"info", "i.wav"});
