@@ -230,7 +230,8 @@ int run(int argc, char** argv) {
         return Log(asks_for_json(words), false).fail_usage(sentence(error, words));
     }
 
-    Log log(log_options.json, log_options.quiet, log_options.verbose);
+    // A simulation has no warnings but of options, and says each.
+    Log log(log_options.json, log_options.quiet, log_options.verbose || simulate_command->parsed());
     info.verbose = log_options.verbose;
     if (const std::string fault = usage_fault(app); !fault.empty()) {
         return log.fail_usage(fault);
