@@ -30,9 +30,7 @@ private:
             return;
         }
         const std::string& name = names_[row.set];
-        for (const auto& [about, diagnostics] : row.warnings) {
-            log_.warnings(diagnostics, about.empty() || about == name ? name : name + ", " + about);
-        }
+        log_.warnings(row.warnings, name);
         if (row.error) {
             log_.fail(*row.error, name);
         }

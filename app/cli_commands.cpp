@@ -7,6 +7,7 @@
 #include "core/analysis/idle_options.h"
 #include "core/analysis/inspect.h"
 #include "core/analysis/setting_table.h"
+#include "core/base/finding.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
@@ -39,8 +40,29 @@ std::string rate_sd_text(const Recording& recording) {
                : "";
 }
 
+// The worst findings, each kind once; `verbose`: all of them, each place by itself.
+std::string check_text(const std::vector<Diagnostic>& diagnostics, bool verbose) {
+    const auto line = [](const Diagnostic& of, const std::string& sentence) {
+        return (severity(of.kind) == Severity::note ? "note      " : "check     ") + sentence + "\n";
+    };
+    std::string text;
+    const std::vector<Finding> findings = findings_of(diagnostics);
+    for (std::size_t k = 0; k < findings.size() && (verbose || k < most_shown); ++k) {
+        const Finding& finding = findings[k];
+        text += line(finding.diagnostic,
+                     verbose ? english(finding.diagnostic) : english(finding));
+        for (std::size_t i = 0; verbose && i < finding.more.size(); ++i) {
+            text += line(finding.more[i], english(finding.more[i]));
+        }
+    }
+    if (!verbose && findings.size() > most_shown) {
+        text += "check     " + std::to_string(findings.size() - most_shown) + " more: --verbose\n";
+    }
+    return text.empty() ? "check     nothing found\n" : text;
+}
+
 std::string described(const Recording& recording, const std::string& sha256,
-                      const std::vector<Diagnostic>& findings) {
+                      const std::vector<Diagnostic>& diagnostics, bool verbose) {
     std::string text = "file      " + plain_text(recording.path.string()) + "\nformat    " +
                        english(recording.format) + "\nlength    " +
                        round_trip_text(recording.seconds()) + " s, " +
@@ -56,13 +78,7 @@ std::string described(const Recording& recording, const std::string& sha256,
         text += "start     " + recording.start + "\n";
     }
     text += "sha256    " + sha256 + "\n";
-    for (const Diagnostic& diagnostic : findings) {
-        text += "check     " + english(diagnostic) + "\n";
-    }
-    if (findings.empty()) {
-        text += "check     nothing found\n";
-    }
-    return text;
+    return text + check_text(diagnostics, verbose);
 }
 
 std::string timing_line(const AnalysisSummary& analysis, double open_s, double write_s) {
@@ -154,7 +170,7 @@ int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     log.warnings(without_effect(request.open, *recording));
     const Status written =
         write_text(request.json ? recording_json(*recording, *sha256, faults->findings)
-                                : described(*recording, *sha256, faults->findings),
+                                : described(*recording, *sha256, faults->findings, request.verbose),
                    silent_job(stop));
     return written ? 0 : log.fail(written.error());
 }
@@ -199,9 +215,9 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
         log.warnings(recording->diagnostics);
         return log.fail(output->as_it_stands(still ? analysis.error() : still.error()));
     }
-    log.warnings(without_effect(request.settings));
-    log.warnings(without_effect(request.open, *recording));
-    log.warnings(analysis->diagnostics);
+    log.warnings(std::vector<NamedWarnings>{{"", analysis->diagnostics},
+                                            {"", without_effect(request.settings)},
+                                            {"", without_effect(request.open, *recording)}});
     const double analysed = seconds_now();
     const Result<std::string> sha256 = hash.get();
     if (!sha256) {

@@ -151,7 +151,7 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
         outputs,
         summary ? identify_text(open->told, found, compared)
                 : identify_json(program, open->told, found, compared),
-        outputs.passport ? passport_json(passport_of(program, open->told, found)) : "");
+        outputs.passport ? passport_json(passport_of(program, open->told, found, *set)) : "");
     if (!written) {
         return log.fail(written.error());
     }

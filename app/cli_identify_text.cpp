@@ -209,11 +209,6 @@ std::string difference_text(const Difference& difference) {
     return line(label_of(difference.name), text);
 }
 
-std::size_t compared(const std::vector<Difference>& differences) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        differences, [](const auto& each) { return each.verdict != Verdict::not_comparable; }));
-}
-
 }  // namespace
 
 std::string identify_text(std::span<const IdentifiedInput> inputs,
@@ -245,7 +240,7 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
             short_text(fit.chi2_per_dof, 4) + "\n";
     if (comparison != nullptr) {
         text += "compared with " + plain_text(comparison->file) + ", changed from " +
-                short_text(changed_from(compared(comparison->differences)), 3) +
+                short_text(changed_from(count_compared(comparison->differences)), 3) +
                 " u of the difference on\n";
         for (const Difference& difference : comparison->differences) {
             text += difference_text(difference);

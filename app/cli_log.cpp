@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <unistd.h>
 
 namespace vybeg::cli {
@@ -19,7 +21,8 @@ std::string json_line(const Json& object) {
 
 }  // namespace
 
-Log::Log(bool json, bool quiet) : json_(json), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+Log::Log(bool json, bool quiet, bool verbose)
+    : json_(json), quiet_(quiet), verbose_(verbose), terminal_(isatty(STDERR_FILENO)) {}
 
 Log::~Log() {
     clear_progress();
@@ -38,21 +41,50 @@ void Log::clear_progress() {
     }
 }
 
-void Log::warnings(std::span<const Diagnostic> diagnostics, const std::string& about) {
+void Log::warnings(std::span<const NamedWarnings> all, const std::string& set) {
     if (quiet_) {
         return;
     }
-    for (const Diagnostic& diagnostic : diagnostics) {
-        const std::string text = english(diagnostic);
+    if (json_ || verbose_) {
+        each_warning(all, set);
+    } else {
+        worst_warnings(all, set);
+    }
+}
+
+void Log::warnings(const std::vector<Diagnostic>& diagnostics) {
+    const NamedWarnings all{{}, diagnostics};
+    warnings(std::span(&all, 1));
+}
+
+void Log::each_warning(std::span<const NamedWarnings> all, const std::string& set) {
+    struct Each {
+        std::string about;
+        const Diagnostic* diagnostic;
+        Severity severity;
+    };
+    std::vector<Each> each;
+    for (const auto& [file, diagnostics] : all) {
+        const bool both = !set.empty() && !file.empty() && file != set;
+        const std::string about = both ? set + ", " + file : set.empty() ? file : set;
+        for (const Diagnostic& diagnostic : diagnostics) {
+            each.push_back({about, &diagnostic, severity(diagnostic.kind)});
+        }
+    }
+    std::ranges::stable_sort(each, std::ranges::greater(), &Each::severity);
+    for (const auto& [about, diagnostic, severity] : each) {
+        const std::string text = english(*diagnostic);
         if (!json_) {
-            line("vybeg-cli: warning: " + (about.empty() ? "" : plain_text(about) + ": ") + text);
+            line(std::string("vybeg-cli: ") + (severity == Severity::note ? "note: " : "warning: ") +
+                 (about.empty() ? "" : plain_text(about) + ": ") + text);
             continue;
         }
         Json object{{"level", "warning"},
-                    {"code", kind_name(diagnostic.kind)},
+                    {"code", kind_name(diagnostic->kind)},
+                    {"severity", severity_name(severity)},
                     {"text", text},
-                    {"first_frame", diagnostic.first_frame},
-                    {"count", diagnostic.count}};
+                    {"first_frame", diagnostic->first_frame},
+                    {"count", diagnostic->count}};
         if (!about.empty()) {
             object["input"] = about;
         }
@@ -60,9 +92,18 @@ void Log::warnings(std::span<const Diagnostic> diagnostics, const std::string& a
     }
 }
 
-void Log::warnings(std::span<const NamedWarnings> all) {
-    for (const auto& [about, diagnostics] : all) {
-        warnings(diagnostics, about);
+void Log::worst_warnings(std::span<const NamedWarnings> all, const std::string& set) {
+    const std::string begin = "vybeg-cli: warning: " + (set.empty() ? "" : plain_text(set) + ": ");
+    std::vector<Finding> findings = findings_of(all);
+    const std::size_t count = count_warnings(findings);
+    for (std::size_t k = 0; k < std::min(count, most_shown); ++k) {
+        // A set of one file has its name.
+        std::erase(findings[k].about, set);
+        line(begin + english(findings[k]));
+    }
+    if (count > most_shown) {
+        line("vybeg-cli: " + (set.empty() ? "" : plain_text(set) + ": ") +
+             std::to_string(count - most_shown) + " more: --verbose");
     }
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/batch/batch_events.h"
+#include "core/base/finding.h"
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace vybeg::cli {
 
@@ -13,13 +13,14 @@ namespace vybeg::cli {
 // {"level": "warning"|"error"|"progress", "code": .., "text": .., ..}.
 class Log {
 public:
-    // `quiet` leaves only errors. Progress for people is shown on a terminal alone.
-    Log(bool json, bool quiet);
+    // `quiet` leaves only errors; `verbose` shows people all warnings, and notes. Progress for
+    // people is shown on a terminal alone.
+    Log(bool json, bool quiet, bool verbose = false);
     ~Log();
 
-    // `about`: the file that they concern, where there are several; empty: none.
-    void warnings(std::span<const Diagnostic> diagnostics, const std::string& about = {});
-    void warnings(std::span<const NamedWarnings> all);
+    // The worst of them, each kind once. `set`: which they concern, where there are several.
+    void warnings(std::span<const NamedWarnings> all, const std::string& set = {});
+    void warnings(const std::vector<Diagnostic>& diagnostics);
     // Returns the exit status of the error. `about`: the set without a result, where others follow.
     int fail(const Error& error, const std::string& about = {});
     // A wrong command line: exit status 2.
@@ -29,10 +30,13 @@ public:
 
 private:
     void line(const std::string& text);
+    void each_warning(std::span<const NamedWarnings> all, const std::string& set);
+    void worst_warnings(std::span<const NamedWarnings> all, const std::string& set);
     void clear_progress();
 
     bool json_;
     bool quiet_;
+    bool verbose_;
     bool terminal_;
     int percent_ = -1;  // on the screen
 };

@@ -26,12 +26,18 @@ using namespace vybeg::cli;
 struct LogOptions {
     bool quiet = false;
     bool json = false;
+    bool verbose = false;
 };
 
 void add_log_options(CLI::App& app, LogOptions& options) {
     app.add_flag("--quiet", options.quiet, "Neither progress nor warnings on standard error");
     app.add_flag("--json-log", options.json,
                  "Standard error as one JSON object per line: errors, warnings, progress");
+}
+
+void add_verbose(CLI::App& app, bool& verbose) {
+    app.add_flag("--verbose", verbose,
+                 "All warnings, and notes, each by itself (default: the three worst)");
 }
 
 void add_input(CLI::App& app, std::string& input) {
@@ -136,6 +142,7 @@ int run(int argc, char** argv) {
     info_command->add_flag("--json", info.json, "As JSON");
     add_open_options(*info_command, info.open);
     add_log_options(*info_command, log_options);
+    add_verbose(*info_command, log_options.verbose);
 
     AnalyzeRequest analyze;
     CLI::App* const analyze_command =
@@ -150,6 +157,7 @@ int run(int argc, char** argv) {
     add_analysis_options(*analyze_command, analyze.settings);
     add_open_options(*analyze_command, analyze.open);
     add_log_options(*analyze_command, log_options);
+    add_verbose(*analyze_command, log_options.verbose);
     analyze_command->add_flag("--timing", analyze.timing,
                               "Last line of standard error: where the time went, JSON, s");
 
@@ -164,6 +172,7 @@ int run(int argc, char** argv) {
                      "Also write the gyro's passport, to compare with later")
         ->type_name("PASSPORT.json");
     add_log_options(*identify_command, log_options);
+    add_verbose(*identify_command, log_options.verbose);
 
     IdentifyRequest comparison;
     CLI::App* const compare_command =
@@ -172,10 +181,12 @@ int run(int argc, char** argv) {
         ->add_option("PASSPORT", comparison.old_passport, "A passport that identify has written")
         ->type_name("")
         ->required();
-    add_inputs(*compare_command, comparison.inputs)->required();
+    add_inputs(*compare_command, comparison.inputs);
+    add_list(*compare_command, comparison);
     add_identification(*compare_command, comparison);
     add_compare_options(*compare_command, comparison.compare);
     add_log_options(*compare_command, log_options);
+    add_verbose(*compare_command, log_options.verbose);
 
     BatchRequest batch;
     batch.program = program;
@@ -183,6 +194,7 @@ int run(int argc, char** argv) {
         app.add_subcommand("batch", "The resonators of a measurement list, as a table");
     add_batch_options(*batch_command, batch);
     add_log_options(*batch_command, log_options);
+    add_verbose(*batch_command, log_options.verbose);
 
     SimulateRequest simulation;
     CLI::App* const simulate_command =
@@ -201,12 +213,15 @@ int run(int argc, char** argv) {
         return Log(asks_for_json(words), false).fail_usage(parse_fault(app, error, words));
     }
 
-    Log log(log_options.json, log_options.quiet);
+    // A simulation has no warnings but of options, and says each.
+    Log log(log_options.json, log_options.quiet, log_options.verbose || simulate_command->parsed());
+    info.verbose = log_options.verbose;
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return log.fail_usage(fault);
     }
-    if (identify_command->parsed() && identification.inputs.empty() &&
-        identification.list.empty()) {
+    const IdentifyRequest& asked = compare_command->parsed() ? comparison : identification;
+    if ((identify_command->parsed() || compare_command->parsed()) && asked.inputs.empty() &&
+        asked.list.empty()) {
         return log.fail_usage("FILE or --list is required.");
     }
     if (simulate_command->parsed()) {

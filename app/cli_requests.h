@@ -17,6 +17,7 @@ struct InfoRequest {
     std::string input;
     OpenOptions open;
     bool json = false;
+    bool verbose = false;
 };
 
 struct AnalyzeRequest {

@@ -3,12 +3,14 @@
 #include "app/process_guard.h"
 #include "core/analysis/analyse.h"
 #include "core/analysis/idle_options.h"
+#include "core/base/finding.h"
 #include "core/base/messages.h"
 #include "core/output/output_paths.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/file_changes.h"
 #include "ui/widgets/theme.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -20,8 +22,15 @@ int fail(const Error& error) {
     return exit_status(error.code);
 }
 
-void warn(const Diagnostic& diagnostic) {
-    std::fprintf(stderr, "vybeg: warning: %s\n", english(diagnostic).c_str());
+void warn(const std::vector<Diagnostic>& diagnostics) {
+    const std::vector<Finding> findings = findings_of(diagnostics);
+    const std::size_t count = count_warnings(findings);
+    for (std::size_t k = 0; k < std::min(count, most_shown); ++k) {
+        std::fprintf(stderr, "vybeg: warning: %s\n", english(findings[k]).c_str());
+    }
+    if (count > most_shown) {
+        std::fprintf(stderr, "vybeg: %zu more: vybeg-cli analyze --verbose\n", count - most_shown);
+    }
 }
 
 Status check_request(const std::string& option, const std::string& output,
@@ -37,9 +46,7 @@ Status check_request(const std::string& option, const std::string& output,
     if (Status enough = check_threads(settings.threads); !enough) {
         return enough;
     }
-    for (const Diagnostic& diagnostic : without_effect(settings)) {
-        warn(diagnostic);
-    }
+    warn(without_effect(settings));
     return {};
 }
 
@@ -47,9 +54,7 @@ Result<Recording> open_warned(const std::string& input, const OpenOptions& optio
                               const JobControl& job) {
     Result<Recording> recording = open_recording(input, options, job);
     if (recording) {
-        for (const Diagnostic& diagnostic : without_effect(options, *recording)) {
-            warn(diagnostic);
-        }
+        warn(without_effect(options, *recording));
     }
     return recording;
 }
@@ -61,9 +66,7 @@ Result<Analysis> analyse_warned(const Recording& recording, const Settings& sett
         return still.error();
     }
     if (analysis) {
-        for (const Diagnostic& diagnostic : analysis->diagnostics) {
-            warn(diagnostic);
-        }
+        warn(analysis->diagnostics);
     }
     return analysis;
 }

@@ -20,7 +20,7 @@ namespace vybeg::cli {
 
 // Returns the exit status (help, files.html).
 int fail(const Error& error);
-void warn(const Diagnostic& diagnostic);
+void warn(const std::vector<Diagnostic>& diagnostics);
 
 // Checks what can be checked before the first recording is opened, and warns of settings without
 // effect. Errors: setting_invalid, those of check_threads().

@@ -184,8 +184,8 @@ int figure_mode(int argc, char** argv, const Requested& requested) {
         return usage("--figure needs a recording to draw.");
     }
     if (requested.identify.tolerance != Tolerance{}) {
-        warn({DiagnosticKind::option_without_effect,
-              {"--tolerance", "a figure shows no resonator"}});
+        warn({{DiagnosticKind::option_without_effect,
+               {"--tolerance", "a figure shows no resonator"}}});
     }
     return drawing_mode(argc, argv, [&](auto stop) { return draw_figure(requested.figure, stop); });
 }

@@ -61,9 +61,7 @@ Result<MeasurementList> wanted_sets(const ReportRequest& request) {
     if (!list) {
         return list.error();
     }
-    for (const Diagnostic& diagnostic : list->warnings) {
-        warn(diagnostic);
-    }
+    warn(list->warnings);
     if (request.set.empty()) {
         return list;
     }

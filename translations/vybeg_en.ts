@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
     <context>
+        <name>Finding</name>
+        <message numerus="yes">
+            <source>(And %n more of the kind.)</source>
+            <translation>
+                <numerusform>(And %n more of the kind.)</numerusform>
+                <numerusform>(And %n more of the kind.)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>(And %n more place(s).)</source>
+            <translation>
+                <numerusform>(And %n more place.)</numerusform>
+                <numerusform>(And %n more places.)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>(And %n more place(s); %1 samples in all.)</source>
+            <translation>
+                <numerusform>(And %n more place; %1 samples in all.)</numerusform>
+                <numerusform>(And %n more places; %1 samples in all.)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more</source>
+            <translation>
+                <numerusform>%n more</numerusform>
+                <numerusform>%n more</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>Format</name>
         <message numerus="yes">
             <source>%n channel(s)</source>

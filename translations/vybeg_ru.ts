@@ -70,6 +70,38 @@
 <context>
     <name>BatchColumn</name>
     <message>
+        <source>Why the set has no result, or no verdict</source>
+        <translation>Почему у набора нет результата или вывода</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Предупреждения</translation>
+    </message>
+    <message>
+        <source>Their codes, the worst first</source>
+        <translation>Их коды, сначала самые серьёзные</translation>
+    </message>
+    <message>
+        <source>Bias, V</source>
+        <translation>Смещение, В</translation>
+    </message>
+    <message>
+        <source>Temperature, °C</source>
+        <translation>Температура, °C</translation>
+    </message>
+    <message>
+        <source>Exchanged</source>
+        <translation>Усилители переставлены</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Оператор</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Примечание</translation>
+    </message>
+    <message>
         <source>Set</source>
         <translation>Набор</translation>
     </message>
@@ -148,10 +180,6 @@
     <message>
         <source>Reason</source>
         <translation>Причина</translation>
-    </message>
-    <message>
-        <source>Why the set has no result</source>
-        <translation>Почему у набора нет результата</translation>
     </message>
     <message>
         <source>A column of the list</source>
@@ -543,6 +571,41 @@
     </message>
 </context>
 <context>
+    <name>Finding</name>
+    <message numerus="yes">
+        <source>(And %n more of the kind.)</source>
+        <translation>
+            <numerusform>(И ещё %n такого рода.)</numerusform>
+            <numerusform>(И ещё %n такого рода.)</numerusform>
+            <numerusform>(И ещё %n такого рода.)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>(And %n more place(s).)</source>
+        <translation>
+            <numerusform>(И ещё %n место.)</numerusform>
+            <numerusform>(И ещё %n места.)</numerusform>
+            <numerusform>(И ещё %n мест.)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>(And %n more place(s); %1 samples in all.)</source>
+        <translation>
+            <numerusform>(И ещё %n место; всего отсчётов: %1.)</numerusform>
+            <numerusform>(И ещё %n места; всего отсчётов: %1.)</numerusform>
+            <numerusform>(И ещё %n мест; всего отсчётов: %1.)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>ещё %n</numerusform>
+            <numerusform>ещё %n</numerusform>
+            <numerusform>ещё %n</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Flag</name>
     <message>
         <source>a_B is not estimated</source>
@@ -731,6 +794,38 @@
 <context>
     <name>History</name>
     <message>
+        <source>values ± u</source>
+        <translation>значения ± u</translation>
+    </message>
+    <message>
+        <source>limits need %1 results, there are %2</source>
+        <translation>для пределов нужно результатов: %1, есть: %2</translation>
+    </message>
+    <message>
+        <source>the baseline has a trend</source>
+        <translation>в исходных результатах есть тренд</translation>
+    </message>
+    <message>
+        <source>neighbours in the baseline are correlated</source>
+        <translation>соседние исходные результаты коррелированы</translation>
+    </message>
+    <message>
+        <source>Limits need %1 results of this gyro that differ and have about the same uncertainty; the baseline has %2.</source>
+        <translation>Для пределов нужно результатов этого гироскопа: %1, не одинаковых и с близкими неопределённостями; исходных результатов: %2.</translation>
+    </message>
+    <message>
+        <source>⚠ They rise or fall (stable ones look so in 1 of 200 cases): the limits hold the trend. Choose a baseline without one.</source>
+        <translation>⚠ Они растут или убывают (устойчивые выглядят так в 1 случае из 200): пределы включают тренд. Выберите исходные результаты без него.</translation>
+    </message>
+    <message>
+        <source>⚠ Each resembles or opposes the one before (independent ones look so in 1 of 200 cases): alarms are not as rare as stated.</source>
+        <translation>⚠ Каждый похож на предыдущий или противоположен ему (независимые выглядят так в 1 случае из 200): тревоги не так редки, как указано.</translation>
+    </message>
+    <message>
+        <source>warnings: %1</source>
+        <translation>предупреждения: %1</translation>
+    </message>
+    <message>
         <source>Date (UTC)</source>
         <translation>Дата (UTC)</translation>
     </message>
@@ -753,10 +848,6 @@
     <message>
         <source>passport ± 3 u</source>
         <translation>паспорт ± 3 u</translation>
-    </message>
-    <message>
-        <source>values ± sd</source>
-        <translation>значения ± СКО</translation>
     </message>
     <message>
         <source>centre</source>
@@ -838,10 +929,6 @@
             <numerusform>%n результатов без даты не показаны; по порядку они видны.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Limits need two results of this gyro.</source>
-        <translation>Для пределов нужны два результата этого гироскопа.</translation>
-    </message>
     <message numerus="yes">
         <source>The first %n result(s) set the limits.</source>
         <translation>
@@ -849,10 +936,6 @@
             <numerusform>Пределы заданы первыми %n результатами.</numerusform>
             <numerusform>Пределы заданы первыми %n результатами.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>So few make them unsure, and the average needs ten.</source>
-        <translation>При столь малом числе они ненадёжны, а среднему нужны десять.</translation>
     </message>
     <message>
         <source>f = %1 Hz</source>
@@ -913,6 +996,10 @@
 </context>
 <context>
     <name>Message</name>
+    <message>
+        <source>The passport is that of the gyro %1, the recordings are of the gyro %2: their differences are no changes of one resonator.</source>
+        <translation>Паспорт принадлежит гироскопу %1, записи сделаны с гироскопа %2: их различия — не изменения одного резонатора.</translation>
+    </message>
     <message>
         <source>%2 cannot be &quot;%3&quot;: %4.</source>
         <translation>Недопустимое значение «%3» параметра %2: %4.</translation>
@@ -1632,6 +1719,46 @@
 </context>
 <context>
     <name>Report</name>
+    <message>
+        <source>Of the resonator</source>
+        <translation>О резонаторе</translation>
+    </message>
+    <message>
+        <source>Of the analyses</source>
+        <translation>Об анализах</translation>
+    </message>
+    <message>
+        <source>Of the recordings in the fit</source>
+        <translation>О записях в подгонке</translation>
+    </message>
+    <message>
+        <source>Gain ratio</source>
+        <translation>Отнош. усиления</translation>
+    </message>
+    <message>
+        <source>Skew</source>
+        <translation>Неортог.</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Задержка</translation>
+    </message>
+    <message>
+        <source>Crosstalk</source>
+        <translation>Перекр. помеха</translation>
+    </message>
+    <message>
+        <source>Phase drift</source>
+        <translation>Уход фазы</translation>
+    </message>
+    <message>
+        <source>Gain drift</source>
+        <translation>Уход усиления</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Частота дискр.</translation>
+    </message>
     <message>
         <source>Statistical</source>
         <translation>Статист.</translation>
@@ -4245,6 +4372,10 @@
 <context>
     <name>vybeg::ui::CheckList</name>
     <message>
+        <source>Only the worst</source>
+        <translation>Только самые серьёзные</translation>
+    </message>
+    <message>
         <source>Recording check</source>
         <translation>Проверка записи</translation>
     </message>
@@ -6789,6 +6920,13 @@ Open a recording and press Analyse.</source>
     <message>
         <source>Export plot…</source>
         <translation>Экспорт графика…</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::WarningList</name>
+    <message>
+        <source>Only the worst</source>
+        <translation>Только самые серьёзные</translation>
     </message>
 </context>
 </TS>

@@ -73,6 +73,7 @@ enum class DiagnosticKind {
     event_left_out,               // args: recording, at time (s), seconds left out
     motion_not_model,             // the halves of the recordings disagree. Deviations hold it.
     fit_not_converged,            // the fit stopped early
+    other_gyro,                   // args: gyro of the passport, gyro of the recordings
     option_without_effect,        // args: option of the command line, why
     column_like_option,           // args: column of a list that is kept, the option it resembles
 };

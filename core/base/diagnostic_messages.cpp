@@ -418,6 +418,11 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "The fit of the resonator stopped before it converged: its "
                                   "values are refused.")};
+        case DiagnosticKind::other_gyro:
+            return {"other-gyro", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The passport is that of the gyro %1, the recordings are of the "
+                                  "gyro %2: their differences are no changes of one resonator.")};
         case DiagnosticKind::option_without_effect:
             return {"option-without-effect", warning,
                     VYBEG_MESSAGE("Message", "%1 has no effect: %2.")};

@@ -1,20 +1,16 @@
 #pragma once
 
 #include "core/analysis/measurement_list.h"
-#include "core/base/diagnostic.h"
 #include "core/base/error.h"
+#include "core/base/finding.h"
 
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vybeg {
-
-// Warnings and the file that they concern; empty: none alone.
-using NamedWarnings = std::pair<std::string, std::vector<Diagnostic>>;
 
 // A row that is safe on the disk.
 struct FinishedRow {

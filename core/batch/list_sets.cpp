@@ -1,5 +1,6 @@
 #include "core/batch/list_sets.h"
 
+#include "core/analysis/set_conditions.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/read_value.h"
 #include "core/output/batch_csv.h"
@@ -83,6 +84,10 @@ Result<std::string> row_key(const std::string& program, const MeasurementSet& se
     for (const std::string& part : beside) {
         add(part);
     }
+    // Rows of a table with other columns are computed again.
+    for (const std::string& column : batch_columns()) {
+        add(column);
+    }
     for (const auto& [name, value] : settings_list(set.settings)) {
         add(name);
         add(value);
@@ -93,7 +98,9 @@ Result<std::string> row_key(const std::string& program, const MeasurementSet& se
         for (const std::string& part :
              {recording.file, recording.path.string(), stamp(recording.path), told.gyro, told.date,
               told.bias_v ? round_trip_text(*told.bias_v) : std::string(),
-              std::string(told.exchanged ? "yes" : "no"), options_text(open),
+              told.temperature_c ? round_trip_text(*told.temperature_c) : std::string(),
+              std::string(told.exchanged ? "yes" : "no"), told.operator_name, told.comment,
+              options_text(open),
               open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
               integer_text(open.channel_c), integer_text(open.channel_d)}) {
             add(part);

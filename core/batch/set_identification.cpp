@@ -2,6 +2,7 @@
 
 #include "core/analysis/idle_options.h"
 #include "core/batch/hash_beside.h"
+#include "core/analysis/set_conditions.h"
 #include "core/output/passport_json.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
@@ -98,19 +99,22 @@ Result<IdentifiedSet> identify_set(OpenSet& open, const MeasurementSet& set,
         return found.error();
     }
     IdentifiedSet result{std::move(*found), {}};
-    result.warnings.emplace_back("", without_effect(set.settings));
-    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
-        result.warnings.emplace_back(open.told[k].name,
-                                     without_effect(set.recordings[k].open, open.recordings[k]));
+    if (open.comparison) {
+        open.comparison->differences = vybeg::compare(*open.passport, result.found.fit, compare);
+        if (const auto other = other_gyro(*open.passport, gyro_of(set))) {
+            result.found.fit.warnings.push_back(*other);
+        }
     }
+    result.warnings.emplace_back("", result.found.fit.warnings);
     for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         const IdentifiedRun& run = result.found.runs[k];
         open.told[k].f0_hz = run.f0_hz;
         result.warnings.emplace_back(open.told[k].name, run.diagnostics);
     }
-    result.warnings.emplace_back("", result.found.fit.warnings);
-    if (open.comparison) {
-        open.comparison->differences = vybeg::compare(*open.passport, result.found.fit, compare);
+    result.warnings.emplace_back("", without_effect(set.settings));
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
+        result.warnings.emplace_back(open.told[k].name,
+                                     without_effect(set.recordings[k].open, open.recordings[k]));
     }
     return result;
 }

@@ -21,6 +21,7 @@ struct HistoryPoint {
     double temperature_c = 0;
     bool exchanged = false;
     std::string program;
+    std::string warnings;  // warning_kinds() of the result
 };
 
 }  // namespace vybeg

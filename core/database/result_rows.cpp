@@ -106,14 +106,15 @@ std::optional<double> told(const SqliteStatement& row, int column) {
 
 std::int64_t write_head(const SqliteConnection& connection, const StoredResult& result) {
     SqliteStatement head(connection, R"sql(
-        INSERT INTO result (key, set_name, gyro, date, date_from, program, model)
-        VALUES (?, ?, ?, ?, ?, ?, ?)
+        INSERT INTO result (key, set_name, gyro, date, date_from, program, model, warnings)
+        VALUES (?, ?, ?, ?, ?, ?, ?, ?)
         ON CONFLICT (key) DO UPDATE SET set_name = excluded.set_name, gyro = excluded.gyro,
             date = excluded.date, date_from = excluded.date_from, program = excluded.program,
-            model = excluded.model
+            model = excluded.model, warnings = excluded.warnings
         RETURNING id)sql");
     head.bind(result.key).bind(result.set).bind(result.gyro).bind(result.date.text);
     head.bind(source_name(result.date.source)).bind(result.program).bind(result.model);
+    head.bind(result.warnings);
     head.step();
     const std::int64_t id = head.whole(0);
     head.run();
@@ -192,10 +193,16 @@ void write_parameters(const SqliteConnection& connection, std::int64_t id,
     }
 }
 
+// A column, or what stands for it in a database of before.
+std::string column_since(const SqliteConnection& connection, int schema, const char* column,
+                         const char* otherwise) {
+    SqliteStatement version(connection, "PRAGMA user_version");
+    version.step();
+    return version.whole(0) < schema ? otherwise : column;
+}
+
 std::vector<StoredRecording> read_recordings(const SqliteConnection& connection, std::int64_t id) {
-    SqliteStatement schema(connection, "PRAGMA user_version");
-    schema.step();
-    const std::string opening = schema.whole(0) < 2 ? "'[]'" : "opening";
+    const std::string opening = column_since(connection, 2, "opening", "'[]'");
     SqliteStatement row(connection, (R"sql(
         SELECT file, path, name, sha256, start, seconds, rate_hz, f0_hz, channel_c, channel_d,
             gyro, date, bias_v, temperature_c, exchanged, operator, comment, others, )sql" +
@@ -238,10 +245,12 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
 }
 
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id) {
-    SqliteStatement head(connection, R"sql(
+    SqliteStatement head(connection, (R"sql(
         SELECT key, set_name, gyro, date, date_from, program, model,
-            raw_names, raw_values, raw_covariance, json
-        FROM result JOIN document ON document.result = result.id WHERE result.id = ?)sql");
+            raw_names, raw_values, raw_covariance, json, )sql" +
+                                      column_since(connection, 3, "warnings", "''") + R"sql(
+        FROM result JOIN document ON document.result = result.id WHERE result.id = ?)sql")
+                                         .c_str());
     head.bind(id);
     if (!head.step()) {
         return std::nullopt;
@@ -259,6 +268,7 @@ std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64
         throw DamagedRow("parameters and covariance differ in size");
     }
     result.json = head.text(10);
+    result.warnings = head.text(11);
     result.recordings = read_recordings(connection, id);
     SqliteStatement row(connection, R"sql(
         SELECT name, value, sd, u, reason, reason_args
@@ -279,7 +289,8 @@ std::vector<HistoryPoint> read_history(SqliteConnection& connection,
             f.value, f.sd, f.u, f.reason, f.reason_args,
             (SELECT max(bias_v) FROM recording WHERE result = r.id),
             (SELECT avg(temperature_c) FROM recording WHERE result = r.id),
-            (SELECT max(exchanged) FROM recording WHERE result = r.id)
+            (SELECT max(exchanged) FROM recording WHERE result = r.id), )sql" +
+                      column_since(connection, 3, "r.warnings", "''") + R"sql(
         FROM result r
             JOIN parameter p ON p.name = ? AND p.result = r.id
             JOIN parameter f ON f.name = 'f_mean_hz' AND f.result = r.id)sql";
@@ -303,6 +314,7 @@ std::vector<HistoryPoint> read_history(SqliteConnection& connection,
         point.bias_v = row.number(16);
         point.temperature_c = row.number(17);
         point.exchanged = row.whole(18) != 0;
+        point.warnings = row.text(19);
         points.push_back(std::move(point));
     }
     return points;

@@ -4,8 +4,10 @@
 #include "core/base/system_reason.h"
 #include "core/database/result_rows.h"
 #include "core/database/schema.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <fcntl.h>
@@ -66,20 +68,58 @@ bool is_new(const Found& found) {
     return found.empty && found.application == 0 && found.schema == 0;
 }
 
+// A row for each result, for programs that read tables: what the list tells of it, and of each
+// parameter the value, sd and u.
+std::string history_view() {
+    std::string columns;
+    const auto add = [&columns](const std::string& name, const std::string& column) {
+        for (const auto& [prefix, field] :
+             {std::pair{"", "value"}, std::pair{"sd_", "sd"}, std::pair{"u_", "u"}}) {
+            columns += ",\n    max(CASE p.name WHEN '" + name + "' THEN p." + field + " END) AS " +
+                       prefix + column;
+        }
+    };
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        add(parameter.name, parameter.name);
+    }
+    for (const std::string& mode : std::array<std::string, 2>{"0", "1"}) {
+        for (const ModeParameter& parameter : mode_parameters) {
+            add("modes[" + mode + "]." + parameter.name, "mode_" + mode + "_" + parameter.name);
+        }
+    }
+    return R"sql(CREATE VIEW history AS SELECT r.id AS result, r.set_name, r.gyro, r.date,
+    (SELECT max(bias_v) FROM recording WHERE result = r.id) AS bias_v,
+    (SELECT avg(temperature_c) FROM recording WHERE result = r.id) AS temperature_c,
+    (SELECT max(exchanged) FROM recording WHERE result = r.id) AS exchanged,
+    (SELECT group_concat(DISTINCT operator) FROM recording
+        WHERE result = r.id AND operator <> '') AS operator,
+    (SELECT group_concat(DISTINCT comment) FROM recording
+        WHERE result = r.id AND comment <> '') AS comment,
+    r.warnings, r.program, r.model)sql" +
+           columns + R"sql(
+FROM result r LEFT JOIN parameter p ON p.result = r.id GROUP BY r.id)sql";
+}
+
 // Several programs may do it at once: the first one does.
 void make_tables(SqliteConnection& connection) {
     SqliteTransaction transaction(connection, "BEGIN IMMEDIATE");
     const Found found = look_at(connection);
     if (is_new(found)) {
         connection.run(results_tables);
+    } else {
+        check_kind(found);
+        if (found.schema < 2) {
+            connection.run(opening_column);
+        }
+        if (found.schema < 3) {
+            connection.run(warnings_column);
+        }
+    }
+    if (is_new(found) || found.schema < results_schema) {
+        connection.run(history_view().c_str());
         const std::string marks = "PRAGMA application_id = " + std::to_string(results_application) +
                                   "; PRAGMA user_version = " + std::to_string(results_schema);
         connection.run(marks.c_str());
-    } else {
-        check_kind(found);
-        if (found.schema < results_schema) {
-            connection.run(opening_column);
-        }
     }
     transaction.commit();
 }

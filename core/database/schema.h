@@ -2,8 +2,8 @@
 
 namespace vybeg {
 
-// The tables of a database of results, `PRAGMA user_version` 2. README.md has the columns.
-inline constexpr int results_schema = 2;
+// The tables of a database of results, `PRAGMA user_version` 3. README.md has the columns.
+inline constexpr int results_schema = 3;
 // `PRAGMA application_id`: "VybR".
 inline constexpr int results_application = 0x56796252;
 
@@ -19,7 +19,8 @@ CREATE TABLE result (
     date TEXT NOT NULL,
     date_from TEXT NOT NULL CHECK (date_from IN ('', 'list', 'recording')),
     program TEXT NOT NULL,
-    model TEXT NOT NULL
+    model TEXT NOT NULL,
+    warnings TEXT NOT NULL DEFAULT ''
 );
 CREATE INDEX result_gyro ON result (gyro);
 
@@ -70,10 +71,10 @@ CREATE TABLE document (
 );
 )sql";
 
-// Makes a database of schema 1, which has no options of opening, one of schema 2.
-inline constexpr const char* opening_column = R"sql(
-ALTER TABLE recording ADD COLUMN opening TEXT NOT NULL DEFAULT '[]';
-PRAGMA user_version = 2;
-)sql";
+// What a database of schema 1 lacks, and what one of schema 2 does, besides the view.
+inline constexpr const char* opening_column =
+    "ALTER TABLE recording ADD COLUMN opening TEXT NOT NULL DEFAULT '[]'";
+inline constexpr const char* warnings_column =
+    "ALTER TABLE result ADD COLUMN warnings TEXT NOT NULL DEFAULT ''";
 
 }  // namespace vybeg

@@ -3,7 +3,8 @@
 #include "core/analysis/list_fields.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
-#include "core/output/batch_csv.h"
+#include "core/analysis/set_conditions.h"
+#include "core/output/identify_json.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
 #include "core/resonator/results/resonator_parameters.h"
@@ -57,10 +58,8 @@ Result<std::string> result_key(const MeasurementSet& set, std::span<const Identi
 
 // The first date that the list tells, otherwise the first start that a recording tells as ISO 8601.
 StoredDate date_of(const MeasurementSet& set, std::span<const IdentifiedInput> inputs) {
-    for (const ListedRecording& recording : set.recordings) {
-        if (!recording.conditions.date.empty()) {
-            return {recording.conditions.date, DateSource::list};
-        }
+    if (const std::string date = list_date_of(set); !date.empty()) {
+        return {date, DateSource::list};
     }
     for (const IdentifiedInput& input : inputs) {
         if (is_iso_date(input.start)) {
@@ -108,6 +107,7 @@ Result<StoredResult> stored_result(const std::string& program, const Measurement
     result.date = date_of(set, inputs);
     result.program = program;
     result.model = found.fit.model == ResonatorModel::structured ? "structured" : "free";
+    result.warnings = warning_kinds(findings_of(found));
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         const ListedRecording& listed = set.recordings[k];
         StoredRecording recording{listed.file, absolute_path(listed.path), inputs[k],

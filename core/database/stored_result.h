@@ -47,6 +47,7 @@ struct StoredResult {
     StoredDate date;
     std::string program;  // name and version
     std::string model;    // "structured" or "free"
+    std::string warnings;  // warning_kinds()
     std::vector<StoredRecording> recordings;
     std::vector<StoredParameter> parameters;
     RawParameters raw;

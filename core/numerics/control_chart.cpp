@@ -1,21 +1,26 @@
 #include "core/numerics/control_chart.h"
 
 #include "core/numerics/ewma_limit.h"
+#include "core/numerics/student.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 namespace vybeg {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// Factors of the mean moving range of two points, whose expectation is d2 = 1.128 deviations.
-constexpr double limit_per_range = 2.66;         // 3 / d2, d2 = 1.128
-constexpr double range_limit_per_range = 3.267;  // D4 of two
+// Shares of the false alarms. The average finds lasting changes, for which the charts are kept.
+constexpr double average_share = 0.7;
+constexpr double individuals_share = 0.2;
+constexpr double ranges_share = 0.1;
+// Alarms of the family for each alarm of its charts: one result may lie outside several of them
+// (tests/statistical/test_control_charts.cpp, baselines of 10 to 100).
+constexpr double alarms_apart = 0.85;
 
-// The baseline's values and the squares of their own deviations.
+// The baseline's values and the squares of their own uncertainties.
 struct Baseline {
     std::vector<double> values;
     std::vector<double> variances;
@@ -24,7 +29,7 @@ struct Baseline {
 struct WeightedMean {
     double mean = 0;
     double chi2 = 0;       // of the values about it
-    double effective = 0;  // number of equal values that would know it as well (L. Kish)
+    double effective = 0;  // number of equal values that would know it as well
 };
 
 WeightedMean weighted_mean(const Baseline& baseline, double between) {
@@ -45,11 +50,21 @@ WeightedMean weighted_mean(const Baseline& baseline, double between) {
     return result;
 }
 
-// Variance between the results after R. C. Paule, J. Mandel (1982): the one with which the squared
-// distances in units of their deviations add up to the degrees of freedom; 0 where the own
-// deviations alone explain them.
-double between_variance(const Baseline& baseline) {
+// Expected square of a deviation: between + share * u^2, with which the squared distances of the
+// baseline add up to its degrees of freedom.
+struct Scatter {
+    double between = 0;
+    double share = 1;
+};
+
+Scatter scatter_of(const Baseline& baseline) {
     const auto freedom = static_cast<double>(baseline.values.size() - 1);
+    if (std::ranges::all_of(baseline.variances, [](double v) { return v > 0; })) {
+        const double chi2 = weighted_mean(baseline, 0).chi2;
+        if (chi2 <= freedom) {
+            return {0, chi2 / freedom};
+        }
+    }
     double mean = 0;
     for (const double value : baseline.values) {
         mean += value / static_cast<double>(baseline.values.size());
@@ -61,104 +76,168 @@ double between_variance(const Baseline& baseline) {
     // At this one chi^2 is at most the degrees of freedom.
     double high = squares / freedom;
     if (!(high > 0)) {
-        return 0;
+        return {0, 0};
     }
     double low = 0;
-    const bool all_known = std::ranges::all_of(baseline.variances, [](double v) { return v > 0; });
-    if (all_known && weighted_mean(baseline, 0).chi2 <= freedom) {
-        return 0;
-    }
     constexpr int halvings = 60;
     for (int k = 0; k < halvings; ++k) {
         const double middle = (low + high) / 2;
         (weighted_mean(baseline, middle).chi2 > freedom ? low : high) = middle;
     }
-    return high;
+    return {high, 1};
 }
 
-double square_or_zero(double sd) {
-    return std::isfinite(sd) ? sd * sd : 0;
+double square_or_zero(double u) {
+    return std::isfinite(u) ? u * u : 0;
 }
 
-Baseline baseline_of(std::span<const double> values, std::span<const double> sd, std::size_t size) {
+Baseline baseline_of(std::span<const double> values, std::span<const double> u, std::size_t size) {
     Baseline baseline;
     for (std::size_t k = 0; k < std::min(size, values.size()); ++k) {
         if (std::isfinite(values[k])) {
             baseline.values.push_back(values[k]);
-            baseline.variances.push_back(square_or_zero(sd[k]));
+            baseline.variances.push_back(square_or_zero(u[k]));
         }
     }
     return baseline;
 }
 
-}  // namespace
-
-IndividualsChart individuals_chart(std::span<const double> values, std::size_t baseline) {
-    IndividualsChart chart;
-    double sum = 0;
-    double range_sum = 0;
-    double count = 0;
-    double ranges = 0;
-    double before = none;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        const double range = std::abs(values[k] - before);
-        chart.ranges.push_back(range);
-        const bool is_point = std::isfinite(values[k]);
-        before = is_point ? values[k] : before;
-        if (k < baseline && is_point) {
-            sum += values[k];
-            ++count;
-        }
-        if (k < baseline && std::isfinite(range)) {
-            range_sum += range;
-            ++ranges;
-        }
+// Of z against the order: Student's t of its slope, with freedom z.size() - 2.
+double slope_t(std::span<const double> z) {
+    const auto count = static_cast<double>(z.size());
+    double mean = 0;
+    for (const double each : z) {
+        mean += each / count;
     }
-    chart.mean_range = ranges > 0 ? range_sum / ranges : none;
-    chart.centre = ranges > 0 ? sum / count : none;
-    chart.low = chart.centre - limit_per_range * chart.mean_range;
-    chart.high = chart.centre + limit_per_range * chart.mean_range;
-    chart.range_limit = range_limit_per_range * chart.mean_range;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        chart.out.push_back(values[k] < chart.low || values[k] > chart.high);
-        chart.range_is_out.push_back(chart.ranges[k] > chart.range_limit);
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        const double x = static_cast<double>(k) - (count - 1) / 2;
+        xx += x * x;
+        xy += x * (z[k] - mean);
+        yy += (z[k] - mean) * (z[k] - mean);
     }
-    return chart;
+    const double rest = yy - xy * xy / xx;
+    return std::abs(xy) / std::sqrt(xx * std::max(rest, 0.0) / (count - 2));
 }
 
-EwmaChart ewma_chart(std::span<const double> values, std::span<const double> sd,
-                     std::size_t baseline, const EwmaOptions& options) {
-    EwmaChart chart{none, none, none, {}, {}, {}, {}};
-    const Baseline known = baseline_of(values, sd, baseline);
-    if (known.values.size() >= least_baseline) {
-        const double between = between_variance(known);
-        chart.scatter = std::sqrt(between);
-        // All values alike and no deviations told: nothing to compare with.
-        const bool weighs =
-            between > 0 || std::ranges::all_of(known.variances, [](double v) { return v > 0; });
-        if (weighs) {
-            const WeightedMean mean = weighted_mean(known, between);
-            chart.centre = mean.mean;
-            chart.limit = ewma_limit(options.lambda, static_cast<std::size_t>(mean.effective),
-                                     options.points_per_alarm);
-        }
+// Correlation of each z with the next in units of its deviation for independent normal numbers,
+// about its expectation (P. A. P. Moran, Biometrika 35 (1948) 255-260).
+double lag_deviations(std::span<const double> z) {
+    const auto count = static_cast<double>(z.size());
+    double mean = 0;
+    for (const double each : z) {
+        mean += each / count;
     }
+    double products = 0;
+    double squares = 0;
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        products += k > 0 ? (z[k] - mean) * (z[k - 1] - mean) : 0;
+        squares += (z[k] - mean) * (z[k] - mean);
+    }
+    const double sd = (count - 2) / (count * std::sqrt(count - 1));
+    return std::abs(products / squares + 1 / count) / sd;
+}
+
+BaselineFault fault_of(std::span<const double> z) {
+    if (student_beyond(slope_t(z), z.size() - 2) < baseline_level) {
+        return BaselineFault::trend;
+    }
+    return std::erfc(lag_deviations(z) / std::numbers::sqrt2) < baseline_level
+               ? BaselineFault::correlated
+               : BaselineFault::none;
+}
+
+// Factors of the deviations, for a share of the alarms.
+struct Factors {
+    double individual = none;
+    double range = none;
+    double average = none;
+};
+
+Factors factors_of(std::size_t count, const ChartOptions& options) {
+    const double alarms = 1 / (options.points_per_alarm * alarms_apart);
+    // A new value less the mean of the baseline, and the difference of two values, both in units of
+    // its standard deviation, have Student's distribution.
+    return {student_limit(individuals_share * alarms, count - 1) *
+                std::sqrt(1 + 1 / static_cast<double>(count)),
+            student_limit(ranges_share * alarms, count - 1),
+            ewma_limit(options.lambda, count, 1 / (average_share * alarms))};
+}
+
+// Sets centre, scatter and fault; the factors of the limits, NaN where the baseline sets none.
+Factors set_baseline(const Baseline& known, const ChartOptions& options, Scatter& scatter,
+                     ControlCharts& charts) {
+    charts.used = known.values.size();
+    if (charts.used < least_baseline) {
+        return {};
+    }
+    scatter = scatter_of(known);
+    if (!(scatter.between > 0 || scatter.share > 0)) {
+        return {};  // all values alike: nothing to compare with
+    }
+    const Baseline shared{known.values, [&] {
+                              std::vector<double> variances = known.variances;
+                              for (double& variance : variances) {
+                                  variance *= scatter.share;
+                              }
+                              return variances;
+                          }()};
+    const WeightedMean mean = weighted_mean(shared, scatter.between);
+    constexpr double rounding = 1e-6;
+    charts.used = static_cast<std::size_t>(mean.effective + rounding);
+    if (charts.used < least_baseline) {
+        return {};
+    }
+    charts.centre = mean.mean;
+    std::vector<double> z;
+    for (std::size_t k = 0; k < shared.values.size(); ++k) {
+        z.push_back((shared.values[k] - mean.mean) /
+                    std::sqrt(scatter.between + shared.variances[k]));
+    }
+    charts.fault = fault_of(z);
+    return factors_of(charts.used, options);
+}
+
+void add_point(ControlChart& chart, double value, double limit) {
+    chart.values.push_back(value);
+    chart.limits.push_back(limit);
+    chart.out.push_back(std::abs(value) > limit);  // false of NaN: no value, or no limit
+}
+
+}  // namespace
+
+ControlCharts control_charts(std::span<const double> values, std::span<const double> u,
+                             std::size_t baseline, const ChartOptions& options) {
+    ControlCharts charts;
+    Scatter scatter{none, none};
+    const Factors factors = set_baseline(baseline_of(values, u, baseline), options, scatter, charts);
     double average = 0;
     double rest = 1;  // share of the start in the average, squared
+    double before = none;
+    double deviation_before = none;
     for (std::size_t k = 0; k < values.size(); ++k) {
-        const double deviation = std::sqrt(chart.scatter * chart.scatter + square_or_zero(sd[k]));
-        const double z = (values[k] - chart.centre) / deviation;
-        chart.z.push_back(z);
+        const double deviation = std::sqrt(scatter.between + scatter.share * square_or_zero(u[k]));
+        const double off = values[k] - charts.centre;
+        charts.deviations.push_back(deviation);
+        add_point(charts.individuals, off, factors.individual * deviation);
+        add_point(charts.ranges, std::abs(values[k] - before),
+                  factors.range * std::hypot(deviation, deviation_before));
+        const double z = off / deviation;
         if (std::isfinite(z)) {
             average = options.lambda * z + (1 - options.lambda) * average;
             rest *= (1 - options.lambda) * (1 - options.lambda);
         }
-        chart.average.push_back(std::isfinite(z) ? average : none);
-        chart.limits.push_back(chart.limit *
-                               std::sqrt(options.lambda / (2 - options.lambda) * (1 - rest)));
-        chart.out.push_back(std::abs(chart.average[k]) > chart.limits[k]);
+        add_point(
+            charts.average, std::isfinite(z) ? average : none,
+            factors.average * std::sqrt(options.lambda / (2 - options.lambda) * (1 - rest)));
+        if (std::isfinite(values[k])) {
+            before = values[k];
+            deviation_before = deviation;
+        }
     }
-    return chart;
+    return charts;
 }
 
 std::vector<double> beside_first(std::span<const double> values, double period) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,43 +11,55 @@ namespace vybeg {
 // 6.3.2; D. C. Montgomery, Introduction to Statistical Quality Control). The first `baseline`
 // results set the centre and the limits; a value that is NaN is no point and counts in neither.
 
-// Individuals and moving range: unit of the values. Centre +- 2.66 mean ranges, 3.267 mean ranges.
-struct IndividualsChart {
-    double centre = 0;  // this and the limits: NaN with fewer than two values in the baseline
-    double low = 0;
-    double high = 0;
-    double mean_range = 0;
-    double range_limit = 0;
-    std::vector<double> ranges;      // |change from the value before|; NaN for the first
-    std::vector<bool> out;           // of each value: beyond the limits
-    std::vector<bool> range_is_out;  // of each range
+struct ChartOptions {
+    double lambda = 0.2;  // weight of the last result in the average
+    // Points for each false alarm at a stable resonator, of the three charts together and on
+    // average over baselines.
+    double points_per_alarm = 370;
 };
 
-IndividualsChart individuals_chart(std::span<const double> values, std::size_t baseline);
-
-struct EwmaOptions {
-    double lambda = 0.2;
-    // Points for each false alarm at a stable resonator, on average over baselines. Above 370,
-    // which a chart by three deviations has.
-    double points_per_alarm = 450;
-};
-
-// Exponentially weighted moving average of z = (value - centre) / sqrt(scatter^2 + sd^2), in
-// deviations: results with large deviations of their own weigh no more than others.
-struct EwmaChart {
-    double centre = 0;   // mean of the baseline, weighted by 1 / (scatter^2 + sd^2)
-    double scatter = 0;  // between the baseline's results, beyond their own deviations
-    double limit = 0;    // ewma_limit(); NaN: the baseline is too short for one
-    std::vector<double> z;
-    std::vector<double> average;
-    std::vector<double> limits;  // +-, of each average; they widen over the first points
+// One chart: a number for each result, its limit, and whether it lies beyond.
+struct ControlChart {
+    std::vector<double> values;
+    std::vector<double> limits;  // NaN: the baseline sets none
     std::vector<bool> out;
 };
 
-// `sd`: each result's own standard deviation, NaN or 0: not known. Preconditions: as many as
+// What a baseline may have that limits do not allow for; the first that is found.
+enum class BaselineFault {
+    none,
+    too_few,    // fewer than least_baseline results of equal weight, or all alike: no limits
+    trend,      // it rises or falls
+    correlated  // each result resembles, or opposes, the one before
+};
+
+// Chance that a stable baseline is called trending, and that it is called correlated.
+inline constexpr double baseline_level = 0.005;
+
+// Three charts with one family of limits: each has a share of the false alarms, and Student's
+// distribution and ewma_limit() allow for a centre and a scatter from a baseline of finite length.
+struct ControlCharts {
+    double centre = std::numeric_limits<double>::quiet_NaN();  // weighted mean of the baseline
+    std::size_t used = 0;  // results of equal weight that would set it as well (L. Kish)
+    BaselineFault fault = BaselineFault::too_few;
+    std::vector<double> deviations;  // expected of each value about the centre
+    ControlChart individuals;        // value - centre
+    ControlChart ranges;             // |change from the value before|; NaN for the first
+    ControlChart average;            // exponentially weighted, of the deviations in their units
+
+    // Beyond a limit of any chart.
+    bool is_out(std::size_t point) const {
+        return individuals.out[point] || ranges.out[point] || average.out[point];
+    }
+};
+
+// `u`: each result's own standard uncertainty; NaN or 0: not known. A result weighs less where its
+// u is larger. The scatter of the baseline decides how large a deviation is expected: where it is
+// above u, results differ by more than their u (R. C. Paule, J. Mandel, 1982); where it is below,
+// u holds parts that all results share, such as those of the channels. Preconditions: as many as
 // values; 0 < lambda <= 1.
-EwmaChart ewma_chart(std::span<const double> values, std::span<const double> sd,
-                     std::size_t baseline, const EwmaOptions& options = {});
+ControlCharts control_charts(std::span<const double> values, std::span<const double> u,
+                             std::size_t baseline, const ChartOptions& options = {});
 
 // Axes that repeat with `period`, each moved by whole periods to the nearest of the first one, so
 // that a series near the end of the range does not jump. A period of 0 leaves the values.

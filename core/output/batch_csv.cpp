@@ -1,5 +1,7 @@
 #include "core/output/batch_csv.h"
 
+#include "core/analysis/set_conditions.h"
+#include "core/base/finding.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
@@ -20,7 +22,7 @@ struct Parameter {
     Estimate ResonatorEstimate::*member;
 };
 
-// Those of the table, each with its deviation beside it.
+// Those of the table, each with its deviation beside it and its uncertainty u further on.
 constexpr std::array parameters{
     Parameter{"f_mean_hz", &ResonatorEstimate::f_mean_hz},
     Parameter{"split_hz", &ResonatorEstimate::split_hz},
@@ -61,49 +63,29 @@ std::string number(double value) {
     return std::isfinite(value) ? round_trip_text(value) : "";
 }
 
-// The texts of the recordings with ";" between them, or the one that they share.
-std::string of_all(const MeasurementSet& set, auto text_of) {
-    std::vector<std::string> texts;
-    for (const ListedRecording& recording : set.recordings) {
-        texts.push_back(text_of(recording));
-    }
-    const auto differs = [&texts](const std::string& text) { return text != texts.front(); };
-    if (std::ranges::none_of(texts, differs)) {
-        return texts.front();
-    }
-    std::string joined;
-    for (const std::string& text : texts) {
-        joined += (&text == &texts.front() ? "" : ";") + text;
-    }
-    return joined;
-}
-
-std::string first_told(const MeasurementSet& set, std::string Conditions::*member) {
-    for (const ListedRecording& recording : set.recordings) {
-        if (const std::string& text = recording.conditions.*member; !text.empty()) {
-            return text;
-        }
-    }
-    return {};
-}
-
+// `results`: from the model to the warnings; empty: there are none.
 std::string whole_row(const MeasurementSet& set, const std::string& status,
                       const std::string& message, const std::vector<std::string>& results) {
     std::string files;
     for (const ListedRecording& recording : set.recordings) {
         files += (files.empty() ? "" : ";") + recording.file;
     }
-    std::vector<std::string> texts{set.name, gyro_of(set), first_told(set, &Conditions::date),
+    std::vector<std::string> texts{set.name, gyro_of(set), list_date_of(set),
                                    files,    status,       message};
     texts.insert(texts.end(), results.begin(), results.end());
-    texts.resize(batch_columns().size());
+    const auto conditions = conditions_of(set);
+    texts.resize(batch_columns().size() - conditions.size());
+    for (const auto& [column, field] : conditions) {
+        texts.push_back(field);
+    }
     for (std::size_t k = 0; k < set.recordings.front().others.size(); ++k) {
-        texts.push_back(of_all(set, [k](const ListedRecording& r) { return r.others[k]; }));
+        texts.push_back(other_of(set, k));
     }
     return in_row(texts);
 }
 
-// The verdict about the gyro, and the names of the parameters that have changed.
+// The verdict about the gyro, and the names of the parameters that have changed, without Q, which
+// follows from others.
 std::pair<std::string, std::string> verdict(const PassportComparison* comparison) {
     if (comparison == nullptr) {
         return {};
@@ -111,7 +93,7 @@ std::pair<std::string, std::string> verdict(const PassportComparison* comparison
     std::string verdict = "not-comparable";
     std::string changed;
     for (const Difference& difference : comparison->differences) {
-        if (difference.verdict == Verdict::changed) {
+        if (difference.verdict == Verdict::changed && !difference.follows) {
             changed += (changed.empty() ? "" : ";") + difference.name;
         }
         if (difference.verdict == Verdict::unchanged) {
@@ -130,11 +112,14 @@ std::vector<std::string> batch_columns() {
         names.push_back(std::string("sd_") + parameter.name);
     }
     names.insert(names.end(), {"noise", "chi2_per_dof", "verdict", "changed"});
+    for (const Parameter& parameter : parameters) {
+        names.push_back(std::string("u_") + parameter.name);
+    }
+    names.emplace_back("warnings");
+    for (const auto& [column, field] : conditions_of({})) {
+        names.push_back(column);
+    }
     return names;
-}
-
-std::string gyro_of(const MeasurementSet& set) {
-    return first_told(set, &Conditions::gyro);
 }
 
 bool is_batch_table(const std::filesystem::path& path) {
@@ -174,10 +159,19 @@ std::string batch_row(const MeasurementSet& set, const Identification& found,
         results.push_back(estimate.given() ? number(estimate.value) : "");
         results.push_back(estimate.given() ? number(estimate.sd) : "");
     }
-    const auto [judged, changed] = verdict(comparison);
+    const std::vector<Finding> findings = findings_of(found);
+    // Numbers that may be wrong are compared with nothing: the message says why.
+    const bool doubtful = !findings.empty() &&
+                          severity(findings.front().diagnostic.kind) == Severity::serious;
+    const auto [judged, changed] = verdict(doubtful ? nullptr : comparison);
     results.insert(results.end(), {fit.noise.white() ? "white" : "coloured",
                                    number(fit.chi2_per_dof), judged, changed});
-    return whole_row(set, "ok", "", results);
+    for (const Parameter& parameter : parameters) {
+        const Estimate& estimate = fit.resonator.*parameter.member;
+        results.push_back(estimate.given() ? number(estimate.u) : "");
+    }
+    results.push_back(warning_kinds(findings));
+    return whole_row(set, "ok", doubtful ? english(findings.front()) : "", results);
 }
 
 }  // namespace vybeg

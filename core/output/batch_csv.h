@@ -28,11 +28,9 @@ std::string batch_head(std::span<const std::string> header,
 // The row of a set that has no result.
 std::string batch_row(const MeasurementSet& set, const Error& error);
 
-// The row of a set; `comparison`: with its gyro's passport, null: there is none.
+// The row of a set; `comparison`: with its gyro's passport, null: there is none. A serious warning
+// stands as the message, in place of a verdict.
 std::string batch_row(const MeasurementSet& set, const Identification& found,
                       const PassportComparison* comparison);
-
-// The first gyro that a recording of the set names; empty: none.
-std::string gyro_of(const MeasurementSet& set);
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #include "core/output/identify_json.h"
 
+#include "core/analysis/set_conditions.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/output/quantity_json.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -41,13 +43,31 @@ Json settings_json(const IdentifySettings& settings) {
     return object;
 }
 
+// Each kind once for each input, the worst first.
 Json warnings_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
+    std::vector<std::pair<Finding, Json>> findings;
+    const auto add = [&findings](const std::vector<Diagnostic>& diagnostics, const Json& input) {
+        for (Finding& finding : findings_of(diagnostics)) {
+            findings.emplace_back(std::move(finding), input);
+        }
+    };
+    add(identification.fit.warnings, nullptr);
+    for (std::size_t k = 0; k < identification.runs.size(); ++k) {
+        add(identification.runs[k].diagnostics, inputs[k].name);
+    }
+    const auto weight = [](const auto& each) { return severity(each.first.diagnostic.kind); };
+    std::ranges::stable_sort(findings, std::ranges::greater(), weight);
     Json list = Json::array();
-    for (const auto& [diagnostic, input] : all_warnings(identification)) {
-        const auto k = static_cast<std::size_t>(input);
-        list.push_back({{"kind", kind_name(diagnostic.kind)},
-                        {"text", english(diagnostic)},
-                        {"input", input >= 0 ? Json(inputs[k].name) : Json(nullptr)}});
+    for (const auto& [finding, input] : findings) {
+        Json warning{{"kind", kind_name(finding.diagnostic.kind)},
+                     {"severity", severity_name(severity(finding.diagnostic.kind))},
+                     {"count", finding.count},
+                     {"text", english(finding.diagnostic)},
+                     {"input", input}};
+        for (const Diagnostic& other : finding.more) {
+            warning["more"].push_back(english(other));
+        }
+        list.push_back(std::move(warning));
     }
     return list;
 }
@@ -311,6 +331,14 @@ std::vector<IdentifyWarning> all_warnings(const Identification& identification) 
     return warnings;
 }
 
+std::vector<Finding> findings_of(const Identification& identification) {
+    std::vector<NamedWarnings> all{{"", identification.fit.warnings}};
+    for (const IdentifiedRun& run : identification.runs) {
+        all.emplace_back("", run.diagnostics);
+    }
+    return findings_of(all);
+}
+
 std::string identify_json(const std::string& program, std::span<const IdentifiedInput> inputs,
                           const Identification& identification,
                           const PassportComparison* comparison) {
@@ -350,9 +378,16 @@ std::string identify_json(const std::string& program, std::span<const Identified
 }
 
 Passport passport_of(const std::string& program, std::span<const IdentifiedInput> inputs,
-                     const Identification& identification) {
+                     const Identification& identification, const MeasurementSet& set) {
     Passport passport;
     passport.program = program;
+    passport.gyro = gyro_of(set);
+    passport.date = list_date_of(set);
+    for (auto& condition : conditions_of(set)) {
+        if (!condition.second.empty()) {
+            passport.conditions.push_back(std::move(condition));
+        }
+    }
     passport.inputs.assign(inputs.begin(), inputs.end());
     passport.settings = settings_list(identification.settings);
     passport.model = identification.fit.model;

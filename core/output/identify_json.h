@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/analysis/identify.h"
+#include "core/analysis/measurement_list.h"
+#include "core/base/finding.h"
 #include "core/resonator/results/passport.h"
 
 #include <span>
@@ -18,6 +20,9 @@ struct IdentifyWarning {
 // Warnings of the recordings in their order, then those of the fit.
 std::vector<IdentifyWarning> all_warnings(const Identification& identification);
 
+// The same, each kind once, the worst first: of the result, then of the recordings.
+std::vector<Finding> findings_of(const Identification& identification);
+
 // Comparison of a set with a passport.
 struct PassportComparison {
     std::string file;
@@ -32,8 +37,8 @@ std::string identify_json(const std::string& program, std::span<const Identified
                           const Identification& identification,
                           const PassportComparison* comparison);
 
-// The passport of an identification.
+// The passport of an identification; gyro, date and conditions are those of the set.
 Passport passport_of(const std::string& program, std::span<const IdentifiedInput> inputs,
-                     const Identification& identification);
+                     const Identification& identification, const MeasurementSet& set);
 
 }  // namespace vybeg

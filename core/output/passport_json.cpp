@@ -201,6 +201,14 @@ ModeOrder read_mode_order(const std::string& name) {
 Passport read_all(const Json& json, int schema) {
     Passport passport;
     passport.program = json.at("program").get<std::string>();
+    // Optional: files of before have none of these.
+    passport.gyro = json.value("gyro", std::string());
+    passport.date = json.value("date", std::string());
+    if (json.contains("conditions")) {
+        for (const auto& [name, value] : json.at("conditions").items()) {
+            passport.conditions.emplace_back(name, value.get<std::string>());
+        }
+    }
     for (const Json& input : json.at("inputs")) {
         passport.inputs.push_back(read_input(input));
     }
@@ -269,9 +277,16 @@ std::string passport_json(const Passport& passport) {
         }
         tracks.push_back(columns);
     }
+    Json conditions = Json::object();
+    for (const auto& [name, value] : passport.conditions) {
+        conditions[name] = value;
+    }
     return json_text({{"vybeg", "passport"},
                       {"schema", Passport::schema},
                       {"program", passport.program},
+                      {"gyro", passport.gyro},
+                      {"date", passport.date},
+                      {"conditions", conditions},
                       {"inputs", inputs},
                       {"settings", settings},
                       {"model", passport.model == ResonatorModel::free ? "free" : "structured"},

@@ -16,6 +16,7 @@ std::string recording_json(const Recording& recording, const std::string& sha256
     Json check = Json::array();
     for (const Diagnostic& diagnostic : findings) {
         check.push_back({{"kind", kind_name(diagnostic.kind)},
+                         {"severity", severity_name(severity(diagnostic.kind))},
                          {"first_frame", diagnostic.first_frame},
                          {"count", diagnostic.count},
                          {"text", english(diagnostic)}});

@@ -36,7 +36,8 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
         lines.push_back("noise: " + round_trip_text(analysis.means.noise));
     }
     for (const Diagnostic& diagnostic : analysis.diagnostics) {
-        lines.push_back("warning: " + english(diagnostic));
+        lines.push_back((severity(diagnostic.kind) == Severity::note ? "note: " : "warning: ") +
+                        english(diagnostic));
     }
     return lines;
 }

@@ -23,12 +23,16 @@ private slots:
     }
 
     void a_row_for_each_set_in_the_order_of_the_list() {
-        QCOMPARE(names_of(table_).join(','),
-                 QByteArray("set,gyro,date,files,status,message,model,f_mean_hz,sd_f_mean_hz,"
-                            "split_hz,sd_split_hz,theta_w_rad,sd_theta_w_rad,tau_s,sd_tau_s,q,sd_q,"
-                            "damping_anisotropy_per_s,sd_damping_anisotropy_per_s,theta_tau_rad,"
-                            "sd_theta_tau_rad,angle_rate_rad_s,sd_angle_rate_rad_s,kappa,sd_kappa,"
-                            "noise,chi2_per_dof,verdict,changed,lot"));
+        QCOMPARE(
+            names_of(table_).join(','),
+            QByteArray("set,gyro,date,files,status,message,model,f_mean_hz,sd_f_mean_hz,"
+                       "split_hz,sd_split_hz,theta_w_rad,sd_theta_w_rad,tau_s,sd_tau_s,q,sd_q,"
+                       "damping_anisotropy_per_s,sd_damping_anisotropy_per_s,theta_tau_rad,"
+                       "sd_theta_tau_rad,angle_rate_rad_s,sd_angle_rate_rad_s,kappa,sd_kappa,"
+                       "noise,chi2_per_dof,verdict,changed,u_f_mean_hz,u_split_hz,u_theta_w_rad,"
+                       "u_tau_s,u_q,u_damping_anisotropy_per_s,u_theta_tau_rad,"
+                       "u_angle_rate_rad_s,u_kappa,warnings,bias_v,temperature_c,exchanged,"
+                       "operator,comment,lot"));
         QList<QByteArray> sets;
         QList<QByteArray> states;
         for (int row = 0; row < rows_of(table_).size(); ++row) {
@@ -77,6 +81,7 @@ private slots:
                 QCOMPARE(value.isEmpty(), quantity["value"].isNull());
                 QCOMPARE(value.toDouble(), quantity["value"].toDouble());
                 QCOMPARE(field_of(table_, row, "sd_" + name).toDouble(), quantity["sd"].toDouble());
+                QCOMPARE(field_of(table_, row, "u_" + name).toDouble(), quantity["u"].toDouble());
             }
         }
         QCOMPARE(failed, 3);
@@ -186,6 +191,41 @@ private slots:
                  object(file("c.json"))["differences"]);
     }
 
+    // Conditions beside the result; a comparison that cannot be believed has no verdict.
+    void a_serious_warning_takes_the_place_of_the_verdict() {
+        QDir(folder_.path()).mkdir("others");
+        QVERIFY(put(path("told.csv"),
+                    "set,file,gyro,bias_v,temperature_c,operator,comment,lot\n"
+                    "T,a.wav,H1,60,20,I. I.,quiet,L7\nT,b.wav,H1,60,21,I. I.,quiet,L7\n"));
+        QCOMPARE(run({"identify", "--list", "told.csv", "--passport", "others/H1.json"}).status, 0);
+        QCOMPARE(run({"batch", "told.csv", "-o", "t.csv", "--passport", "others"}).status, 0);
+        const QByteArray fine = file("t.csv");
+        QCOMPARE(field_of(fine, 0, "verdict"), QByteArray("unchanged"));
+        QCOMPARE(field_of(fine, 0, "message"), QByteArray());
+        QCOMPARE(field_of(fine, 0, "bias_v"), QByteArray("60"));
+        QCOMPARE(field_of(fine, 0, "temperature_c"), QByteArray("\"20;21\""));
+        QCOMPARE(field_of(fine, 0, "exchanged"), QByteArray());
+        QCOMPARE(field_of(fine, 0, "operator"), QByteArray("I. I."));
+        QCOMPARE(field_of(fine, 0, "comment"), QByteArray("quiet"));
+        QCOMPARE(field_of(fine, 0, "lot"), QByteArray("L7"));
+        // The passport's file has the gyro's name, its content another.
+        QByteArray other = file("others/H1.json");
+        QVERIFY(put(path("others/H1.json"), other.replace("\"H1\"", "\"H9\"")));
+        QCOMPARE(run({"batch", "told.csv", "-o", "t.csv", "--passport", "others"}).status, 0);
+        const QByteArray table = file("t.csv");
+        // field_of() knows no commas in quotes, which the message has.
+        const QByteArray warned =
+            QString::fromUtf8(table)
+                .replace(QRegularExpression("\"The passport[^\"]*\""), "quoted")
+                .toUtf8();
+        QCOMPARE(field_of(warned, 0, "status"), QByteArray("ok"));
+        QCOMPARE(field_of(warned, 0, "message"), QByteArray("quoted"));
+        QCOMPARE(field_of(warned, 0, "verdict"), QByteArray());
+        QCOMPARE(field_of(warned, 0, "changed"), QByteArray());
+        QVERIFY2(table.contains("The passport is that of the gyro H9"), table);
+        QVERIFY2(field_of(warned, 0, "warnings").startsWith("other-gyro"), table);
+    }
+
     void names_cannot_lead_out_of_the_folder_of_results() {
         QVERIFY(put(path("names.csv"), "set,file\n../up,a.wav\n\"=1+1, \"\"x\"\"\",a.wav\n"));
         QCOMPARE(run({"batch", "names.csv", "-o", "n.csv", "--json", "names"}).status, 0);
@@ -206,7 +246,7 @@ private slots:
     void an_unknown_column_keeps_its_name_or_gets_another() {
         QVERIFY(put(path("c.csv"), "file,status,my note\na.wav,new,\"a, b\"\n"));
         QCOMPARE(run({"batch", "c.csv", "-o", "x.csv"}).status, 0);
-        QCOMPARE(names_of(file("x.csv")).mid(29), (QList<QByteArray>{"list_status", "my note"}));
+        QCOMPARE(names_of(file("x.csv")).mid(44), (QList<QByteArray>{"list_status", "my note"}));
         QVERIFY(rows_of(file("x.csv"))[0].endsWith(",new,\"a, b\""));
     }
 

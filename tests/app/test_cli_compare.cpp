@@ -80,6 +80,36 @@ private slots:
         QVERIFY(summary.out.contains("unchanged"));
     }
 
+    void another_gyro_s_passport_is_named() {
+        const auto list = [&](const char* name, const char* gyro) {
+            QByteArray rows = "file,gyro,date,bias_v\n";
+            for (const QString& each : set) {
+                rows += each.toUtf8() + "," + gyro + ",2026-03-31,60\n";
+            }
+            return put(path(name), "set," + rows.replace("\n", "\nS,").chopped(2));
+        };
+        QVERIFY(list("g1.csv", "HRG-1") && list("g2.csv", "HRG-2") && list("none.csv", ""));
+        QCOMPARE(run({"identify", "--list", "g1.csv", "--passport", "g1.json"}).status, 0);
+        const QJsonObject passport = object(file("g1.json"));
+        QCOMPARE(passport["gyro"].toString(), QString("HRG-1"));
+        QCOMPARE(passport["date"].toString(), QString("2026-03-31"));
+        QCOMPARE(passport["conditions"].toObject(), (QJsonObject{{"bias_v", "60"}}));
+        const Outcome other = run({"compare", "g1.json", "--list", "g2.csv", "-o", "-"});
+        QCOMPARE(other.status, 0);
+        QVERIFY2(other.err.contains("HRG-1") && other.err.contains("HRG-2"), other.err);
+        const QJsonObject warning = object(other.out)["warnings"][0].toObject();
+        QCOMPARE(warning["kind"].toString(), QString("other-gyro"));
+        QCOMPARE(warning["severity"].toString(), QString("serious"));
+        QCOMPARE(warning["count"].toInt(), 1);
+        for (const QString& lst : {QStringLiteral("g1.csv"), QStringLiteral("none.csv")}) {
+            const Outcome same = run({"compare", "g1.json", "--list", lst, "-o", "-"});
+            QCOMPARE(same.status, 0);
+            QVERIFY2(!same.out.contains("other-gyro"), same.out);
+        }
+        const Outcome files = run(QStringList{"compare", "g1.json"} + set);
+        QVERIFY(!files.err.contains("HRG-1"));
+    }
+
     void kappa_in_the_passport_is_the_result_s() {
         const QStringList told{"--kappa", "1.25", "--tolerance", "kappa=0.3"};
         QCOMPARE(run(QStringList{"identify"} + set + told +

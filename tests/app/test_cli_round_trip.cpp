@@ -170,7 +170,7 @@ private slots:
         const QJsonObject json = object(run({"info", "i.wav", "--json"}).out);
         QCOMPARE(json["check"].toArray().size(), 1);
         const QJsonObject check = json["check"][0].toObject();
-        QCOMPARE(check.keys(), (QStringList{"count", "first_frame", "kind", "text"}));
+        QCOMPARE(check.keys(), (QStringList{"count", "first_frame", "kind", "severity", "text"}));
         QCOMPARE(check["kind"].toString(), QString("file-ends-early"));
         QVERIFY(check["text"].toString().contains("16666"));
         const Outcome text = run({"info", "i.wav"});
@@ -266,6 +266,40 @@ private slots:
         QCOMPARE(run({"analyze", "none.wav", "-o", "q.csv", "--quiet"}).err_lines().size(), 1);
     }
 
+    // Three gaps are one line with a count; a note and each place by itself are for --verbose.
+    void a_kind_of_warning_is_one_line_unless_all_are_asked_for() {
+        QCOMPARE(run({"simulate", "--demo", "--seconds", "0.5", "-o", "whole.csv"}).status, 0);
+        QList<QByteArray> lines = file("whole.csv").split('\n');
+        for (const int gap : {9000, 6000, 3000}) {
+            lines.remove(gap, 50);
+        }
+        QVERIFY(put(folder_.filePath("gaps.csv"), "# a comment\n" + lines.join('\n')));
+        const Outcome few = run({"analyze", "gaps.csv", "-o", "gaps.track.csv"});
+        QCOMPARE(few.status, 0);
+        QCOMPARE(few.err_lines().size(), 1);
+        QVERIFY2(few.err.startsWith("vybeg-cli: warning: 50 samples are missing at 0.08997") &&
+                     few.err.contains("(And 2 more places; 150 samples in all.)"),
+                 few.err);
+        const Outcome all = run({"analyze", "gaps.csv", "-o", "gaps.track.csv", "--verbose"});
+        QCOMPARE(all.err.count("vybeg-cli: warning: 50 samples are missing"), 3);
+        QVERIFY2(all.err.trimmed().endsWith("header or comment lines were passed over.") &&
+                     all.err.count("vybeg-cli: note: ") == 1,
+                 all.err);
+        const Outcome info = run({"info", "gaps.csv"});
+        QCOMPARE(info.out.count("check     50 samples are missing"), 1);
+        QCOMPARE(info.out.count("\nnote      "), 1);
+        QCOMPARE(run({"info", "gaps.csv", "--verbose"}).out.count("check     50 samples"), 3);
+        const Outcome log = run({"analyze", "gaps.csv", "-o", "gaps.track.csv", "--json-log"});
+        QStringList severities;
+        for (const QByteArray& line : log.err_lines()) {
+            const QJsonObject entry = object(line);
+            if (entry["level"] == "warning") {
+                severities << entry["severity"].toString();
+            }
+        }
+        QCOMPARE(severities, (QStringList{"warning", "warning", "warning", "note"}));
+    }
+
     void help_and_version_end_well() {
         const Outcome version = run({"--version"});
         QCOMPARE(version.status, 0);
@@ -273,12 +307,12 @@ private slots:
         const Outcome help = run({"analyze", "--help"});
         QCOMPARE(help.status, 0);
         for (const char* option :
-             {"--algorithm", "--window",   "--periods",    "--snap",  "--hop",
-              "--f0",        "--initial",  "--start",      "--from",  "--to",
-              "--band",      "--filter",   "--channels",   "--rate",  "--kappa",
-              "--offset",    "--delay",    "--angle-zero", "--raw",   "--raw-channels",
-              "--skip",      "--scale",    "--threads",    "--quiet", "--json-log",
-              "--timing",    "--variables"}) {
+             {"--algorithm", "--window",    "--periods",    "--snap",  "--hop",
+              "--f0",        "--initial",   "--start",      "--from",  "--to",
+              "--band",      "--filter",    "--channels",   "--rate",  "--kappa",
+              "--offset",    "--delay",     "--angle-zero", "--raw",   "--raw-channels",
+              "--skip",      "--scale",     "--threads",    "--quiet", "--json-log",
+              "--timing",    "--variables", "--verbose"}) {
             QVERIFY2(help.out.contains(option), option);
         }
         const Outcome simulate = run({"simulate", "--help"});

@@ -202,7 +202,8 @@ private slots:
                       "--frequency-drift", "0.5", "-o", "drifting.wav"})
                      .status,
                  0);
-        const Outcome outcome = run({"identify", "a.wav", "drifting.wav", "-o", "x.json"});
+        const Outcome outcome =
+            run({"identify", "--verbose", "a.wav", "drifting.wav", "-o", "x.json"});
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QVERIFY2(outcome.err.contains("Recording drifting.wav: the frequency drifts"), outcome.err);
         QVERIFY2(!outcome.err.contains("Recording 2"), outcome.err);

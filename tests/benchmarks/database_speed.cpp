@@ -44,7 +44,7 @@ const std::filesystem::path& database_path() {
     return path;
 }
 
-// Opens the file, takes the history and makes both charts.
+// Opens the file, takes the history and makes the charts.
 void first_chart(benchmark::State& state, const std::optional<std::string>& gyro) {
     const std::filesystem::path& path = database_path();
     std::size_t points = 0;
@@ -52,14 +52,13 @@ void first_chart(benchmark::State& state, const std::optional<std::string>& gyro
         auto database = ResultsDatabase::open(path, ResultsDatabase::Access::read, JobControl());
         const auto history = database->history(gyro, "tau_s");
         std::vector<double> values;
-        std::vector<double> sd;
+        std::vector<double> u;
         for (const HistoryPoint& point : *history) {
             values.push_back(point.value.value);
-            sd.push_back(point.value.sd);
+            u.push_back(point.value.uncertainty());
         }
         points = values.size();
-        benchmark::DoNotOptimize(individuals_chart(values, 100));
-        benchmark::DoNotOptimize(ewma_chart(values, sd, 100));
+        benchmark::DoNotOptimize(control_charts(values, u, 100));
     }
     state.counters["points"] = static_cast<double>(points);
 }

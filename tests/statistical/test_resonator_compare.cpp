@@ -89,6 +89,24 @@ private slots:
         VYBEG_AT_LEAST(comparable, 95);
     }
 
+    // A temperature moves the frequency by 20 ppm, below the limit of 30, and Q with it.
+    void a_temperature_changes_nothing() {
+        FreeDecay decay = reference();
+        decay.split_hz = 1e-3;
+        decay.theta_w = 0.2;
+        decay.damping_anisotropy_per_s = 2e-4;
+        decay.theta_tau = -0.3;
+        FreeDecay warm = decay;
+        warm.f0_hz *= 1 + 20e-6;
+        for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+            const ResonatorFit then = fitted(set_of(decay, four_angles, window, 3000 + 2 * seed));
+            const ResonatorFit now = fitted(set_of(warm, four_angles, window, 3001 + 2 * seed));
+            const std::vector<Difference> differences = compare(passport_of(then), now);
+            QVERIFY(has_comparable(differences, "q"));
+            QVERIFY2(changed_ones(differences).isEmpty(), qPrintable(changed_ones(differences)));
+        }
+    }
+
     void a_resonator_that_has_changed_is_seen() {
         FreeDecay decay = reference();
         decay.split_hz = 1e-3;

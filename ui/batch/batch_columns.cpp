@@ -49,7 +49,20 @@ constexpr std::array last_texts{
     Texts{"files", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Recordings"),
           QT_TRANSLATE_NOOP("BatchColumn", "As the list names them")},
     Texts{"message", BatchColumnKind::reason, QT_TRANSLATE_NOOP("BatchColumn", "Reason"),
-          QT_TRANSLATE_NOOP("BatchColumn", "Why the set has no result")}};
+          QT_TRANSLATE_NOOP("BatchColumn", "Why the set has no result, or no verdict")},
+    Texts{"warnings", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Warnings"),
+          QT_TRANSLATE_NOOP("BatchColumn", "Their codes, the worst first")},
+    Texts{"bias_v", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Bias, V"),
+          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")},
+    Texts{"temperature_c", BatchColumnKind::text,
+          QT_TRANSLATE_NOOP("BatchColumn", "Temperature, °C"),
+          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")},
+    Texts{"exchanged", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Exchanged"),
+          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")},
+    Texts{"operator", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Operator"),
+          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")},
+    Texts{"comment", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Comment"),
+          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")}};
 
 const Texts* textsOf(const std::string& name) {
     for (const auto& texts : first_texts) {
@@ -83,7 +96,8 @@ std::vector<BatchColumn> batchColumns(const std::vector<std::string>& other_colu
     for (const ResonatorParameter& parameter : resonator_parameters) {
         if (const std::size_t at = place(parameter.name); at < names.size()) {
             columns.push_back({BatchColumnKind::quantity, parameter.name, at,
-                               place(std::string("sd_") + parameter.name), parameter.unit});
+                               place(std::string("sd_") + parameter.name),
+                               place(std::string("u_") + parameter.name), parameter.unit});
         }
     }
     for (const Texts& texts : last_texts) {

@@ -20,15 +20,16 @@ enum class BatchColumnKind : std::uint8_t {
     model,
     noise,
     number,
-    quantity,  // a parameter with its deviation
+    quantity,  // a parameter with its uncertainty, or its deviation
 };
 
-// A column of the window, made of one field of a row of RESULTS.csv, or of two.
+// A column of the window, made of fields of a row of RESULTS.csv.
 struct BatchColumn {
     BatchColumnKind kind = BatchColumnKind::text;
     std::string name;  // in RESULTS.csv
     std::size_t field = 0;
     std::size_t sd_field = 0;  // of a quantity
+    std::size_t u_field = 0;   // the same
     const char* unit = "";     // of a quantity, as resonator_parameters.h has it
 };
 

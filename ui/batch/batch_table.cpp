@@ -115,7 +115,13 @@ double BatchTable::number(const Row& row, std::size_t field) const {
 // Of a row of an earlier batch there is only the English sentence of its file.
 QString BatchTable::reasonText(const Row& row) const {
     const auto reason = std::ranges::find(columns_, BatchColumnKind::reason, &BatchColumn::kind);
-    return row.error ? errorText(*row.error) : field(row, reason->field);
+    if (row.error) {
+        return errorText(*row.error);
+    }
+    // Of a set with a serious warning: in the language of the window.
+    const std::vector<Finding> findings = findings_of(row.warnings);
+    const QString text = field(row, reason->field);
+    return text.isEmpty() || findings.empty() ? text : findingText(findings.front());
 }
 
 QString BatchTable::cellText(const Row& row, const BatchColumn& column) const {
@@ -157,9 +163,10 @@ QString BatchTable::cellText(const Row& row, const BatchColumn& column) const {
         case BatchColumnKind::quantity: {
             const double factor = batchColumnFactor(column, units_);
             const double value = factor * number(row, column.field);
-            return std::isnan(value)
-                       ? QString()
-                       : valueText(value, std::abs(factor) * number(row, column.sd_field));
+            const double sd = number(row, column.sd_field);
+            const double u = number(row, column.u_field);
+            return std::isnan(value) ? QString()
+                                     : valueText(value, std::abs(factor) * (u >= sd ? u : sd));
         }
     }
     return {};
@@ -195,20 +202,20 @@ QColor BatchTable::color(const Row& row, const BatchColumn& column) const {
     return column.kind == BatchColumnKind::changed ? theme_.broken : QColor();
 }
 
-QString BatchTable::detailText(int row) const {
+QStringList BatchTable::details(int row) const {
     const Row& of = rows_[static_cast<std::size_t>(row)];
     QStringList lines;
     if (of.state == State::failed) {
         lines << reasonText(of);
     }
-    for (const auto& [about, diagnostics] : of.warnings) {
-        for (const Diagnostic& diagnostic : diagnostics) {
-            const QString text = diagnosticText(diagnostic);
-            lines << (about.empty() ? text
-                                    : QString::fromStdString(about) + QStringLiteral(": ") + text);
-        }
+    for (const Finding& finding : findings_of(of.warnings)) {
+        lines << findingText(finding);
     }
-    return lines.join(QLatin1Char('\n'));
+    return lines;
+}
+
+QString BatchTable::detailText(int row) const {
+    return details(row).join(QLatin1Char('\n'));
 }
 
 QVariant BatchTable::data(const QModelIndex& index, int role) const {
@@ -218,8 +225,12 @@ QVariant BatchTable::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole: return cellText(row, column);
         case sort_role: return sortKey(row, column);
         case Qt::ToolTipRole: {
-            const QString details = detailText(index.row());
-            return details.isEmpty() ? cellText(row, column) : details;
+            QStringList lines = details(index.row());
+            if (const auto count = static_cast<std::size_t>(lines.size()); count > most_shown) {
+                lines.resize(most_shown);
+                lines << moreText(count - most_shown);
+            }
+            return lines.isEmpty() ? cellText(row, column) : lines.join(QLatin1Char('\n'));
         }
         case Qt::ForegroundRole: {
             const QColor own = color(row, column);
@@ -251,7 +262,7 @@ QString BatchTable::tableText(const std::vector<int>& rows, const std::vector<in
         QString title = batchColumnTitle(column, units_);
         head << title.replace(QLatin1Char('\n'), QStringLiteral(", "));
         if (column.kind == BatchColumnKind::quantity) {
-            head << tr("sd");
+            head << tr("sd") << QStringLiteral("u");
         }
     }
     lines << head.join(QLatin1Char('\t'));
@@ -263,7 +274,8 @@ QString BatchTable::tableText(const std::vector<int>& rows, const std::vector<in
             const double factor = batchColumnFactor(column, units_);
             if (column.kind == BatchColumnKind::quantity) {
                 cells << exactText(factor * number(row, column.field))
-                      << exactText(std::abs(factor) * number(row, column.sd_field));
+                      << exactText(std::abs(factor) * number(row, column.sd_field))
+                      << exactText(std::abs(factor) * number(row, column.u_field));
             } else if (column.kind == BatchColumnKind::number) {
                 cells << exactText(number(row, column.field));
             } else {

@@ -6,6 +6,7 @@
 
 #include <QAbstractTableModel>
 #include <QModelIndexList>
+#include <QStringList>
 
 #include <limits>
 #include <memory>
@@ -43,8 +44,8 @@ public:
     bool hasResult(int row) const {
         return rows_[static_cast<std::size_t>(row)].state == State::done;
     }
-    // Rows in that order with their headers, for a spreadsheet: all digits, a deviation is a column
-    // of its own.
+    // Rows in that order with their headers, for a spreadsheet: all digits, a deviation and an
+    // uncertainty are columns of their own.
     QString tableText(const std::vector<int>& rows, const std::vector<int>& columns) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -65,6 +66,7 @@ private:
     double number(const Row& row, std::size_t field) const;
     QString field(const Row& row, std::size_t field) const;
     QString reasonText(const Row& row) const;
+    QStringList details(int row) const;
     QString cellText(const Row& row, const BatchColumn& column) const;
     QVariant sortKey(const Row& row, const BatchColumn& column) const;
     QColor color(const Row& row, const BatchColumn& column) const;

@@ -286,13 +286,14 @@ void BackgroundJobs::readPassport(int key, const QString& path,
 }
 
 void BackgroundJobs::writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome,
-                                   const QString& program, const QString& path,
+                                   MeasurementSet set, const QString& program, const QString& path,
                                    std::function<void(Status)> done) {
     write(
         key,
-        [outcome = std::move(outcome), name = program.toStdString(),
+        [outcome = std::move(outcome), set = std::move(set), name = program.toStdString(),
          path = toPath(path)](const JobControl& job) -> Status {
-            const Passport passport = passport_of(name, outcome->inputs, outcome->identification);
+            const Passport passport =
+                passport_of(name, outcome->inputs, outcome->identification, set);
             return write_file(path, passport_json(passport), job);
         },
         std::move(done));

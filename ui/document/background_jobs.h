@@ -110,7 +110,7 @@ public:
                   std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
                   std::function<void(Result<ResonatorOutcome>)> done);
     void readPassport(int key, const QString& path, std::function<void(Result<Passport>)> done);
-    void writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome,
+    void writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome, MeasurementSet set,
                        const QString& program, const QString& path,
                        std::function<void(Status)> done);
 

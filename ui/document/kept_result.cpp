@@ -101,7 +101,7 @@ void addWarning(const QJsonObject& json, Identification& identification) {
 
 QJsonObject keptResult(const ResonatorOutcome& outcome) {
     Passport passport =
-        passport_of(programName().toStdString(), outcome.inputs, outcome.identification);
+        passport_of(programName().toStdString(), outcome.inputs, outcome.identification, {});
     for (RunTrack& track : passport.tracks) {
         track = {};
     }

@@ -2,6 +2,7 @@
 
 #include "ui/words/error_text.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vybeg::ui {
@@ -14,10 +15,16 @@ Message warningMessage(std::function<QString()> text) {
     return {Severity::warning, std::move(text), {}, {}};
 }
 
-Message warningMessage(const QString& file, const Diagnostic& diagnostic) {
-    return warningMessage([file, diagnostic] {
-        return QStringLiteral("%1: %2").arg(file, diagnosticText(diagnostic));
-    });
+std::vector<Message> warningMessages(const QString& file,
+                                     const std::vector<Diagnostic>& diagnostics) {
+    std::vector<Message> messages;
+    const std::vector<Finding> findings = findings_of(diagnostics);
+    for (std::size_t k = 0; k < std::min(count_warnings(findings), most_shown); ++k) {
+        messages.push_back(warningMessage([file, finding = findings[k]] {
+            return QStringLiteral("%1: %2").arg(file, findingText(finding));
+        }));
+    }
+    return messages;
 }
 
 }  // namespace vybeg::ui

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace vybeg::ui {
 
@@ -36,6 +37,8 @@ struct Message {
 Message errorMessage(const Error& error, Topic topic = Topic::none);
 Message warningMessage(std::function<QString()> text);
 // A warning about a file.
-Message warningMessage(const QString& file, const Diagnostic& diagnostic);
+// A message for each of the worst findings about a file; none for notes.
+std::vector<Message> warningMessages(const QString& file,
+                                     const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace vybeg::ui

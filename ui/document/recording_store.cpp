@@ -167,10 +167,8 @@ void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
 }
 
 void RecordingStore::reportWarnings(const RecordingEntry& entry) {
-    for (const Diagnostic& diagnostic : entry.recording->diagnostics) {
-        if (diagnostic.kind != DiagnosticKind::text_lines_ignored) {
-            emit reported(warningMessage(entry.name, diagnostic));
-        }
+    for (const Message& message : warningMessages(entry.name, entry.recording->diagnostics)) {
+        emit reported(message);
     }
 }
 
@@ -222,14 +220,17 @@ void RecordingStore::whenChecked(RecordingId id, SampleFaults faults) {
     RecordingEntry& checked = *entry(id);
     checked.faults = std::make_shared<const SampleFaults>(std::move(faults));
     emit changed(id);
-    const std::vector<Diagnostic>& findings = checked.faults->findings;
-    const std::size_t known = checked.recording->diagnostics.size();
-    if (findings.size() == known) {
+    const std::vector<Diagnostic>& all = checked.faults->findings;
+    const auto known = static_cast<std::ptrdiff_t>(checked.recording->diagnostics.size());
+    const std::vector<Finding> findings =
+        findings_of(std::vector<Diagnostic>(all.begin() + known, all.end()));
+    const std::size_t count = count_warnings(findings);
+    if (count == 0) {
         return;
     }
-    const auto more = static_cast<int>(findings.size() - known) - 1;
-    emit reported(warningMessage([name = checked.name, first = findings[known], more] {
-        const QString text = QStringLiteral("%1: %2").arg(name, diagnosticText(first));
+    const auto more = static_cast<int>(count) - 1;
+    emit reported(warningMessage([name = checked.name, first = findings.front(), more] {
+        const QString text = QStringLiteral("%1: %2").arg(name, findingText(first));
         return more == 0 ? text
                          : text + QLatin1Char(' ') +
                                tr("%n more finding(s) in the recording check.", nullptr, more);

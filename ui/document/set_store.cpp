@@ -244,8 +244,8 @@ void SetStore::openList(const QString& path, const OpenOptions& options) {
         emit reported(errorMessage(list.error()));
         return;
     }
-    for (const Diagnostic& diagnostic : list->warnings) {
-        emit reported(warningMessage(QFileInfo(path).fileName(), diagnostic));
+    for (const Message& message : warningMessages(QFileInfo(path).fileName(), list->warnings)) {
+        emit reported(message);
     }
     open(*list);
     emit listOpened(path);

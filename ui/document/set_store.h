@@ -3,6 +3,7 @@
 #include "core/resonator/results/passport.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/request_queue.h"
+#include "ui/values/dossier.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
 
@@ -70,7 +71,9 @@ public:
     KeptResult kept(const RecordingSet& set) const;
 
     // Passports are written and read in the background; errors are reported.
-    void savePassport(const QString& path, std::function<void(const Status&)> done);
+    // Its gyro: the one that the current set's list names, otherwise that of the session.
+    void savePassport(const QString& path, const GyroData& session,
+                      std::function<void(const Status&)> done);
     void openPassport(const QString& path);
     void closePassport();
     const OpenPassport* passport() const { return passport_ ? &*passport_ : nullptr; }
@@ -79,6 +82,8 @@ public:
     double frequencyLimit() const { return compare_.f_limit_ppm; }
     // Of the current set's outcome from the passport; empty where one of them is missing.
     std::vector<Difference> differences() const;
+    // The warning that the passport is of another gyro than the current set.
+    std::optional<Diagnostic> otherGyro(const GyroData& session) const;
 
 signals:
     void changed();          // the sets, their recordings and outcomes

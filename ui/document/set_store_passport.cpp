@@ -1,3 +1,4 @@
+#include "core/analysis/set_conditions.h"
 #include "ui/document/set_store.h"
 #include "ui/words/program_name.h"
 
@@ -7,10 +8,32 @@
 
 namespace vybeg::ui {
 
-void SetStore::savePassport(const QString& path, std::function<void(const Status&)> done) {
+namespace {
+
+// What the window says of the gyro, where the list of the set says nothing.
+MeasurementSet told(MeasurementSet set, const GyroData& session) {
+    for (ListedRecording& recording : set.recordings) {
+        Conditions& conditions = recording.conditions;
+        for (const auto& [text, otherwise] :
+             {std::pair{&conditions.gyro, &session.serial},
+              std::pair{&conditions.operator_name, &session.operator_name},
+              std::pair{&conditions.comment, &session.comment}}) {
+            *text = text->empty() ? otherwise->toStdString() : *text;
+        }
+    }
+    return set;
+}
+
+}  // namespace
+
+void SetStore::savePassport(const QString& path, const GyroData& session,
+                            std::function<void(const Status&)> done) {
     const RecordingSet* set = current();
     if (const auto found = set ? outcome(*set) : nullptr) {
-        job_.writePassport(ids_.next(), found, programName(), path, std::move(done));
+        RecordingSet ordered = *set;
+        ordered.recordings = found->recordings;  // the order of its inputs
+        job_.writePassport(ids_.next(), found, told(measured(ordered), session), programName(),
+                           path, std::move(done));
     }
 }
 
@@ -43,6 +66,13 @@ std::vector<Difference> SetStore::differences() const {
     const auto found = set ? outcome(*set) : nullptr;
     return passport_ && found ? compare(passport_->passport, found->identification.fit, compare_)
                               : std::vector<Difference>();
+}
+
+std::optional<Diagnostic> SetStore::otherGyro(const GyroData& session) const {
+    const RecordingSet* set = current();
+    return set && passport_
+               ? other_gyro(passport_->passport, gyro_of(told(measured(*set), session)))
+               : std::nullopt;
 }
 
 }  // namespace vybeg::ui

@@ -25,10 +25,6 @@ const std::vector<HistoryParameter>& historyParameters() {
     return all;
 }
 
-bool HistoryCharts::isOut(std::size_t point) const {
-    return individuals.out[point] || individuals.range_is_out[point] || average.out[point];
-}
-
 HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
                             const HistoryParameter& parameter, bool one_gyro,
                             std::size_t baseline) {
@@ -37,7 +33,7 @@ HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
     std::vector<double> finite;
     for (const HistoryPoint& point : points) {
         charts.values.push_back(point.value.value);
-        charts.sd.push_back(point.value.sd);
+        charts.u.push_back(point.value.uncertainty());
     }
     if (one_gyro) {
         charts.values = beside_first(charts.values, parameter.period);
@@ -47,9 +43,7 @@ HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
             finite.push_back(value);
         }
     }
-    const std::size_t setting = one_gyro ? baseline : 0;
-    charts.individuals = individuals_chart(charts.values, setting);
-    charts.average = ewma_chart(charts.values, charts.sd, setting);
+    charts.control = control_charts(charts.values, charts.u, one_gyro ? baseline : 0);
     charts.moments = moments_of(finite);
     charts.histogram = histogram_of(finite, charts.moments);
     return charts;

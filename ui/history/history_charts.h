@@ -31,16 +31,12 @@ const std::vector<HistoryParameter>& historyParameters();
 // The history as numbers, a place for each point, in the units of the database.
 struct HistoryCharts {
     std::vector<double> values;  // NaN: the result has none
-    std::vector<double> sd;
+    std::vector<double> u;       // sd, where there is no u
     bool one_gyro = false;
     // Of one gyro; otherwise without centre and limits, as different resonators share none.
-    IndividualsChart individuals;
-    EwmaChart average;
+    ControlCharts control;
     Moments moments;
     Histogram histogram;
-
-    // Beyond a limit of any chart.
-    bool isOut(std::size_t point) const;
 };
 
 // `baseline`: results that set the limits.

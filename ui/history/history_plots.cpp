@@ -1,5 +1,6 @@
 #include "ui/history/history_plots.h"
 
+#include "core/numerics/ewma_limit.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/unit_text.h"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -106,6 +106,36 @@ void addLevel(XYPlot& plot, const QString& name, double level, Ink ink, bool das
     plot.series.push_back(std::move(line));
 }
 
+// Limits that may differ from point to point, about `centre`.
+void addLimits(XYPlot& plot, const Placed& at, const QString& name, double centre,
+               const std::vector<double>& limits, double factor, bool both_sides = true) {
+    XYSeries upper;
+    upper.name = name;
+    upper.ink = Ink::muted;
+    upper.dashed = true;
+    upper.x = at.x;
+    XYSeries lower = upper;
+    lower.name.clear();
+    for (const std::size_t k : at.points) {
+        upper.y.push_back(factor * (centre + limits[k]));
+        lower.y.push_back(factor * (centre - limits[k]));
+    }
+    if (at.points.empty() || !std::isfinite(upper.y.front())) {
+        return;
+    }
+    plot.series.push_back(std::move(upper));
+    if (both_sides) {
+        plot.series.push_back(std::move(lower));
+    }
+}
+
+// The name of a series in the legend, with what is to be known of the baseline.
+QString withBaseline(const QString& name, const HistoryCharts& charts, bool sets_limits) {
+    const bool has_limits = charts.control.fault != BaselineFault::too_few;
+    const QString note = charts.one_gyro && has_limits == sets_limits ? baselineText(charts) : "";
+    return note.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, note);
+}
+
 // Points that lie outside in another colour and shape, and the chosen one.
 void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryView& view,
               const QString& outside_name = {}) {
@@ -155,6 +185,22 @@ void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
 
 }  // namespace
 
+QString baselineText(const HistoryCharts& charts) {
+    switch (charts.control.fault) {
+        case BaselineFault::none: break;
+        case BaselineFault::too_few:
+            return historyText(QT_TRANSLATE_NOOP("History", "limits need %1 results, there are %2"))
+                .arg(least_baseline)
+                .arg(charts.control.used);
+        case BaselineFault::trend:
+            return historyText(QT_TRANSLATE_NOOP("History", "the baseline has a trend"));
+        case BaselineFault::correlated:
+            return historyText(
+                QT_TRANSLATE_NOOP("History", "neighbours in the baseline are correlated"));
+    }
+    return {};
+}
+
 QString parameterTitle(const HistoryParameter& parameter) {
     const auto dot = parameter.name.find('.');
     if (dot == std::string::npos) {
@@ -182,18 +228,18 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
         return shown;
     }
     XYSeries values = pointsAt(at, charts.values, factor);
-    values.name = historyText(QT_TRANSLATE_NOOP("History", "values ± sd"));
+    values.name =
+        withBaseline(historyText(QT_TRANSLATE_NOOP("History", "values ± u")), charts, false);
     for (const std::size_t k : at.points) {
-        values.sd.push_back(std::isfinite(charts.sd[k]) ? std::abs(factor) * charts.sd[k] : 0);
+        values.sd.push_back(std::isfinite(charts.u[k]) ? std::abs(factor) * charts.u[k] : 0);
     }
-    shown.points = std::move(at.points);
     shown.plot.series.push_back(std::move(values));
-    const IndividualsChart& limits = charts.individuals;
     addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "centre")),
-             factor * limits.centre, Ink::muted, false);
-    addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "limits")), factor * limits.low,
-             Ink::muted, true);
-    addLevel(shown.plot, {}, factor * limits.high, Ink::muted, true);
+             factor * charts.control.centre, Ink::muted, false);
+    addLimits(shown.plot, at,
+              withBaseline(historyText(QT_TRANSLATE_NOOP("History", "limits")), charts, true),
+              charts.control.centre, charts.control.individuals.limits, factor);
+    shown.points = std::move(at.points);
     if (view.limit) {
         const QString name = historyText(QT_TRANSLATE_NOOP("History", "limits of the gyro"));
         const auto& [parameter, lower, upper] = *view.limit;
@@ -207,7 +253,7 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
     if (charts.one_gyro) {
         addPassport(shown.plot, view, factor);
     }
-    addMarks(shown, charts.individuals.out, view,
+    addMarks(shown, charts.control.individuals.out, view,
              historyText(QT_TRANSLATE_NOOP("History", "outside")));
     return shown;
 }
@@ -223,17 +269,17 @@ HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts
         {}};
     shown.plot.empty = historyText(
         QT_TRANSLATE_NOOP("History", "A change needs two results of one gyro in their order."));
-    Placed at = placed(history, charts.individuals.ranges, axis);
+    Placed at = placed(history, charts.control.ranges.values, axis);
     if (at.points.empty() || !charts.one_gyro) {
         return shown;
     }
-    XYSeries ranges = pointsAt(at, charts.individuals.ranges, factor);
+    XYSeries ranges = pointsAt(at, charts.control.ranges.values, factor);
     ranges.name = historyText(QT_TRANSLATE_NOOP("History", "moving range"));
-    shown.points = std::move(at.points);
     shown.plot.series.push_back(std::move(ranges));
-    addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "limit")),
-             factor * charts.individuals.range_limit, Ink::muted, true);
-    addMarks(shown, charts.individuals.range_is_out, view);
+    addLimits(shown.plot, at, historyText(QT_TRANSLATE_NOOP("History", "limit")), 0,
+              charts.control.ranges.limits, factor, false);
+    shown.points = std::move(at.points);
+    addMarks(shown, charts.control.ranges.out, view);
     return shown;
 }
 
@@ -244,28 +290,19 @@ HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& chart
         emptyPlot(view, axis, historyText(QT_TRANSLATE_NOOP("History", "Weighted average (EWMA)")),
                   historyText(QT_TRANSLATE_NOOP("History", "sd"))),
         {}};
-    Placed at = placed(history, charts.average.average, axis);
+    Placed at = placed(history, charts.control.average.values, axis);
     if (at.points.empty() || !charts.one_gyro) {
         shown.plot.empty = historyText(QT_TRANSLATE_NOOP(
             "History", "This chart needs ten results of one gyro to set its limits."));
         return shown;
     }
-    XYSeries average = pointsAt(at, charts.average.average, 1);
+    XYSeries average = pointsAt(at, charts.control.average.values, 1);
     average.name = historyText(QT_TRANSLATE_NOOP("History", "average"));
-    XYSeries limits;
-    limits.name = historyText(QT_TRANSLATE_NOOP("History", "limits"));
-    limits.ink = Ink::muted;
-    limits.dashed = true;
-    limits.x = at.x;
-    for (const std::size_t k : at.points) {
-        limits.y.push_back(charts.average.limits[k]);
-    }
-    XYSeries lower = limits;
-    lower.name.clear();
-    std::ranges::transform(limits.y, lower.y.begin(), std::negate());
+    shown.plot.series.push_back(std::move(average));
+    addLimits(shown.plot, at, historyText(QT_TRANSLATE_NOOP("History", "limits")), 0,
+              charts.control.average.limits, 1);
     shown.points = std::move(at.points);
-    shown.plot.series = {std::move(average), std::move(limits), std::move(lower)};
-    addMarks(shown, charts.average.out, view);
+    addMarks(shown, charts.control.average.out, view);
     return shown;
 }
 

@@ -34,7 +34,10 @@ QString parameterTitle(const HistoryParameter& parameter);
 QString parameterUnit(const HistoryParameter& parameter, const DisplayUnits& units);
 double parameterFactor(const HistoryParameter& parameter, const DisplayUnits& units);
 
-// Values with their standard deviations, limits of the chart, limits of the dossier and passport
+// What the baseline has that the limits do not allow for; empty: nothing.
+QString baselineText(const HistoryCharts& charts);
+
+// Values with their uncertainties u, limits of the chart, limits of the dossier and passport
 // against the chosen axis. The others
 // are sequences: against the order where the axis is the frequency.
 HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts,

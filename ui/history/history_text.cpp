@@ -33,15 +33,15 @@ QString nameOf(const HistoryPoint& point) {
 // In which charts a point lies outside; empty: in none.
 QString outsideText(const HistoryCharts& charts, std::size_t point) {
     QStringList where;
-    if (charts.individuals.out[point]) {
-        where << (charts.values[point] > charts.individuals.high
+    if (charts.control.individuals.out[point]) {
+        where << (charts.values[point] > charts.control.centre
                       ? historyText(QT_TRANSLATE_NOOP("History", "above the limit"))
                       : historyText(QT_TRANSLATE_NOOP("History", "below the limit")));
     }
-    if (charts.individuals.range_is_out[point]) {
+    if (charts.control.ranges.out[point]) {
         where << historyText(QT_TRANSLATE_NOOP("History", "a step from the one before"));
     }
-    if (charts.average.out[point]) {
+    if (charts.control.average.out[point]) {
         where << historyText(QT_TRANSLATE_NOOP("History", "the average has moved"));
     }
     return where.join(QStringLiteral(", "));
@@ -64,18 +64,31 @@ QString withoutDate(const StoredHistory& history, const HistoryView& view) {
                              static_cast<std::size_t>(count));
 }
 
+// What sets the limits, and what is to be known of it.
 QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
-    const std::size_t values = valuesIn(charts);
-    const std::size_t used = std::min(values, baseline);
-    if (used < 2) {
-        return historyText(QT_TRANSLATE_NOOP("History", "Limits need two results of this gyro."));
+    if (charts.control.fault == BaselineFault::too_few) {
+        return historyText(QT_TRANSLATE_NOOP(
+                               "History",
+                               "Limits need %1 results of this gyro that differ and have about "
+                               "the same uncertainty; the baseline has %2."))
+            .arg(least_baseline)
+            .arg(charts.control.used);
     }
-    QString text =
-        counted(QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."), used);
-    if (used < least_baseline) {
+    QString text = counted(
+        QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."),
+        std::min(valuesIn(charts), baseline));
+    if (charts.control.fault == BaselineFault::trend) {
         text += QLatin1Char(' ') +
                 historyText(QT_TRANSLATE_NOOP(
-                    "History", "So few make them unsure, and the average needs ten."));
+                    "History",
+                    "⚠ They rise or fall (stable ones look so in 1 of 200 cases): the limits hold "
+                    "the trend. Choose a baseline without one."));
+    } else if (charts.control.fault == BaselineFault::correlated) {
+        text += QLatin1Char(' ') +
+                historyText(QT_TRANSLATE_NOOP(
+                    "History",
+                    "⚠ Each resembles or opposes the one before (independent ones look so in 1 of "
+                    "200 cases): alarms are not as rare as stated."));
     }
     return text;
 }
@@ -93,7 +106,7 @@ QString pointText(const StoredHistory& history, const HistoryCharts& charts,
     QString text = QStringLiteral("%1: %2").arg(
         nameOf(at),
         std::isfinite(charts.values[point])
-            ? valueText(factor * charts.values[point], std::abs(factor) * charts.sd[point])
+            ? valueText(factor * charts.values[point], std::abs(factor) * charts.u[point])
             : reasonText(at.value.reason));
     if (std::isfinite(charts.values[point]) && !unit.isEmpty()) {
         text += QStringLiteral(" ") + unit;
@@ -106,6 +119,12 @@ QString pointText(const StoredHistory& history, const HistoryCharts& charts,
     }
     if (std::isfinite(at.bias_v)) {
         text += numbered(QT_TRANSLATE_NOOP("History", "%1 V"), at.bias_v, 4);
+    }
+    if (!at.warnings.empty()) {
+        text += QStringLiteral("; ") +
+                historyText(QT_TRANSLATE_NOOP("History", "warnings: %1"))
+                    .arg(QString::fromStdString(at.warnings)
+                             .replace(QLatin1Char(';'), QStringLiteral(", ")));
     }
     if (const QString outside = outsideText(charts, point); !outside.isEmpty()) {
         text += QStringLiteral("; ") + outside;
@@ -123,13 +142,13 @@ QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
                    "History", "Limits belong to one gyro: choose one for its control charts.")) +
                withoutDate(history, view);
     }
-    if (std::min(values, baseline) < 2) {
+    if (charts.control.fault == BaselineFault::too_few) {
         return limitsText(charts, baseline) + withoutDate(history, view);
     }
     QStringList named;
     std::size_t outside = 0;
     for (std::size_t k = 0; k < charts.values.size(); ++k) {
-        if (charts.isOut(k)) {
+        if (charts.control.is_out(k)) {
             ++outside;
             if (named.size() < most_named) {
                 named << QStringLiteral("%1 (%2)").arg(nameOf(history.points[k]),

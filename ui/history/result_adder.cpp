@@ -1,6 +1,6 @@
 #include "ui/history/result_adder.h"
 
-#include "core/output/batch_csv.h"
+#include "core/analysis/set_conditions.h"
 #include "ui/history/history_job.h"
 #include "ui/history/store_dialog.h"
 #include "ui/history/stored_set.h"

@@ -169,15 +169,19 @@ void AnalysisList::fillNotes(QTreeWidgetItem& item, const AnalysisEntry& entry) 
             "deviation allows for them.",
             nullptr, static_cast<int>(entry.summary.at_bound));
     }
-    for (const Diagnostic& diagnostic : entry.shown.analysis->diagnostics) {
-        sentences << diagnosticText(diagnostic);
+    for (const Finding& finding : findings_of(entry.shown.analysis->diagnostics)) {
+        sentences << findingText(finding);
     }
     if (sentences.isEmpty()) {
         return;
     }
+    item.setToolTip(notes, sentences.join(QLatin1Char('\n')));
+    if (const std::size_t count = static_cast<std::size_t>(sentences.size()); count > most_shown) {
+        sentences.resize(most_shown);
+        sentences << moreText(count - most_shown);
+    }
     const QString text = sentences.join(QLatin1Char(' '));
     const QIcon mark = style()->standardIcon(QStyle::SP_MessageBoxWarning);
-    item.setToolTip(notes, sentences.join(QLatin1Char('\n')));
     if (!snaps) {
         item.setIcon(notes, mark);
         item.setText(notes, text);

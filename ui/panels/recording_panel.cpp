@@ -36,7 +36,7 @@ protected:
 };
 
 bool isWorthAWarning(const Diagnostic& diagnostic) {
-    return diagnostic.kind != DiagnosticKind::text_lines_ignored;
+    return severity(diagnostic.kind) != vybeg::Severity::note;
 }
 
 // Allows line breaks anywhere in a long text without spaces (a path, a hash).

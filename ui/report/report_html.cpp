@@ -6,6 +6,18 @@
 
 namespace vybeg::ui {
 
+namespace {
+
+// A number with its deviation, u and unit, which stays on one line; a column takes the width of its
+// longest. Words may be wrapped.
+bool isNumber(const QString& cell) {
+    static const QRegularExpression number(
+        QStringLiteral("^(?:[^\\p{L}<]|u|ppm)*\\d(?:[^\\p{L}<]|u|ppm)*$"));
+    return number.match(cell).hasMatch();
+}
+
+}  // namespace
+
 QString withIndices(const QString& text) {
     // A letter or two of a symbol, its index of as many; no part of a word, no name of a file.
     static const QRegularExpression symbol(
@@ -46,11 +58,13 @@ QString html(const HtmlTable& table) {
         for (qsizetype k = 0; k < cells.size(); ++k) {
             const qsizetype rest = qsizetype(table.columns.size()) - k;
             const bool last = k + 1 == cells.size();
-            text += QStringLiteral("<%1 width=\"%2%\" colspan=\"%3\">%4</%1>")
+            text += QStringLiteral("<%1 width=\"%2%\" colspan=\"%3\"%4>%5</%1>")
                         .arg(tag)
                         .arg(table.columns[static_cast<std::size_t>(k)])
                         .arg(last ? rest : 1)
-                        .arg(cells[k]);
+                        .arg(isNumber(cells[k]) ? QStringLiteral(" style=\"white-space:nowrap\"")
+                                                : QString(),
+                             cells[k]);
         }
         return text + QStringLiteral("</tr>");
     };

@@ -33,12 +33,20 @@ QString rateText(double rate_hz) {
     return QLocale().toString(rate_hz, 'g', 12);
 }
 
-QStringList sentences(const std::vector<Diagnostic>& findings) {
+// The findings as sentences, beyond `most` their number.
+QStringList sentences(const std::vector<Finding>& findings, std::size_t most) {
     QStringList texts;
-    for (const Diagnostic& each : findings) {
-        texts << diagnosticText(each);
+    for (std::size_t k = 0; k < std::min(findings.size(), most); ++k) {
+        texts << findingText(findings[k]);
+    }
+    if (findings.size() > most) {
+        texts << moreText(findings.size() - most);
     }
     return texts;
+}
+
+QStringList sentences(const std::vector<Finding>& findings) {
+    return sentences(findings, findings.size());
 }
 
 QString bold(const char* text) {
@@ -49,8 +57,9 @@ QString checkText(const ReportRecording& recording) {
     if (!recording.check) {
         return reportText(QT_TRANSLATE_NOOP("Report", "not finished yet"));
     }
-    return recording.check->empty() ? reportText(QT_TRANSLATE_NOOP("Report", "no findings"))
-                                    : sentences(*recording.check).join(QStringLiteral(" "));
+    return recording.check->empty()
+               ? reportText(QT_TRANSLATE_NOOP("Report", "no findings"))
+               : sentences(findings_of(*recording.check)).join(QStringLiteral(" "));
 }
 
 QString recordingsSection(const ReportContent& content) {
@@ -168,26 +177,58 @@ QString eventsSection(const ReportContent& content) {
                             reportText(QT_TRANSLATE_NOOP("Report", "No axis crossings, no gaps.")));
 }
 
-// Each warning once; those of the recording check stand with the recordings.
-QString warningsSection(const ReportContent& content) {
-    QStringList warnings;
+// What the analyses found beside the recording check, which stands with the recordings.
+std::vector<NamedWarnings> warningsOfAnalyses(const ReportContent& content) {
+    std::vector<NamedWarnings> all;
     for (const ReportAnalysis& each : content.analyses) {
         const ReportRecording& recording = content.recordings[each.recording];
-        const QStringList known = recording.check ? sentences(*recording.check) : QStringList();
-        for (const QString& text : sentences(each.shown.analysis->diagnostics)) {
-            if (!known.contains(text)) {
-                warnings << QStringLiteral("%1: %2").arg(recording.name, text);
-            }
+        std::vector<Diagnostic> found = each.shown.analysis->diagnostics;
+        std::erase_if(found, [&recording](const Diagnostic& diagnostic) {
+            return recording.check &&
+                   std::ranges::find(*recording.check, diagnostic) != recording.check->end();
+        });
+        all.emplace_back(recording.name.toStdString(), std::move(found));
+    }
+    return all;
+}
+
+QString warningsPart(const char* title, const std::vector<Finding>& findings) {
+    return findings.empty() ? QString()
+                            : smallHeading(reportText(title)) + items(sentences(findings));
+}
+
+// Each kind once, the worst first; of the recordings, of the analyses, of the result.
+QString warningsSection(const ReportContent& content) {
+    const QString text =
+        (content.outcome ? warningsPart(QT_TRANSLATE_NOOP("Report", "Of the resonator"),
+                                        findings_of(content.outcome->identification.fit.warnings))
+                         : QString()) +
+        warningsPart(QT_TRANSLATE_NOOP("Report", "Of the analyses"),
+                     findings_of(warningsOfAnalyses(content))) +
+        (content.outcome ? warningsPart(QT_TRANSLATE_NOOP("Report", "Of the recordings in the fit"),
+                                        recordingFindings(*content.outcome))
+                         : QString());
+    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Warnings"))) +
+           (text.isEmpty() ? paragraph(reportText(QT_TRANSLATE_NOOP("Report", "None."))) : text);
+}
+
+// The worst on the first page; their section has all.
+QString worstWarnings(const ReportContent& content) {
+    std::vector<NamedWarnings> all;
+    if (content.outcome) {
+        all.emplace_back("", content.outcome->identification.fit.warnings);
+    }
+    for (NamedWarnings& each : warningsOfAnalyses(content)) {
+        all.push_back(std::move(each));
+    }
+    for (const ReportRecording& recording : content.recordings) {
+        if (recording.check) {
+            all.emplace_back(recording.name.toStdString(), *recording.check);
         }
     }
-    if (content.outcome) {
-        warnings += findingTexts(*content.outcome);
-        warnings += warningTexts(*content.outcome);
-    }
-    warnings.removeDuplicates();
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Warnings"))) +
-           (warnings.isEmpty() ? paragraph(reportText(QT_TRANSLATE_NOOP("Report", "None.")))
-                               : items(warnings));
+    std::vector<Finding> findings = findings_of(all);
+    findings.resize(count_warnings(findings));
+    return findings.empty() ? QString() : items(sentences(findings, most_shown));
 }
 
 }  // namespace
@@ -213,8 +254,9 @@ QString titleBlock(const ReportTitle& title, const QString& made) {
 }
 
 QString reportSections(const ReportContent& content) {
-    return recordingsSection(content) + settingsSection(content) + plotsSection(content) +
-           resonatorSection(content) + eventsSection(content) + warningsSection(content);
+    return worstWarnings(content) + recordingsSection(content) + settingsSection(content) +
+           plotsSection(content) + resonatorSection(content) + eventsSection(content) +
+           warningsSection(content);
 }
 
 }  // namespace vybeg::ui

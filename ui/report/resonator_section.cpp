@@ -15,7 +15,7 @@ namespace {
 
 // Columns of values that a page has room for.
 constexpr qsizetype most_recordings = 2;
-constexpr qsizetype most_sources = 10;
+constexpr qsizetype most_sources = 5;
 
 QString part(const QString& title, const QString& tables) {
     return tables.isEmpty() ? tables : smallHeading(title) + tables;

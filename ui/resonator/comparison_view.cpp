@@ -7,6 +7,7 @@
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
+#include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -16,31 +17,20 @@
 #include <QLocale>
 #include <QPushButton>
 
-#include <algorithm>
-
 namespace vybeg::ui {
-
-namespace {
-
-double changedFrom(const std::vector<Difference>& differences) {
-    const auto compared = std::ranges::count_if(differences, [](const Difference& each) {
-        return each.verdict != Verdict::not_comparable;
-    });
-    return changed_from(static_cast<std::size_t>(compared));
-}
-
-}  // namespace
 
 ComparisonView::ComparisonView(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       theme_(lightTheme()),
       passport_(sentence(this)),
+      other_gyro_(sentence(this)),
       differences_(new QuantityTable(this)),
       incomparable_(sentence(this)),
       track_choice_(new QComboBox(this)),
       tracks_(new XYPlotView(this)),
       close_(new QPushButton(this)) {
+    other_gyro_->setObjectName(QStringLiteral("otherGyro"));
     differences_->setObjectName(QStringLiteral("differences"));
     tracks_->setObjectName(QStringLiteral("tracks"));
     auto* limit = new QWidget(this);
@@ -56,14 +46,15 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    section_ = addSection(
-        *column, {passport_, limit, differences_, incomparable_, track_choice_, tracks_, close_});
+    section_ = addSection(*column, {passport_, other_gyro_, limit, differences_, incomparable_,
+                                    track_choice_, tracks_, close_});
     connect(close_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
     connect(limit_, &NumberField::valueEdited, this,
             [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
     connect(track_choice_, &QComboBox::activated, this, &ComparisonView::rebuild);
     connect(tracks_, &XYPlotView::exportWanted, this, &ComparisonView::exportWanted);
     connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
+    connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::rebuild);
     retranslate();
 }
 
@@ -95,10 +86,15 @@ void ComparisonView::rebuild() {
     }
     const QString name = passport->name.toHtmlEscaped();
     const std::vector<Difference> differences = document_.sets().differences();
-    passport_->setText(shown_ ? tr("Compared with %1. Changed: by %2 uncertainties u of the "
-                                   "difference or more; by chance in one comparison of 370.")
-                                    .arg(name, QLocale().toString(changedFrom(differences), 'f', 1))
-                              : tr("%1 is open: identify the set to compare.").arg(name));
+    const auto other = document_.sets().otherGyro(document_.dossier().dossier().gyro);
+    other_gyro_->setText(other ? QStringLiteral("⚠ ") + diagnosticText(*other) : QString());
+    other_gyro_->setVisible(other.has_value());
+    passport_->setText(
+        shown_
+            ? tr("Compared with %1. Changed: by %2 uncertainties u of the "
+                 "difference or more; by chance in one comparison of 370.")
+                  .arg(name, QLocale().toString(changed_from(count_compared(differences)), 'f', 1))
+            : tr("%1 is open: identify the set to compare.").arg(name));
     limit_->setValue(document_.sets().frequencyLimit());
     const QStringList reasons = incomparableTexts(differences);
     for (QWidget* part : std::initializer_list<QWidget*>{differences_, track_choice_, tracks_}) {

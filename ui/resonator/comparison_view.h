@@ -46,6 +46,7 @@ private:
     DisplayUnits units_;
     Theme theme_;
     QLabel* passport_;
+    QLabel* other_gyro_;
     QLabel* limit_label_;
     NumberField* limit_;
     QuantityTable* differences_;

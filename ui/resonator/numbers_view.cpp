@@ -2,6 +2,7 @@
 
 #include "ui/resonator/page_parts.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/resonator/warning_list.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
 
@@ -20,7 +21,8 @@ namespace {
 QStringList markedNames(const ResonatorOutcome& outcome) {
     QStringList names;
     for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
-        const bool warned = !outcome.identification.runs[k].diagnostics.empty();
+        const bool warned =
+            count_warnings(findings_of(outcome.identification.runs[k].diagnostics)) > 0;
         names << (warned ? QStringLiteral("⚠ ") : QString()) +
                      QString::fromStdString(outcome.inputs[k].name);
     }
@@ -32,8 +34,8 @@ QStringList markedNames(const ResonatorOutcome& outcome) {
 NumbersView::NumbersView(QWidget* parent)
     : QWidget(parent),
       theme_(lightTheme()),
-      findings_(sentence(this)),
-      warnings_(sentence(this)),
+      findings_(new WarningList(this)),
+      warnings_(new WarningList(this)),
       statistical_(sentence(this)),
       waves_(table("waves")),
       resonator_(table("resonator")),
@@ -88,19 +90,17 @@ void NumbersView::rebuild() {
     }
     const ResonatorOutcome& outcome = *shown_;
     const Identification& found = outcome.identification;
-    const QStringList warnings = warningTexts(outcome);
-    warnings_->setText(paragraphs(warnings, QStringLiteral("⚠ %1")));
-    warnings_->setVisible(!warnings.isEmpty());
-    const QStringList findings = findingTexts(outcome);
-    findings_->setText(paragraphs(findings, QStringLiteral("⚠ %1")));
-    findings_->setVisible(!findings.isEmpty());
+    const std::vector<Finding> findings = recordingFindings(outcome);
+    const bool has_findings = !findings.empty();
+    warnings_->setFindings(findings_of(found.fit.warnings));
+    findings_->setFindings(findings);
     waves_->setContent(markedNames(outcome), waveRows(found, units_));
     // The result of a session holds no motion of the waves.
     const bool has_motion = std::ranges::any_of(found.runs, [](const IdentifiedRun& run) {
         return !run.wave.f_hz.given() || std::isfinite(run.wave.f_hz.value);
     });
     waves_->setVisible(has_motion);
-    waves_section_->setVisible(has_motion || !findings.isEmpty());
+    waves_section_->setVisible(has_motion || has_findings);
     const auto rows = resonatorRows(found, units_, limits_, theme_);
     const QStringList headers{tr("Value"), tr("Limits")};
     resonator_->setContent(limits_.empty() ? QStringList() : headers, rows);

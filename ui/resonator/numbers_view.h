@@ -16,6 +16,7 @@ namespace vybeg::ui {
 
 class QuantityTable;
 class Section;
+class WarningList;
 
 // An identification as tables, with the sentences that belong to them.
 class NumbersView : public QWidget {
@@ -43,8 +44,8 @@ private:
     DisplayUnits units_;
     Theme theme_;
     std::vector<ParameterLimit> limits_;
-    QLabel* findings_;
-    QLabel* warnings_;
+    WarningList* findings_;
+    WarningList* warnings_;
     QLabel* statistical_;
     QuantityTable* waves_;
     QuantityTable* resonator_;

@@ -11,12 +11,16 @@ namespace vybeg::ui {
 
 QLabel* sentence(QWidget* parent) {
     auto* label = new QLabel(parent);
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::RichText);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    label->setContentsMargins(6, 2, 6, 2);
-    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    makeSentence(*label);
     return label;
+}
+
+void makeSentence(QLabel& label) {
+    label.setWordWrap(true);
+    label.setTextFormat(Qt::RichText);
+    label.setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label.setContentsMargins(6, 2, 6, 2);
+    label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
 }
 
 QString paragraphs(const QStringList& texts, const QString& form) {

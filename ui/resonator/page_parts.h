@@ -18,6 +18,7 @@ class Section;
 
 // A label of whole sentences.
 QLabel* sentence(QWidget* parent);
+void makeSentence(QLabel& label);
 // Each text a paragraph, in the form of `form`, whose %1 it takes.
 QString paragraphs(const QStringList& texts, const QString& form);
 // A part that can be folded away, at the end of a layout.

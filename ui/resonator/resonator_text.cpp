@@ -339,38 +339,12 @@ QString uncertaintyText(const Identification& found) {
     return QStringLiteral("%1 %2").arg(text, clockText(found.settings)).trimmed();
 }
 
-QStringList findingTexts(const ResonatorOutcome& outcome) {
-    // Findings common to several recordings appear once.
-    std::vector<std::pair<QString, QStringList>> texts;
-    for (const auto& [diagnostic, input] : all_warnings(outcome.identification)) {
-        if (input < 0) {
-            continue;
-        }
-        const QString text = diagnosticText(diagnostic);
-        const QString name =
-            QString::fromStdString(outcome.inputs[static_cast<std::size_t>(input)].name);
-        const auto same = std::ranges::find(texts, text, &std::pair<QString, QStringList>::first);
-        if (same == texts.end()) {
-            texts.emplace_back(text, QStringList{name});
-        } else {
-            same->second << name;
-        }
+std::vector<Finding> recordingFindings(const ResonatorOutcome& outcome) {
+    std::vector<NamedWarnings> all;
+    for (std::size_t k = 0; k < outcome.identification.runs.size(); ++k) {
+        all.emplace_back(outcome.inputs[k].name, outcome.identification.runs[k].diagnostics);
     }
-    QStringList lines;
-    for (const auto& [text, names] : texts) {
-        lines << QStringLiteral("%1: %2").arg(names.join(QStringLiteral(", ")), text);
-    }
-    return lines;
-}
-
-QStringList warningTexts(const ResonatorOutcome& outcome) {
-    QStringList texts;
-    for (const auto& [diagnostic, input] : all_warnings(outcome.identification)) {
-        if (input < 0) {
-            texts << diagnosticText(diagnostic);
-        }
-    }
-    return texts;
+    return findings_of(all);
 }
 
 }  // namespace vybeg::ui

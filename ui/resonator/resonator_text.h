@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/finding.h"
 #include "core/resonator/results/parameter_limit.h"
 #include "ui/values/recording_set.h"
 #include "ui/widgets/quantity_table.h"
@@ -41,10 +42,7 @@ QString clockText(const IdentifySettings& settings);
 // What ± and u hold, and whose clock the frequencies follow.
 QString uncertaintyText(const Identification& found);
 
-// Sentences about the result.
-QStringList warningTexts(const ResonatorOutcome& outcome);
-
-// Findings in the recordings, each with the names of the recordings.
-QStringList findingTexts(const ResonatorOutcome& outcome);
+// Findings in the recordings, each with the names of the recordings, the worst first.
+std::vector<Finding> recordingFindings(const ResonatorOutcome& outcome);
 
 }  // namespace vybeg::ui

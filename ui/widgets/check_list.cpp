@@ -11,6 +11,12 @@
 
 namespace vybeg::ui {
 
+namespace {
+
+const QString fold_link = QStringLiteral("more");
+
+}  // namespace
+
 CheckList::CheckList(QWidget* parent)
     : QWidget(parent), title_(new QLabel(this)), list_(new QTextBrowser(this)) {
     title_->setWordWrap(true);
@@ -52,26 +58,49 @@ void CheckList::refresh() {
     title_->setText(findings_.empty() ? tr("Recording check: nothing found")
                                       : tr("Recording check: %n finding(s)", nullptr,
                                            static_cast<int>(findings_.size())));
-    // The number of a finding is its link; findings without a place have no link.
+    const std::vector<Finding> findings = findings_of(findings_);
     QString rows;
-    for (std::size_t i = 0; i < findings_.size(); ++i) {
-        const Diagnostic& finding = findings_[i];
-        QString place;
-        if (finding.first_frame >= 0) {
-            place =
-                QStringLiteral("<a href=\"%1\">%2</a>")
-                    .arg(i)
-                    .arg(tr("%1 s").arg(QLocale().toString(seconds(finding.first_frame), 'f', 4)));
+    for (std::size_t k = 0; k < findings.size() && (open_ || k < most_shown); ++k) {
+        const Finding& finding = findings[k];
+        rows += rowOf(finding.diagnostic,
+                      open_ ? diagnosticText(finding.diagnostic) : findingText(finding));
+        for (std::size_t i = 0; open_ && i < finding.more.size(); ++i) {
+            rows += rowOf(finding.more[i], diagnosticText(finding.more[i]));
         }
-        rows += QStringLiteral("<tr><td align=\"right\">%1</td><td>%2</td></tr>")
-                    .arg(place, diagnosticText(finding).toHtmlEscaped());
+    }
+    std::size_t hidden = 0;
+    for (std::size_t k = 0; k < findings.size(); ++k) {
+        hidden += findings[k].more.size() + (k < most_shown ? 0 : 1);
+    }
+    if (hidden > 0) {
+        rows += QStringLiteral("<tr><td></td><td><a href=\"%1\">%2</a></td></tr>")
+                    .arg(fold_link, open_ ? tr("Only the worst") : moreText(hidden));
     }
     list_->setHtml(QStringLiteral("<table cellspacing=\"3\">%1</table>").arg(rows));
 }
 
+// The place of a finding is its link; one without a place has none.
+QString CheckList::rowOf(const Diagnostic& finding, const QString& text) const {
+    QString place;
+    if (finding.first_frame >= 0) {
+        const QString time = QLocale().toString(seconds(finding.first_frame), 'f', 4);
+        place = QStringLiteral("<a href=\"%1,%2\">%3</a>")
+                    .arg(finding.first_frame)
+                    .arg(finding.count)
+                    .arg(tr("%1 s").arg(time));
+    }
+    return QStringLiteral("<tr><td align=\"right\">%1</td><td>%2</td></tr>")
+        .arg(place, text.toHtmlEscaped());
+}
+
 void CheckList::choose(const QUrl& link) {
-    const Diagnostic& finding = findings_.at(link.toString().toUInt());
-    emit placeChosen(seconds(finding.first_frame), seconds(finding.count));
+    if (link.toString() == fold_link) {
+        open_ = !open_;
+        refresh();
+        return;
+    }
+    const QStringList place = link.toString().split(QLatin1Char(','));
+    emit placeChosen(seconds(place.value(0).toLongLong()), seconds(place.value(1).toLongLong()));
 }
 
 void CheckList::changeEvent(QEvent* event) {

@@ -12,7 +12,8 @@ class QUrl;
 
 namespace vybeg::ui {
 
-// Findings of the recording check with their places. A click on a place emits its choice.
+// Findings of the recording check with their places: the worst, each kind once, or all of them. A
+// click on a place emits its choice.
 class CheckList : public QWidget {
     Q_OBJECT
 
@@ -32,6 +33,7 @@ protected:
 private:
     void refresh();
     void choose(const QUrl& link);
+    QString rowOf(const Diagnostic& finding, const QString& text) const;
     double seconds(std::int64_t frames) const { return static_cast<double>(frames) / rate_hz_; }
 
     QLabel* title_;
@@ -39,6 +41,7 @@ private:
     std::vector<Diagnostic> findings_;
     double rate_hz_ = 1;
     bool running_ = true;
+    bool open_ = false;  // each place by itself
 };
 
 }  // namespace vybeg::ui

@@ -293,7 +293,8 @@ void FileCommands::savePassportTo(const QString& path) {
         return;
     }
     document_.sets().savePassport(
-        path, [this, path](const Status& status) { reportSaved(status, path); });
+        path, document_.dossier().dossier().gyro,
+        [this, path](const Status& status) { reportSaved(status, path); });
 }
 
 void FileCommands::openCompare() {

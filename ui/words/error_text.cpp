@@ -72,6 +72,40 @@ QString diagnosticText(const Diagnostic& diagnostic) {
     return filled("Message", windowSentence(message_row(diagnostic.kind)), diagnostic.args);
 }
 
+namespace {
+
+// What the sentence of the first leaves out; empty: nothing.
+QString restText(const Finding& finding) {
+    const auto others = static_cast<int>(finding.more.size());
+    const auto translated = [others](const char* text) {
+        return QLatin1Char(' ') + QCoreApplication::translate("Finding", text, nullptr, others);
+    };
+    if (others == 0) {
+        return {};
+    }
+    if (finding.diagnostic.first_frame < 0) {
+        return translated(QT_TRANSLATE_N_NOOP("Finding", "(And %n more of the kind.)"));
+    }
+    return finding.frames == 0
+               ? translated(QT_TRANSLATE_N_NOOP("Finding", "(And %n more place(s).)"))
+               : translated(
+                     QT_TRANSLATE_N_NOOP("Finding", "(And %n more place(s); %1 samples in all.)"))
+                     .arg(QLocale().toString(static_cast<qint64>(finding.frames)));
+}
+
+}  // namespace
+
+QString findingText(const Finding& finding) {
+    const QString about = QString::fromStdString(about_text(finding));
+    return (about.isEmpty() ? QString() : about + QStringLiteral(": ")) +
+           diagnosticText(finding.diagnostic) + restText(finding);
+}
+
+QString moreText(std::size_t count) {
+    return QCoreApplication::translate("Finding", QT_TRANSLATE_N_NOOP("Finding", "%n more"),
+                                       nullptr, static_cast<int>(count));
+}
+
 QString reasonText(const Reason& reason) {
     // Core writes for terminals, too.
     return reason.code == ReasonCode::none

@@ -2,6 +2,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
+#include "core/base/finding.h"
 #include "core/estimators/wave/flags.h"
 #include "core/resonator/model/reason.h"
 #include "core/track/events.h"
@@ -13,6 +14,10 @@ namespace vybeg::ui {
 // Sentences in the interface's language for what core/ returns as codes.
 QString errorText(const Error& error);
 QString diagnosticText(const Diagnostic& diagnostic);
+// As english(finding) of core/base/finding.h.
+QString findingText(const Finding& finding);
+// "4 more".
+QString moreText(std::size_t count);
 // Empty for a number that is given.
 QString reasonText(const Reason& reason);
 

@@ -159,17 +159,50 @@ private:
     }
 
     void judge() {
-        const auto compared = std::ranges::count_if(differences_, [](const Difference& each) {
-            return each.verdict != Verdict::not_comparable;
-        });
-        const double limit = changed_from(static_cast<std::size_t>(compared));
         for (Difference& each : differences_) {
-            if (each.verdict != Verdict::not_comparable) {
-                const bool changed =
-                    each.deviations() >= limit && std::abs(each.change) > each.limit;
-                each.verdict = changed ? Verdict::changed : Verdict::unchanged;
+            each.follows = follows(each);
+            if (is_q(each) && !each.follows) {
+                each.limit = options_.f_limit_ppm * 1e-6 * std::abs(each.then.value);
             }
         }
+        const double limit = changed_from(count_compared(differences_));
+        for (const bool what_follows : {false, true}) {
+            for (Difference& each : differences_) {
+                if (each.verdict != Verdict::not_comparable && each.follows == what_follows) {
+                    const bool changed = each.deviations() >= limit &&
+                                         std::abs(each.change) > each.limit &&
+                                         (!what_follows || source_changed(each));
+                    each.verdict = changed ? Verdict::changed : Verdict::unchanged;
+                }
+            }
+        }
+    }
+
+    // The same owner's parameter: "modes[0].tau_s" of "modes[0].q". Null: it is not compared.
+    const Difference* beside(const Difference& q, const char* name) const {
+        const std::string whole = q.name.substr(0, q.name.size() - 1) + name;
+        const auto found = std::ranges::find(differences_, whole, &Difference::name);
+        return found != differences_.end() && found->verdict != Verdict::not_comparable ? &*found
+                                                                                        : nullptr;
+    }
+    const Difference* frequency_beside(const Difference& q) const {
+        const Difference* of_mode = beside(q, "f_hz");
+        return of_mode != nullptr ? of_mode : beside(q, "f_mean_hz");
+    }
+
+    static bool is_q(const Difference& difference) {
+        return difference.verdict != Verdict::not_comparable &&
+               (difference.name == "q" || difference.name.ends_with(".q"));
+    }
+
+    bool follows(const Difference& difference) const {
+        return is_q(difference) && beside(difference, "tau_s") != nullptr &&
+               frequency_beside(difference) != nullptr;
+    }
+
+    bool source_changed(const Difference& q) const {
+        return beside(q, "tau_s")->verdict == Verdict::changed ||
+               frequency_beside(q)->verdict == Verdict::changed;
     }
 
     const Passport& passport_;
@@ -237,9 +270,22 @@ double changed_from(std::size_t count) {
     return high;
 }
 
+std::size_t count_compared(const std::vector<Difference>& differences) {
+    return static_cast<std::size_t>(std::ranges::count_if(differences, [](const Difference& each) {
+        return each.verdict != Verdict::not_comparable && !each.follows;
+    }));
+}
+
 std::vector<Difference> compare(const Passport& passport, const ResonatorFit& now,
                                 const CompareOptions& options) {
     return Comparison(passport, now, options).differences();
+}
+
+std::optional<Diagnostic> other_gyro(const Passport& passport, const std::string& gyro) {
+    if (passport.gyro.empty() || gyro.empty() || passport.gyro == gyro) {
+        return {};
+    }
+    return Diagnostic{DiagnosticKind::other_gyro, {passport.gyro, gyro}};
 }
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/diagnostic.h"
 #include "core/resonator/results/resonator_fit.h"
 #include "core/resonator/runs/run_track.h"
 
@@ -29,6 +30,9 @@ struct Passport {
     static constexpr int schema = 2;
 
     std::string program;
+    std::string gyro;  // empty: not told, as in a file of before
+    std::string date;  // ISO 8601; empty: not told
+    std::vector<std::pair<std::string, std::string>> conditions;  // columns of a list, those told
     std::vector<IdentifiedInput> inputs;
     std::vector<std::pair<std::string, std::string>> settings;  // name and value, as options
     ResonatorModel model{};
@@ -67,7 +71,8 @@ struct Difference {
     double relative = 0;  // change / then; NaN: an axis, or no reference
     double limit = 0;     // smaller changes count as none; unit of the change
     Verdict verdict{};
-    Incomparable why{};  // of not_comparable
+    Incomparable why{};    // of not_comparable
+    bool follows = false;  // Q, beside a frequency and a decay time that are compared themselves
 
     double deviations() const;  // |change| / u
 };
@@ -88,14 +93,21 @@ std::string incomparable_text(const Difference& difference);
 // rate of three deviations of one number (0.27 %).
 double changed_from(std::size_t count);
 
+// Those that can change by themselves: comparable, and no Q beside its frequency and decay time.
+std::size_t count_compared(const std::vector<Difference>& differences);
+
 // Compares every parameter of a resonator and of its modes with a value on at least one side.
 // Changed: the difference exceeds changed_from(number of compared parameters) combined deviations,
-// both sides independent, and for a frequency also the limit. Not comparable: one side has no
+// both sides independent, and for a frequency also the limit. Q follows from frequency and decay
+// time: it has changed only where one of these has. Not comparable: one side has no
 // value, with its reason. Modes are compared if both sides name them alike. If the mean frequency
 // or the decay time of the resonator is not comparable, those of the runs' directions are compared,
 // each with the run of the passport of the nearest 2theta_A, within 0.1 rad modulo pi; u then
 // includes the effect of the undetermined split and anisotropy on the remaining angle.
 std::vector<Difference> compare(const Passport& passport, const ResonatorFit& now,
                                 const CompareOptions& options = {});
+
+// The warning that a passport is another gyro's; nothing where either side names none.
+std::optional<Diagnostic> other_gyro(const Passport& passport, const std::string& gyro);
 
 }  // namespace vybeg

@@ -192,7 +192,7 @@ public:
             refuse_all({ReasonCode::set_refused, {}}, fit);
             told.verdict = told.verdict == SetVerdict::foreign ? SetVerdict::several : told.verdict;
         }
-        const std::vector<Diagnostic> findings = findings_of(told, runs_.size());
+        const std::vector<Diagnostic> findings = set_findings(told, runs_.size());
         fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
         return fit;
     }
@@ -536,7 +536,7 @@ void add_foreign(const SetFit& whole, std::size_t count, ResonatorFit& fit) {
     for (FittedBreak& each : fit.breaks) {
         each.run += each.run >= out ? 1 : 0;
     }
-    const std::vector<Diagnostic> findings = findings_of(examination, count);
+    const std::vector<Diagnostic> findings = set_findings(examination, count);
     fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
     const auto at = static_cast<std::ptrdiff_t>(out);
     RunEstimate none;

@@ -428,7 +428,7 @@ SetExamination examine_set(const FitProblem& problem, const MapFit& joint, const
     return Examination(problem, joint, job).made();
 }
 
-std::vector<Diagnostic> findings_of(const SetExamination& examination, std::size_t runs) {
+std::vector<Diagnostic> set_findings(const SetExamination& examination, std::size_t runs) {
     const auto sizes = [&]() -> std::vector<MessageArg> {
         const RunDeviation& sd = examination.spread;
         return {number_arg(100 * sd.decay, 2), number_arg(100 * sd.split, 2),

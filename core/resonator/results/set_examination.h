@@ -42,6 +42,6 @@ inline constexpr std::size_t least_to_show = 4;
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint, const JobControl& job);
 
 // What is said of it; `runs`: their number.
-std::vector<Diagnostic> findings_of(const SetExamination& examination, std::size_t runs);
+std::vector<Diagnostic> set_findings(const SetExamination& examination, std::size_t runs);
 
 }  // namespace vybeg

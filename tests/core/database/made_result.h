@@ -32,6 +32,7 @@ inline StoredResult made_result(int number, const std::string& gyro = "G7") {
                    DateSource::list};
     result.program = "vybeg-cli 0.1.0";
     result.model = "structured";
+    result.warnings = "residual-coloured;offset";
     for (int k = 0; k < 4; ++k) {
         StoredRecording recording;
         recording.file = "a/run-" + std::to_string(k) + ".wav";

@@ -36,6 +36,25 @@ bool run_sql(const QString& path, const char* sql) {
     return done;
 }
 
+// The rows of a query from outside the program, NULL as an empty text.
+QList<QStringList> rows_of(const QString& path, const char* sql) {
+    sqlite3* connection = nullptr;
+    QList<QStringList> rows;
+    const auto take = [](void* into, int count, char** texts, char**) {
+        QStringList row;
+        for (int k = 0; k < count; ++k) {
+            row << QString::fromUtf8(texts[k]);
+        }
+        static_cast<QList<QStringList>*>(into)->append(row);
+        return 0;
+    };
+    if (sqlite3_open(path.toUtf8().constData(), &connection) == SQLITE_OK) {
+        sqlite3_exec(connection, sql, take, &rows, nullptr);
+    }
+    sqlite3_close(connection);
+    return rows;
+}
+
 QByteArray content(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
@@ -224,6 +243,8 @@ private slots:
             QVERIFY(bool(database));
             id = *database->add(made_result(1));
         }
+        QVERIFY(run_sql(file, "DROP VIEW history"));
+        QVERIFY(run_sql(file, "ALTER TABLE result DROP COLUMN warnings"));
         QVERIFY(run_sql(file, "ALTER TABLE recording DROP COLUMN opening"));
         QVERIFY(run_sql(file, "PRAGMA user_version = 1"));
         const QByteArray before = content(file);
@@ -232,6 +253,7 @@ private slots:
             QVERIFY(bool(database));
             auto got = database->result(id);
             QVERIFY(got && *got);
+            QVERIFY((**got).warnings.empty());
             QVERIFY((**got).recordings[0].open ==
                     (OpenOptions{.channel_c = made_opening().channel_c,
                                  .channel_d = made_opening().channel_d}));
@@ -244,7 +266,30 @@ private slots:
         const auto got = database->result(*later);
         QVERIFY(got && *got);
         QVERIFY((**got).recordings[0].open == made_opening());
+        QCOMPARE((**got).warnings, made_result(2).warnings);
         QVERIFY(bool(*database->result(id)));
+        QCOMPARE(rows_of(file, "SELECT set_name, tau_s FROM history").size(), qsizetype(2));
+    }
+
+    // For other programs: a row for each result, a column for each parameter.
+    void the_view_history_has_a_row_for_each_result() {
+        {
+            auto database = open(path("view.db"));
+            QVERIFY(bool(database));
+            QVERIFY(bool(database->add(made_result(1))));
+            QVERIFY(bool(database->add(made_result(2, "G8"))));
+        }
+        const auto rows = rows_of(
+            folder_.filePath("view.db"),
+            "SELECT gyro, set_name, date, bias_v, temperature_c, exchanged, operator, comment, "
+            "warnings, f_mean_hz, sd_f_mean_hz, u_f_mean_hz, split_hz, u_split_hz, mode_0_f_hz, "
+            "u_mode_0_f_hz, mode_1_q FROM history ORDER BY result");
+        QCOMPARE(rows.size(), qsizetype(2));
+        QCOMPARE(rows[1],
+                 (QStringList{"G8", QString::fromStdString(made_result(2).set),
+                              QString::fromStdString(made_result(2).date.text), "60.5", "21.0", "1",
+                              "И. О.", "quiet", "residual-coloured;offset", "5300.002", "1.0e-06",
+                              "2.0e-06", "", "", "5300.0026", "", ""}));
     }
 
     void other_files_stay_as_they_are() {
@@ -259,7 +304,7 @@ private slots:
 
         QVERIFY(bool(open(path("newer.db"))));
         QVERIFY(run_sql(folder_.filePath("newer.db"), "PRAGMA user_version = 7"));
-        refuses("newer.db", "a later version of Vybeg has made it (schema 7; this one knows 2)");
+        refuses("newer.db", "a later version of Vybeg has made it (schema 7; this one knows 3)");
 
         QVERIFY(QDir(folder_.path()).mkdir("folder"));
         refuses("folder", "it is a folder");

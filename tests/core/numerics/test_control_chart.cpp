@@ -1,5 +1,6 @@
 #include "core/numerics/control_chart.h"
 #include "core/numerics/ewma_limit.h"
+#include "core/numerics/student.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace test_control_chart {
@@ -24,31 +26,60 @@ class TestControlChart : public QObject {
     Q_OBJECT
 
 private slots:
-    // NIST/SEMATECH e-Handbook of Statistical Methods, 6.3.2.2, flow rates of batches.
-    void individuals_are_those_of_the_handbook() {
+    // NIST/SEMATECH e-Handbook of Statistical Methods, 6.3.2.2, flow rates of batches. The
+    // deviation is that of the values; the handbook has it from the mean range, 1.665.
+    void values_and_ranges_are_those_of_the_handbook() {
         const std::vector<double> flow{49.6, 47.6, 49.9, 51.3, 47.8, 51.2, 52.6, 52.4, 53.6, 52.1};
-        const IndividualsChart chart = individuals_chart(flow, flow.size());
-        VYBEG_CLOSE(chart.centre, 50.81, 1e-9);
-        VYBEG_CLOSE(chart.mean_range, 1.8778, 5e-5);
-        VYBEG_CLOSE(chart.high, 55.8041, 2e-3);  // the handbook divides by 1.128 instead
-        VYBEG_CLOSE(chart.low, 45.8159, 2e-3);
-        VYBEG_CLOSE(chart.range_limit, 3.267 * 1.8778, 2e-4);
-        QVERIFY(std::ranges::none_of(chart.out, [](bool out) { return out; }));
-        QVERIFY(std::isnan(chart.ranges[0]));
-        VYBEG_CLOSE(chart.ranges[1], 2.0, 1e-9);
+        const ControlCharts charts = control_charts(flow, std::vector<double>(10, absent), 10);
+        VYBEG_CLOSE(charts.centre, 50.81, 1e-9);
+        VYBEG_CLOSE(charts.deviations[0], 2.033852, 1e-6);  // statistics.stdev() of Python
+        VYBEG_CLOSE(charts.individuals.values[0], 49.6 - 50.81, 1e-9);
+        QVERIFY(std::isnan(charts.ranges.values[0]));
+        VYBEG_CLOSE(charts.ranges.values[1], 2.0, 1e-9);
+        for (std::size_t k = 0; k < flow.size(); ++k) {
+            QVERIFY(!charts.is_out(k));
+        }
     }
 
-    void a_jump_is_out_in_both_charts_and_not_in_the_baseline() {
-        std::vector<double> values{1, 2, 1, 2, 1, 2, absent, 9, 1};
-        const IndividualsChart chart = individuals_chart(values, 6);
-        VYBEG_CLOSE(chart.centre, 1.5, 1e-12);
-        VYBEG_CLOSE(chart.high, 1.5 + 2.66, 1e-12);
-        QCOMPARE(chart.out,
-                 (std::vector<bool>{false, false, false, false, false, false, false, true, false}));
+    // Of one alarm in 370 * 0.85 points a fifth is for values, a tenth for changes, the rest for the
+    // average.
+    void limits_allow_for_a_baseline_of_finite_length() {
+        std::vector<double> values;
+        for (int k = 0; k < 20; ++k) {
+            values.push_back(k % 2 == 0 ? 1 : -1);
+        }
+        const ControlCharts charts = control_charts(values, std::vector<double>(20, absent), 20);
+        const double value = student_limit(0.2 / (370 * 0.85), 19) * std::sqrt(1.05);
+        const double range = student_limit(0.1 / (370 * 0.85), 19) * std::sqrt(2);
+        VYBEG_CLOSE(charts.individuals.limits[3] / charts.deviations[3], value, 1e-9);
+        VYBEG_CLOSE(charts.ranges.limits[3] / charts.deviations[3], range, 1e-9);
+        QVERIFY(std::isnan(charts.ranges.limits[0]));
+        VYBEG_CLOSE(charts.average.limits.back(),
+                    ewma_limit(0.2, 20, 370 * 0.85 / 0.7) / 3, 1e-3);  // sqrt(0.2 / 1.8)
+    }
+
+    // Abramowitz and Stegun, table 26.10: t of 0.05 and 0.001 on both sides together.
+    void students_distribution_is_that_of_the_tables() {
+        VYBEG_CLOSE(student_limit(0.05, 1), 12.706, 5e-4);
+        VYBEG_CLOSE(student_limit(0.05, 2), 4.303, 5e-4);
+        VYBEG_CLOSE(student_limit(0.05, 9), 2.262, 5e-4);
+        VYBEG_CLOSE(student_limit(0.001, 10), 4.587, 5e-4);
+        VYBEG_CLOSE(student_limit(0.001, 29), 3.659, 5e-4);
+        VYBEG_CLOSE(student_beyond(student_limit(1e-4, 17), 17), 1e-4, 1e-12);
+    }
+
+    void a_jump_is_out_and_the_way_back_too() {
+        std::vector<double> values{1, 2, 1, 2, 1, 2, 1, 2, 1, 2, absent, 19, 1};
+        const ControlCharts charts =
+            control_charts(values, std::vector<double>(values.size(), absent), 10);
+        VYBEG_CLOSE(charts.centre, 1.5, 1e-12);
+        std::vector<bool> out(values.size(), false);
+        out[11] = true;
+        QCOMPARE(charts.individuals.out, out);
         // From the last value that there is.
-        VYBEG_CLOSE(chart.ranges[7], 7.0, 1e-12);
-        QVERIFY(chart.range_is_out[7] && chart.range_is_out[8]);
-        QVERIFY(std::isnan(individuals_chart(values, 1).high));
+        VYBEG_CLOSE(charts.ranges.values[11], 17.0, 1e-12);
+        QVERIFY(charts.ranges.out[11] && charts.ranges.out[12]);
+        QVERIFY(charts.is_out(11) && !charts.is_out(10));
     }
 
     // The same, 6.3.2.4: weights of 0.3, started at 50 instead of at the baseline's mean.
@@ -59,15 +90,17 @@ private slots:
         constexpr std::array told{50.60, 49.52, 50.56, 50.18, 50.16, 49.21, 49.75,
                                   49.85, 50.26, 50.33, 50.11, 49.36, 49.52, 50.05,
                                   49.38, 49.92, 50.73, 51.23, 51.94, 51.99};
-        const std::vector<double> sd(values.size(), absent);
-        const EwmaChart chart = ewma_chart(values, sd, values.size(), {.lambda = 0.3});
-        VYBEG_CLOSE(chart.scatter, 1.969043, 1e-6);  // statistics.stdev() of Python
+        const std::vector<double> u(values.size(), absent);
+        const ControlCharts charts = control_charts(values, u, values.size(), {.lambda = 0.3});
+        const double deviation = charts.deviations[0];
+        VYBEG_CLOSE(deviation, 1.969043, 1e-6);  // statistics.stdev() of Python
+        const ControlChart& average = charts.average;
         for (std::size_t k = 0; k < values.size(); ++k) {
-            const double start = (50 - chart.centre) * std::pow(0.7, static_cast<double>(k) + 1);
-            VYBEG_CLOSE(chart.centre + chart.scatter * chart.average[k] + start, told[k], 6e-3);
+            const double start = (50 - charts.centre) * std::pow(0.7, static_cast<double>(k) + 1);
+            VYBEG_CLOSE(charts.centre + deviation * average.values[k] + start, told[k], 6e-3);
         }
-        VYBEG_CLOSE(chart.limits.back() / chart.limit, 0.4201, 1e-4);  // sqrt(0.3 / 1.7)
-        VYBEG_CLOSE(chart.limits.front() / chart.limit, 0.3, 1e-12);
+        // Of 0.3 at the first and sqrt(0.3 / 1.7) at the last.
+        VYBEG_CLOSE(average.limits.back() / average.limits.front(), 1.4003, 1e-3);
     }
 
     // J. M. Lucas, M. S. Saccucci, Technometrics 32 (1990): 370 points at these limits.
@@ -96,41 +129,62 @@ private slots:
         QVERIFY(std::isnan(ewma_limit(0.2, 9, 370)));
     }
 
-    void results_count_by_their_own_deviations() {
-        // Alternating scatter of 1, and one result that tells a deviation of 100.
+    void results_count_by_their_own_uncertainties() {
+        // Alternating scatter of 1, and one result that tells an uncertainty of 100.
         std::vector<double> values;
         for (int k = 0; k < 20; ++k) {
             values.push_back(k % 2 == 0 ? 1 : -1);
         }
         values[7] = 50;
-        std::vector<double> sd(values.size(), 0.1);
-        sd[7] = 100;
-        const EwmaChart chart = ewma_chart(values, sd, values.size());
-        VYBEG_CLOSE(chart.centre, 0.05, 0.02);
-        VYBEG_CLOSE(chart.scatter, 1.0, 0.05);
-        VYBEG_CLOSE(chart.z[7], 0.5, 0.01);
+        std::vector<double> u(values.size(), 0.1);
+        u[7] = 100;
+        const ControlCharts charts = control_charts(values, u, values.size());
+        VYBEG_CLOSE(charts.centre, 0.05, 0.02);
+        VYBEG_CLOSE(charts.deviations[6], 1.0, 0.05);
+        VYBEG_CLOSE(charts.individuals.values[7] / charts.deviations[7], 0.5, 0.01);
+        QVERIFY(!charts.individuals.out[7]);
     }
 
-    void deviations_that_explain_the_scatter_leave_none_between() {
+    // An u above the scatter holds parts that all results share: a step beyond the scatter is seen.
+    void an_uncertainty_common_to_all_results_hides_no_step() {
         std::vector<double> values;
         for (int k = 0; k < 20; ++k) {
             values.push_back(k % 2 == 0 ? 1 : -1);
         }
-        const std::vector<double> sd(values.size(), 3.0);
-        const EwmaChart chart = ewma_chart(values, sd, values.size());
-        QCOMPARE(chart.scatter, 0.0);
-        VYBEG_CLOSE(chart.z[0], 1.0 / 3, 1e-12);
+        values.push_back(8);
+        const ControlCharts charts = control_charts(values, std::vector<double>(21, 300.0), 20);
+        VYBEG_CLOSE(charts.deviations[20], std::sqrt(20. / 19), 1e-9);
+        QVERIFY(charts.individuals.out[20]);
     }
 
     void a_baseline_too_short_or_without_scatter_has_no_limits() {
-        const std::vector<double> few{1, 2, 3};
-        const std::vector<double> no_sd(20, absent);
-        const EwmaChart chart = ewma_chart(few, std::vector<double>(3, absent), 3);
-        QVERIFY(std::isnan(chart.limit));
-        QCOMPARE(chart.out, std::vector<bool>(3, false));
-        const EwmaChart alike = ewma_chart(std::vector<double>(20, 5.0), no_sd, 20);
-        QVERIFY(std::isnan(alike.limit));
-        QCOMPARE(alike.out, std::vector<bool>(20, false));
+        const std::vector<double> few{1, 2, 3, 1, 2, 3, 1, 2, 3};
+        const ControlCharts charts = control_charts(few, std::vector<double>(9, absent), 9);
+        QCOMPARE(charts.fault, BaselineFault::too_few);
+        QCOMPARE(charts.used, std::size_t(9));
+        QVERIFY(std::isnan(charts.centre) && std::isnan(charts.individuals.limits[5]));
+        QVERIFY(!charts.is_out(5));
+        const std::vector<double> same(20, 5.0);
+        const ControlCharts alike = control_charts(same, std::vector<double>(20, absent), 20);
+        QCOMPARE(alike.fault, BaselineFault::too_few);
+        QVERIFY(!alike.is_out(19));
+    }
+
+    void a_trend_and_correlated_neighbours_in_the_baseline_are_named() {
+        std::vector<double> rising;
+        std::vector<double> alternating;
+        std::vector<double> slow;
+        std::mt19937_64 random(5);
+        std::normal_distribution<double> normal;
+        for (int k = 0; k < 30; ++k) {
+            rising.push_back(0.1 * k + normal(random));
+            alternating.push_back((k % 2 == 0 ? 1 : -1) + 0.3 * normal(random));
+            slow.push_back(std::sin(0.6 * k) + 0.3 * normal(random));
+        }
+        const std::vector<double> u(30, absent);
+        QCOMPARE(control_charts(rising, u, 30).fault, BaselineFault::trend);
+        QCOMPARE(control_charts(alternating, u, 30).fault, BaselineFault::correlated);
+        QCOMPARE(control_charts(slow, u, 30).fault, BaselineFault::correlated);
     }
 
     void axes_near_the_end_of_their_range_do_not_jump() {

@@ -38,6 +38,9 @@ Passport example() {
     mode.f_hz = {5300, 1e-7, {}};
     mode.tau_s = {401, 0.2, {}};
     mode.q.reason = {ReasonCode::no_decay, {"1", "2"}};
+    passport.gyro = "HRG-17";
+    passport.date = "2026-03-31";
+    passport.conditions = {{"bias_v", "60"}, {"comment", "тихо"}};
     passport.modes = {mode};
     passport.mode_order = ModeOrder::decay;
     RunEstimate run;
@@ -87,6 +90,9 @@ private slots:
         QCOMPARE(read->program, passport.program);
         QVERIFY(read->inputs == passport.inputs);
         QVERIFY(read->settings == passport.settings);
+        QCOMPARE(read->gyro, std::string("HRG-17"));
+        QCOMPARE(read->date, std::string("2026-03-31"));
+        QVERIFY(read->conditions == passport.conditions);
         QVERIFY(read->model == passport.model);
         QCOMPARE(read->resonator.split_hz.value, passport.resonator.split_hz.value);
         QCOMPARE(read->resonator.split_hz.sd, passport.resonator.split_hz.sd);
@@ -102,6 +108,18 @@ private slots:
         QVERIFY(read->raw.covariance == passport.raw.covariance);
         QVERIFY(read->tracks[0].two_theta_A == passport.tracks[0].two_theta_A);
         QVERIFY(std::isnan(read->tracks[0].f_hz[1]));
+    }
+
+    void a_file_without_gyro_is_read() {
+        QJsonObject old =
+            QJsonDocument::fromJson(QByteArray::fromStdString(passport_json(example()))).object();
+        for (const char* name : {"gyro", "date", "conditions"}) {
+            old.remove(QLatin1String(name));
+        }
+        const Result<Passport> read =
+            read_passport(QJsonDocument(old).toJson().toStdString(), "p.json");
+        QVERIFY(read);
+        QVERIFY(read->gyro.empty() && read->date.empty() && read->conditions.empty());
     }
 
     // Files of the versions before: modes by frequency, whether that told them or not, and no runs.

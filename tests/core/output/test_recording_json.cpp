@@ -43,6 +43,7 @@ private slots:
             {"check",
              QJsonArray{QJsonObject{
                  {"kind", "time-gap"},
+                 {"severity", "warning"},
                  {"first_frame", 200},
                  {"count", 7},
                  {"text", "7 samples are missing at 0.5 s; windows over them are flagged."}}}}};

@@ -183,7 +183,7 @@ private slots:
             "repair-lost: no",
             "f0_Hz: 5300.25",
             "residual: 0.5",
-            "warning: The band-pass takes 0.25 s at each end for its transient; those windows are "
+            "note: The band-pass takes 0.25 s at each end for its transient; those windows are "
             "flagged."};
         QCOMPARE(track_header("vybeg-cli 1.2.3", recording, "abc", analysis), expected);
     }

@@ -1,4 +1,5 @@
 // What a comparison says of parameters that moved, did not, or are not known.
+#include "core/base/messages.h"
 #include "core/resonator/results/passport.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
@@ -178,6 +179,48 @@ private slots:
         QVERIFY(scattered.verdict == Verdict::unchanged);
         VYBEG_CLOSE(scattered.u, std::sqrt(0.02), 1e-9);
         VYBEG_LESS(scattered.sd, 1e-6);
+    }
+
+    // A temperature moves f by 20 ppm, within its limit, and Q with it, by 20 of its deviations.
+    void q_is_not_changed_where_only_a_frequency_within_its_limit_moves() {
+        Pair pair = pair_of();
+        pair.then.resonator.f_mean_hz = {5300, 1e-7, {}};
+        pair.now.resonator.f_mean_hz = {5300 * (1 + 20e-6), 1e-7, {}};
+        pair.then.resonator.tau_s = pair.now.resonator.tau_s = {400, 4e-4, {}};
+        pair.then.resonator.q = {6.66e6, 6.66, {}};
+        pair.now.resonator.q = {6.66e6 * (1 + 20e-6), 6.66, {}};
+        const std::vector<Difference> moved = compare(pair.then, pair.now);
+        QCOMPARE(moved.size(), std::size_t(3));
+        for (const Difference& each : moved) {
+            QCOMPARE(each.verdict, Verdict::unchanged);
+            QCOMPARE(each.follows, each.name == "q");
+        }
+        QCOMPARE(count_compared(moved), std::size_t(2));
+        // With the decay time it has changed, too.
+        pair.now.resonator.tau_s.value = 400.1;
+        pair.now.resonator.q.value = 6.66e6 * (1 + 20e-6 + 2.5e-4);
+        const std::vector<Difference> changed = compare(pair.then, pair.now);
+        for (const Difference& each : changed) {
+            QCOMPARE(each.verdict == Verdict::changed, each.name != "f_mean_hz");
+        }
+        // Without a decay time, Q has the limit of the frequency.
+        pair.now.resonator.tau_s = {.reason = unknown};
+        pair.now.resonator.q.value = 6.66e6 * (1 + 20e-6);
+        for (const Difference& each : compare(pair.then, pair.now)) {
+            QVERIFY(each.verdict != Verdict::changed);
+        }
+    }
+
+    void a_passport_of_another_gyro_is_named() {
+        Passport passport;
+        QVERIFY(!other_gyro(passport, "HRG-2"));
+        passport.gyro = "HRG-1";
+        QVERIFY(!other_gyro(passport, ""));
+        QVERIFY(!other_gyro(passport, "HRG-1"));
+        const auto other = other_gyro(passport, "HRG-2");
+        QVERIFY(other && severity(other->kind) == Severity::serious);
+        const QString text = QString::fromStdString(english(*other));
+        QVERIFY(text.contains("HRG-1") && text.contains("HRG-2"));
     }
 
     void tolerances_of_the_channels_count() {

@@ -57,7 +57,7 @@ void start_pictured_batch(MainWindow& window, const QStringList& recordings) {
     batch.form().setPath(BatchPath::results, QStringLiteral("campaign_results.csv"));
     batch.form().setPath(BatchPath::passports, passports);
     window.document().sets().savePassport(
-        QDir(passports).filePath(QStringLiteral("HRG-17.json")), [&batch](const Status&) {
+        QDir(passports).filePath(QStringLiteral("HRG-17.json")), {}, [&batch](const Status&) {
             batch.findChild<QPushButton*>(QStringLiteral("batchStart"))->click();
         });
 }

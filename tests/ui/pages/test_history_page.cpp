@@ -53,7 +53,7 @@ class TestHistoryPage : public QObject {
     // One result a day: split 0.01 Hz with deviation 1e-5 Hz, of which one in `out` lies 1e-3 off;
     // gyros G0, G1, ... in turn. In one transaction: the disk is not what is tested.
     QString database(const char* name, int results, int gyros = 1, int out = -1,
-                     const QString& recording = {}) const {
+                     const QString& recording = {}, double rise = 0) const {
         const QString path = home_.path(name);
         auto made =
             ResultsDatabase::open(path.toStdString(), ResultsDatabase::Access::write, JobControl());
@@ -71,7 +71,7 @@ class TestHistoryPage : public QObject {
             result.date = {QDate(2024, 1, 1).addDays(k).toString(Qt::ISODate).toStdString(),
                            DateSource::list};
             result.parameters[1].estimate = {
-                0.01 + normal(random) + (k == out ? 1e-3 : 0), 1e-5, {}, 2e-5};
+                0.01 + normal(random) + (k == out ? 1e-3 : 0) + k * rise, 1e-5, {}, 2e-5};
             for (StoredRecording& each : result.recordings) {
                 each.path = recording.isEmpty() ? each.path : recording.toStdString();
                 each.open = OpenOptions{.unit = "mV"};
@@ -142,8 +142,8 @@ private slots:
         QCOMPARE(page().history()->points.size(), std::size_t(40));
         // 90 is the 31st of G0.
         const HistoryCharts& charts = page().charts();
-        QVERIFY(charts.individuals.out[30] && charts.individuals.range_is_out[30]);
-        VYBEG_CLOSE_RATIO(charts.individuals.centre, 0.01, 1e-3);
+        QVERIFY(charts.control.individuals.out[30] && charts.control.ranges.out[30]);
+        VYBEG_CLOSE_RATIO(charts.control.centre, 0.01, 1e-3);
         const QString verdict = text("historyVerdict");
         QVERIFY2(verdict.contains("G0, 2024-03-31, set 90 (above the limit"), qPrintable(verdict));
         QVERIFY2(verdict.contains("first 20 results"), qPrintable(verdict));
@@ -158,8 +158,32 @@ private slots:
         QVERIFY2(text("historyPoint").contains("set 87"), qPrintable(text("historyPoint")));
         // Of a longer baseline that holds the value, it sets the limits itself.
         the<QSpinBox>("historyBaseline").setValue(40);
-        VYBEG_MORE(page().charts().individuals.mean_range, 2e-5);
+        VYBEG_MORE(page().charts().control.deviations[0], 1e-4);
         QCOMPARE(page().figures().plots.size(), 4);
+    }
+
+    // Too few results, and a trend, are said on the page and in the legend of its figures.
+    void a_baseline_that_sets_no_good_limits_is_named() {
+        open(database("few.db", 8));
+        chooseGyro(1);
+        QVERIFY2(text("historyVerdict").contains("Limits need 10 results"),
+                 qPrintable(text("historyVerdict")));
+        const auto names = [&] {
+            QString all;
+            for (const XYSeries& series : the<XYPlotView>("historyValues").content().series) {
+                all += series.name + "; ";
+            }
+            return all;
+        };
+        QVERIFY2(names().contains("values ± u (limits need 10 results, there are 8)"),
+                 qPrintable(names()));
+        open(database("trend.db", 30, 1, -1, {}, 1e-5));
+        chooseGyro(1);
+        QVERIFY2(text("historyVerdict").contains("rise or fall"),
+                 qPrintable(text("historyVerdict")));
+        QVERIFY2(names().contains("limits (the baseline has a trend)"), qPrintable(names()));
+        // u of each result, not sd, is its bar.
+        QCOMPARE(the<XYPlotView>("historyValues").content().series.front().sd.front(), 2e-5);
     }
 
     // Limits of the session's dossier stand in the plot of their parameter, in the unit shown.

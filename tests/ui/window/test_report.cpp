@@ -175,6 +175,44 @@ private slots:
     }
 
     // A chapter for each, found by its page in the table of all.
+    // All six tolerances: the budget has nine columns of values.
+    void no_number_is_broken() {
+        openAll(resonatorRuns(home_, "HRG"));
+        document().setTolerance({.kappa = 0.01,
+                                 .skew_deg = 0.1,
+                                 .delay_s = 1e-8,
+                                 .crosstalk = 1e-4,
+                                 .phase_drift_rad = 1e-4,
+                                 .gain_drift = 1e-4});
+        identifyAll();
+        const ReportContent content =
+            reportContentOf(document(), reportSubjects(document()).front());
+        const Identification& found = content.outcome->identification;
+        QVERIFY(budgetHeaders(found).size() >= 8);
+        for (const QString& language : {QStringLiteral("en"), QStringLiteral("ru")}) {
+            window_->setLanguage(language);
+            const QString path = home_.path("numbers-" + language + ".pdf");
+            write({content}, path);
+            const QString text = textOf(path);
+            int numbers = 0;
+            for (const auto& rows :
+                 {budgetRows(found, content.units), resonatorRows(found, content.units),
+                  modeRows(found.fit), runRows(found, content.units),
+                  waveRows(found, content.units), driftRows(found, content.units)}) {
+                for (const QuantityRow& row : rows) {
+                    for (const QuantityCell& cell : row.cells) {
+                        static const QRegularExpression word("\\p{L}{2}");
+                        if (!cell.text.contains(word)) {
+                            ++numbers;
+                            QVERIFY2(text.contains(cell.text.simplified()), qPrintable(cell.text));
+                        }
+                    }
+                }
+            }
+            VYBEG_MORE(numbers, 60);
+        }
+    }
+
     void the_report_of_all_sets_has_a_chapter_for_each() {
         openAll({home_.recording("run_1.wav"), home_.recording("run_2.csv")});
         const auto first = document().recordings().front().id;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/analysis/measurement_list.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+
+// What a measurement list tells of a set as a whole, for tables, passports and databases.
+
+// The first gyro that a recording of the set names, and the first date, ISO 8601; empty: none.
+std::string gyro_of(const MeasurementSet& set);
+std::string list_date_of(const MeasurementSet& set);
+
+// bias_v, temperature_c, exchanged, operator, comment: columns of a list, and their fields. Fields
+// of recordings that differ stand side by side with ";" between; empty: not told.
+std::vector<std::pair<std::string, std::string>> conditions_of(const MeasurementSet& set);
+
+// The fields of the k-th unknown column in the same way.
+std::string other_of(const MeasurementSet& set, std::size_t k);
+
+}  // namespace vybeg

@@ -1,0 +1,98 @@
+#include "core/base/finding.h"
+
+#include "core/base/messages.h"
+#include "core/base/plain_text.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace vybeg {
+namespace {
+
+void add(const std::string& about, const Diagnostic& diagnostic, Finding& finding) {
+    // Places first: there may be ten thousand gaps.
+    const auto same = [&diagnostic](const Diagnostic& each) {
+        return each.first_frame == diagnostic.first_frame && each == diagnostic;
+    };
+    if (finding.count == 0) {
+        finding.diagnostic = diagnostic;
+    } else if (!same(finding.diagnostic) && std::ranges::none_of(finding.more, same)) {
+        finding.more.push_back(diagnostic);
+    }
+    if (!about.empty() && std::ranges::find(finding.about, about) == finding.about.end()) {
+        finding.about.push_back(about);
+    }
+    ++finding.count;
+    finding.frames += diagnostic.count;
+}
+
+// What the sentence of the first leaves out; empty: nothing.
+std::string rest_text(const Finding& finding) {
+    if (finding.more.empty()) {
+        return {};
+    }
+    const std::string others = std::to_string(finding.more.size());
+    if (finding.diagnostic.first_frame < 0) {
+        return " (And " + others + " more of the kind.)";
+    }
+    return " (And " + others + (finding.more.size() == 1 ? " more place" : " more places") +
+           (finding.frames > 0 ? "; " + std::to_string(finding.frames) + " samples in all.)" : ".)");
+}
+
+}  // namespace
+
+std::vector<Finding> findings_of(std::span<const NamedWarnings> all) {
+    std::vector<Finding> findings;
+    for (const auto& [about, diagnostics] : all) {
+        for (const Diagnostic& diagnostic : diagnostics) {
+            const auto same = std::ranges::find(findings, diagnostic.kind, [](const Finding& each) {
+                return each.diagnostic.kind;
+            });
+            add(about, diagnostic, same != findings.end() ? *same : findings.emplace_back());
+        }
+    }
+    std::ranges::stable_sort(findings, std::ranges::greater(), [](const Finding& each) {
+        return severity(each.diagnostic.kind);
+    });
+    return findings;
+}
+
+std::vector<Finding> findings_of(const std::vector<Diagnostic>& diagnostics) {
+    const NamedWarnings all{{}, diagnostics};
+    return findings_of(std::span(&all, 1));
+}
+
+std::size_t count_warnings(std::span<const Finding> findings) {
+    return static_cast<std::size_t>(std::ranges::count_if(findings, [](const Finding& each) {
+        return severity(each.diagnostic.kind) != Severity::note;
+    }));
+}
+
+std::string warning_kinds(std::span<const Finding> findings) {
+    std::string kinds;
+    for (const Finding& finding : findings.first(count_warnings(findings))) {
+        kinds += kinds.empty() ? "" : ";";
+        kinds += kind_name(finding.diagnostic.kind);
+    }
+    return kinds;
+}
+
+std::string about_text(const Finding& finding) {
+    std::string text;
+    for (std::size_t k = 0; k < std::min(finding.about.size(), most_shown); ++k) {
+        text += k > 0 ? ", " : "";
+        text += plain_text(finding.about[k]);
+    }
+    return finding.about.size() > most_shown
+               ? text + ", +" + std::to_string(finding.about.size() - most_shown)
+               : text;
+}
+
+std::string english(const Finding& finding) {
+    std::string text = about_text(finding);
+    text += text.empty() ? "" : ": ";
+    text += english(finding.diagnostic);
+    return text + rest_text(finding);
+}
+
+}  // namespace vybeg

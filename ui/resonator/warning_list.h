@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/base/finding.h"
+
+#include <QLabel>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// Findings, a paragraph each; beyond the worst ones they are behind a link. Hidden without any.
+class WarningList : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit WarningList(QWidget* parent);
+
+    void setFindings(std::vector<Finding> findings);
+    void refresh();  // in the present language
+
+private:
+    std::vector<Finding> findings_;
+    bool open_ = false;
+};
+
+}  // namespace vybeg::ui
