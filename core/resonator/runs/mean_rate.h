@@ -40,4 +40,7 @@ std::vector<double> trend_of(const RateSeries& series);
 // values each, times rise.
 std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation);
 
+// The same slopes without their deviations (NaN).
+std::vector<MeanRate> mean_slopes(std::span<const RateSeries> series);
+
 }  // namespace vybeg
