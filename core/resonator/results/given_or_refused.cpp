@@ -28,6 +28,9 @@ constexpr double axis_needs = 5;  // standard deviations of the vector
 constexpr double modes_need = 5;  // of the modes' difference
 constexpr double narrowed = 0.1;  // of a channel's tolerance
 constexpr double limit_sd = 2;
+constexpr double vector_needs_in_u = 3;  // of its errors by the tolerances
+constexpr double any_axis_rad =
+    pi / 4 / std::numbers::sqrt3;  // deviation of any axis in 90 degrees
 constexpr double much_turned_deg = 22.5;
 constexpr double clear_value = 20;    // standard deviations
 constexpr double circular_below = 5;  // standard deviations of the smaller travelling wave
@@ -136,6 +139,13 @@ private:
         axis_out = length < std::max(axis_needs, set_.split_needs) * most
                        ? Estimate{.reason = within}
                        : number(axis);
+        // Errors as large as the vector leave any axis.
+        const Index row =
+            std::ranges::find(set_.posterior.active, Index{first}) - set_.posterior.active.begin();
+        const double by_errors = set_.moved.middleRows(row, 2).norm();
+        if (axis_out.given() && length < vector_needs_in_u * by_errors) {
+            axis_out.u = std::hypot(axis_out.sd, any_axis_rad);
+        }
     }
 
     Estimate channel(SharedQuantity quantity, int parameter, double factor) const {

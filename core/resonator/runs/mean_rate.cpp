@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace vybeg {
 namespace {
@@ -232,6 +233,15 @@ Eigen::VectorXd slope_coefficients(const RateSeries& series) {
 std::vector<double> trend_of(const RateSeries& series) {
     const Eigen::VectorXd trend = fitted_trend(series, parabola).value;
     return {trend.begin(), trend.end()};
+}
+
+std::vector<MeanRate> mean_slopes(std::span<const RateSeries> series) {
+    std::vector<MeanRate> rates;
+    for (const RateSeries& one : series) {
+        rates.push_back({slope_coefficients(one).dot(view(one.value)),
+                         std::numeric_limits<double>::quiet_NaN()});
+    }
+    return rates;
 }
 
 std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation,

@@ -43,4 +43,7 @@ std::vector<double> trend_of(const RateSeries& series);
 std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation,
                                  const JobControl& job);
 
+// The same slopes without their deviations (NaN).
+std::vector<MeanRate> mean_slopes(std::span<const RateSeries> series);
+
 }  // namespace vybeg

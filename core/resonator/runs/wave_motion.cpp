@@ -332,9 +332,7 @@ Estimate given(double value, double sd) {
     return estimate;
 }
 
-}  // namespace
-
-WaveMotion wave_motion(const PhasorRun& windows, const JobControl& job) {
+WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobControl& job) {
     const PhasorRun run = clear_windows(windows);
     const Motion motion = motion_without_outliers(run, job);
     WaveMotion found;
@@ -350,7 +348,8 @@ WaveMotion wave_motion(const PhasorRun& windows, const JobControl& job) {
     if (!circular) {
         series.insert(series.end(), {motion.theta, motion.quadrature});
     }
-    const std::vector<MeanRate> rates = mean_rates(series, inflation_of(run), job);
+    const std::vector<MeanRate> rates =
+        deviations ? mean_rates(series, inflation_of(run), job) : mean_slopes(series);
     found.f_hz = given(run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi);
     found.decay_per_s = given(-rates[1].value, rates[1].sd);
     found.tau_s =
@@ -360,6 +359,16 @@ WaveMotion wave_motion(const PhasorRun& windows, const JobControl& job) {
     found.quadrature_rate_per_s =
         circular ? missing(ReasonCode::circular_wave) : given(rates[3].value, rates[3].sd);
     return found;
+}
+
+}  // namespace
+
+WaveMotion wave_motion(const PhasorRun& run, const JobControl& job) {
+    return motion_with(run, true, job);
+}
+
+WaveMotion wave_values(const PhasorRun& run, const JobControl& job) {
+    return motion_with(run, false, job);
 }
 
 }  // namespace vybeg

@@ -32,4 +32,7 @@ struct WaveMotion {
 // those of decay_time(). Precondition: the vectors of a run have one length.
 WaveMotion wave_motion(const PhasorRun& run, const JobControl& job = {});
 
+// The values alone, their deviations NaN, at a fraction of the cost. tau has none.
+WaveMotion wave_values(const PhasorRun& run, const JobControl& job = {});
+
 }  // namespace vybeg

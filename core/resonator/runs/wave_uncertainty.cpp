@@ -1,9 +1,7 @@
 #include "core/resonator/runs/wave_uncertainty.h"
 
 #include "core/resonator/runs/decay_time.h"
-#include "core/resonator/runs/merge_windows.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -31,43 +29,20 @@ PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, doub
     return seen;
 }
 
-double power_of(const PhasorRun& run) {
-    double sum = 0;
-    for (std::size_t k = 0; k < run.c.size(); ++k) {
-        const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
-        sum += std::isfinite(power) ? power : 0;
-    }
-    return sum / static_cast<double>(std::max<std::size_t>(run.c.size(), 1));
-}
-
-// Fewer windows for the changes by errors, where the wave moves so slowly that their means keep
-// its power.
-PhasorRun coarse(const PhasorRun& run) {
-    constexpr std::size_t enough = 150;
-    constexpr double kept = 0.998;
-    if (run.c.size() < 2 * enough) {
-        return run;
-    }
-    PhasorRun merged = merge_windows(run, enough);
-    return power_of(merged) > kept * power_of(run) ? merged : run;
-}
-
 }  // namespace
 
 WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
                        const JobControl& job) {
     WaveMotion found = wave_motion(run, job);
-    const PhasorRun few = coarse(run);
-    const WaveMotion before = few.c.size() < run.c.size() ? wave_motion(few, job) : found;
     std::array<double, numbers.size()> variance{};
     for (const ChannelError& error : channel_errors) {
         const double size = tolerance.*error.tolerance;
         if (size == 0 || job.cancelled()) {
             continue;
         }
-        const WaveMotion moved = wave_motion(with_error(few, error.tolerance, size), job);
+        const WaveMotion moved = wave_values(with_error(run, error.tolerance, size), job);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
-            const double change = (moved.*numbers[k]).value - (before.*numbers[k]).value;
+            const double change = (moved.*numbers[k]).value - (found.*numbers[k]).value;
             variance[k] += std::isfinite(change) ? change * change : 0;
         }
     }
