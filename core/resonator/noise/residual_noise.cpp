@@ -161,7 +161,8 @@ public:
                     }
                 }
             }
-            if (!(best->top >= now + least_rise) || job_.cancelled()) {
+            // Without any finite likelihood the residual shows no colour.
+            if (!(best->top >= now + least_rise) || now <= impossible || job_.cancelled()) {
                 break;
             }
             given.push_back(best->part);
@@ -274,6 +275,7 @@ private:
                 unconcerned += log_likelihood(plain(block, given), 0);
             }
         }
+        trial.part.shape = shapes.front().shape;
         const auto row = [&](std::size_t k, std::size_t step) -> Trial::Row& {
             return trial.table[k * steps + step];
         };
