@@ -13,6 +13,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double quarter = pi / 4;
 // Rounding of an estimate without noise.
 constexpr double rounding = 1e-9;
+// Standard deviations of the bend's noise that a bend has to exceed.
+constexpr double rare = 5;
 // Largest standard deviation of the predicted alpha, in half turns, at which its step is
 // conclusive.
 constexpr double foretold = 0.08;
@@ -51,8 +53,11 @@ MotionMarker::Row MotionMarker::row_of(const Track& track, std::size_t k) {
             variance(f)};
 }
 
-void MotionMarker::take(const Track& next_rows) {
+void MotionMarker::take(const Track& next_rows, std::span<const char> no_wave) {
     for (std::size_t k = 0; k < next_rows.rows(); ++k) {
+        if (k < no_wave.size() && no_wave[k] != 0) {
+            add(rows_, rows_ + 1, no_wave_);
+        }
         const Row row = row_of(next_rows, k);
         step_to(row);
         held_.push_back(row);
@@ -83,9 +88,10 @@ void MotionMarker::judge_next() {
 
 bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) const {
     const double share = 1 / (24 * lengths_apart_ * lengths_apart_);
-    const auto beyond = [share](double second, double b, double a, double c, double scale) {
+    const double limit = std::max(0.25, rare * rare * 6 * share * share);
+    const auto beyond = [share, limit](double second, double b, double a, double c, double scale) {
         const double bias = std::abs(second) * share;
-        return bias * bias > (b + a + c) / 3 && bias > rounding * scale;
+        return bias * bias > limit * (b + a + c) / 3 && bias > rounding * scale;
     };
     const double forward = turned(at.two_theta_A, after.two_theta_A);
     const double back = turned(before.two_theta_A, at.two_theta_A);
@@ -152,6 +158,7 @@ bool MotionMarker::loses_branch(const Row& from, const Row& to, double hops) con
 std::vector<FlaggedRows> MotionMarker::finish() {
     std::vector<FlaggedRows> both = inside_;
     both.insert(both.end(), between_.begin(), between_.end());
+    both.insert(both.end(), no_wave_.begin(), no_wave_.end());
     std::ranges::sort(both, {}, &FlaggedRows::first);
     std::vector<FlaggedRows> found;
     for (const FlaggedRows& rows : both) {

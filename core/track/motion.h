@@ -4,6 +4,7 @@
 #include "core/track/track.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -13,8 +14,8 @@ namespace vybeg {
 //
 // Inside a window: a variable x linear in time has its mean at the centre; curvature shifts the
 // mean by x'' T^2/24. x'' follows from the windows one window length before and after. A window is
-// marked where the shift exceeds the standard deviation of a_A, a_B, 2theta_A or f, or where
-// 2theta_A turns by more than pi/4 within a window length. Adjacent windows are marked, too, among
+// marked where the shift exceeds half of the standard deviation of a_A, a_B, 2theta_A or f and five
+// of its own, or where 2theta_A turns by more than pi/4 within a window length. Adjacent windows are marked, too, among
 // them those between two bends, whose own x'' passes zero.
 //
 // Where windows lie apart, the curvature between them may be aliased, and the residual decides: a
@@ -30,7 +31,8 @@ class MotionMarker {
 public:
     MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz);
 
-    void take(const Track& next_rows);
+    // `no_wave`, a flag a row: whether its window is known to hold no steady wave.
+    void take(const Track& next_rows, std::span<const char> no_wave = {});
     // Marked rows in ascending order; ranges do not overlap.
     std::vector<FlaggedRows> finish();
 
@@ -59,6 +61,7 @@ private:
     bool any_valid_ = false;
     std::vector<FlaggedRows> inside_;
     std::vector<FlaggedRows> between_;
+    std::vector<FlaggedRows> no_wave_;
 };
 
 }  // namespace vybeg

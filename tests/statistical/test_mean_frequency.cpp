@@ -19,8 +19,10 @@ using namespace vybeg::test;
 namespace {
 
 TrackSummary summary_of(const Analysis& analysis) {
-    return summarise(analysis.track, static_cast<double>(analysis.plan.hop) /
-                                         static_cast<double>(analysis.plan.length));
+    return summarise(
+        analysis.track,
+        static_cast<double>(analysis.plan.hop) / static_cast<double>(analysis.plan.length),
+        analysis.f_correlation);
 }
 
 }  // namespace
