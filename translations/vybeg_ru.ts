@@ -1665,6 +1665,10 @@
         <translation>Средняя частота</translation>
     </message>
     <message>
+        <source>Instant of the mean</source>
+        <translation>Момент среднего</translation>
+    </message>
+    <message>
         <source>Noise σ</source>
         <translation>Шум σ</translation>
     </message>
@@ -3495,6 +3499,10 @@
     <message>
         <source>%1 (%2 flagged)</source>
         <translation>%1 (помечено %2)</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1 в момент %2 с</translation>
     </message>
     <message>
         <source>Analyses</source>

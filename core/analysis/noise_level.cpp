@@ -30,13 +30,6 @@ constexpr double least_freedom = 4;
 constexpr double pooled_freedom = 100;
 constexpr double efficiency_of_median = 0.6;
 
-// chi^2 over its degrees of freedom at a normal deviate (E. B. Wilson, M. M. Hilferty, 1931).
-double chi2_ratio(double freedom, double deviate) {
-    const double a = 2 / (9 * freedom);
-    const double root = 1 - a + deviate * std::sqrt(a);
-    return root * root * root;
-}
-
 bool is_measured(const WaveEstimate& estimate) {
     return std::isfinite(estimate.steady_noise) && std::isfinite(estimate.f_hz);
 }
@@ -50,7 +43,7 @@ double level_of(std::span<const WaveEstimate> windows, double freedom) {
             variances.push_back(window.steady_noise * window.steady_noise);
         }
     }
-    return median(std::move(variances)) / chi2_ratio(freedom, 0);
+    return median(std::move(variances)) / chi2_ratio(0, freedom);
 }
 
 }  // namespace
@@ -67,7 +60,7 @@ NoiseLevel::NoiseLevel(std::int64_t length, double f0_hz, double rate_hz,
       known_(known) {
     const double share = known ? known->share : 1;
     const double freedom = std::max(2 * static_cast<double>(length) * share - 8, least_freedom);
-    limit_ = least_ratio * chi2_ratio(known ? freedom : steady_freedom(length), rare);
+    limit_ = least_ratio * chi2_ratio(rare, known ? freedom : steady_freedom(length));
 }
 
 std::int64_t NoiseLevel::hop(std::int64_t frames) const {

@@ -17,6 +17,8 @@
 #include <QSignalBlocker>
 #include <QStyle>
 
+#include <cmath>
+
 namespace vybeg::ui {
 
 QIcon curveIcon(const ShownAnalysis& shown) {
