@@ -81,6 +81,7 @@ struct TrackChunk {
     std::int64_t windows = 0;
     Track rows;
     std::vector<char> no_wave;  // rows whose window holds no steady wave
+    std::vector<double> apart;  // NoiseLevel::apart()
 };
 
 class TrackEstimation {
@@ -136,6 +137,7 @@ public:
             chunk.rows = Track(static_cast<std::size_t>(chunk.windows));
         }
         chunk.no_wave.assign(static_cast<std::size_t>(chunk.windows), 0);
+        chunk.apart.assign(chunk.no_wave.size(), 0.0);
         const double measured = job.now();
         measure_noise(chunk);
         const double noise_s = job.now() - measured;
@@ -162,6 +164,9 @@ public:
                                   });
             });
         }
+        if (level_->all_move(chunk.apart)) {
+            std::ranges::fill(chunk.no_wave, 1);
+        }
         return std::accumulate(seconds.begin(), seconds.end(), noise_s);
     }
 
@@ -173,12 +178,15 @@ private:
         const std::int64_t start = plan_.start(chunk.first_window) - chunk.first_frame;
         const std::int64_t frames = (chunk.windows - 1) * plan_.hop + plan_.length;
         const std::int64_t length = level_->short_length();
-        const std::int64_t hop = level_->hop(frames);
-        const std::int64_t first = start + (frames - length) % hop / 2;
-        std::vector<WaveEstimate> estimates(static_cast<std::size_t>((frames - length) / hop + 1));
-        const double centre_s =
-            (static_cast<double>(chunk.first_frame + first) + 0.5 * static_cast<double>(length - 1)) /
-            rate_hz_;
+        const std::int64_t stride = level_->stride(chunk.windows, frames);
+        const std::int64_t hop = stride * plan_.hop;
+        // On the same half sample as the centres of the windows.
+        const std::int64_t first = start + (plan_.length - length) / 2;
+        std::vector<WaveEstimate> estimates(
+            static_cast<std::size_t>((chunk.windows - 1) / stride + 1));
+        const double centre_s = (static_cast<double>(chunk.first_frame + first) +
+                                 0.5 * static_cast<double>(length - 1)) /
+                                rate_hz_;
         short_->estimate({chunk.c, chunk.d, first, length, hop}, centre_s, estimates);
         level_->take(estimates, centre_s, hop);
     }
@@ -200,13 +208,16 @@ private:
         estimator.estimate({part(chunk.c), part(chunk.d), start - from, plan_.length, plan_.hop},
                            plan_.centre_s(first_window, rate_hz_), estimates);
         if (!options_.noise && plan_.length == level_->short_length()) {
-            pool_noise(estimates, plan_.length,
-                       std::min(1.0, static_cast<double>(plan_.hop) /
-                                         static_cast<double>(plan_.length)));
+            pool_noise(
+                estimates, plan_.length,
+                std::min(1.0, static_cast<double>(plan_.hop) / static_cast<double>(plan_.length)));
         }
         for (std::size_t k = 0; k < estimates.size(); ++k) {
-            chunk.no_wave[static_cast<std::size_t>(first) + k] = level_->holds_no_wave(
-                estimates[k], plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_));
+            const std::size_t row = static_cast<std::size_t>(first) + k;
+            const double centre_s =
+                plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_);
+            chunk.no_wave[row] = level_->holds_no_wave(estimates[k], centre_s) ? 1 : 0;
+            chunk.apart[row] = level_->apart(estimates[k], centre_s);
             name_transient(estimates[k], first_window + static_cast<std::int64_t>(k));
             fill_row(chunk.rows, static_cast<std::size_t>(first) + k,
                      plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_),
@@ -273,14 +284,14 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                          const JobControl& job) {
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
     AngleUnwrapper angle(prepared.calibration.angle_zero_deg * std::numbers::pi / 90);
-    MotionMarker motion(plan.length, plan.hop, rate_hz);
+    MotionMarker motion(plan.length, plan.hop, rate_hz, prepared.f0_hz);
     EstimationSummary summary;
     const double independent =
         std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length));
-    summary.f_correlation =
-        settings.filter ? frequency_correlation(*settings.filter, prepared.f0_hz, plan.length,
-                                                plan.hop, rate_hz)
-                        : overlap_correlation(independent);
+    summary.f_correlation = settings.filter
+                                ? frequency_correlation(*settings.filter, prepared.f0_hz,
+                                                        plan.length, plan.hop, rate_hz)
+                                : overlap_correlation(independent);
     TrackSummariser tracks(static_cast<std::size_t>(plan.count), independent,
                            summary.f_correlation);
     summary.context = estimation.context();

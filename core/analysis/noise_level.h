@@ -32,23 +32,27 @@ public:
     };
     NoiseLevel(std::int64_t length, double f0_hz, double rate_hz, std::optional<Known> known);
 
-    // Frames from one short window of a stretch of `frames` to the next.
-    std::int64_t hop(std::int64_t frames) const;
+    // Windows from one with a short window at its centre to the next, in a stretch of `frames`.
+    std::int64_t stride(std::int64_t windows, std::int64_t frames) const;
     std::int64_t short_length() const { return short_; }
     // Takes the estimates of the short windows, the first one centred at `centre_s`.
     void take(std::span<const WaveEstimate> estimates, double centre_s, std::int64_t hop);
 
-    // Whether the window's residual is far above the level, or a short window inside lies far from
-    // its wave. False where either is unknown.
+    // Whether the window's residual is far above the level, or the short window at its centre lies
+    // far from its wave: a linear motion has its mean there. False where either is unknown.
     bool holds_no_wave(const WaveEstimate& window, double centre_s) const;
+    // Mean squared distance of the short windows inside from the window's wave, by its variance;
+    // NaN for none.
+    double apart(const WaveEstimate& window, double centre_s) const;
+    // Whether the windows of the stretch together lie apart from their short windows: a motion that
+    // all of them share and none shows by itself.
+    bool all_move(std::vector<double> apart) const;
 
 private:
     struct Short {
         double centre_s;
         Phasors phasors;
     };
-    bool leaves_residual(const WaveEstimate& window) const;
-    bool leaves_wave(const WaveEstimate& window, double centre_s) const;
 
     std::int64_t length_;
     std::int64_t short_;

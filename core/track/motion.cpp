@@ -1,5 +1,6 @@
 #include "core/track/motion.h"
 
+#include "core/estimators/wave/window_moments.h"
 #include "core/numerics/phase.h"
 
 #include <algorithm>
@@ -37,12 +38,16 @@ double turned(double from, double to) {
 
 }  // namespace
 
-MotionMarker::MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz)
+MotionMarker::MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz, double f0_hz)
     : apart_(static_cast<std::size_t>(
           std::max<std::int64_t>(1, (length + hop / 2) / std::max<std::int64_t>(hop, 1)))),
       lengths_apart_(static_cast<double>(apart_) * static_cast<double>(hop) /
                      static_cast<double>(length)),
-      hop_s_(static_cast<double>(hop) / rate_hz) {}
+      hop_s_(static_cast<double>(hop) / rate_hz) {
+    const WindowKernel kernel = window_kernel(length, 2 * pi * f0_hz / rate_hz);
+    slope_share_ = 0.5 * std::abs(kernel.slope) /
+                   (std::min(kernel.gram_cos, kernel.gram_sin) * static_cast<double>(length));
+}
 
 MotionMarker::Row MotionMarker::row_of(const Track& track, std::size_t k) {
     const auto value = [&](SlowVariable v) { return track.values(v)[k]; };
@@ -107,6 +112,13 @@ bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) con
                     after.var_two_theta_A)) {
             return true;
         }
+    }
+    const double b_step = std::isnan(at.a_B) ? 0 : after.a_B - before.a_B;
+    const double step = std::hypot(after.a_A - before.a_A, b_step, at.a_A * (forward + back));
+    const double skewed = slope_share_ * step / (2 * lengths_apart_);
+    if (skewed * skewed > 0.25 * (before.var_a_A + at.var_a_A + after.var_a_A) / 3 &&
+        skewed > rounding * at.a_A) {
+        return true;
     }
     return beyond(after.a_A - 2 * at.a_A + before.a_A, before.var_a_A, at.var_a_A, after.var_a_A,
                   at.a_A) ||

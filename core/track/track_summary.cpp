@@ -124,12 +124,11 @@ double TrackSummariser::excess(std::span<const double> variances,
         const double before = blocks_[i - 1].time_s - blocks_[i - 2].time_s;
         const double after = blocks_[i].time_s - blocks_[i - 1].time_s;
         const double share = before > 0 && after > 0 ? after / (before + after) : 0.5;
-        const double bend = share * blocks_[i - 2].mean + (1 - share) * blocks_[i].mean -
-                            blocks_[i - 1].mean;
-        const double variance =
-            share * share * variances[i - 2] + variances[i - 1] +
-            (1 - share) * (1 - share) * variances[i] -
-            2 * (share * covariances[i - 2] + (1 - share) * covariances[i - 1]);
+        const double bend =
+            share * blocks_[i - 2].mean + (1 - share) * blocks_[i].mean - blocks_[i - 1].mean;
+        const double variance = share * share * variances[i - 2] + variances[i - 1] +
+                                (1 - share) * (1 - share) * variances[i] -
+                                2 * (share * covariances[i - 2] + (1 - share) * covariances[i - 1]);
         sum += bend * bend / variance;
     }
     return sum / (static_cast<double>(blocks_.size()) - 2) - 1;

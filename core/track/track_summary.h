@@ -51,8 +51,8 @@ class TrackSummariser {
 public:
     // `rows`: their total number. `independent`: fraction of a window's samples that the next
     // window does not share, hop / length, at most 1, because overlapping windows determine the
-    // mean less than their number suggests. `correlation`: of the errors of f of two windows, by the
-    // hops between them, from 1 to where it stays zero; empty: that of white noise.
+    // mean less than their number suggests. `correlation`: of the errors of f of two windows, by
+    // the hops between them, from 1 to where it stays zero; empty: that of white noise.
     TrackSummariser(std::size_t rows, double independent, std::vector<double> correlation = {});
 
     void take(const Track& next_rows);
@@ -101,7 +101,8 @@ private:
 };
 
 // Correlation of the errors of f in white noise of windows that share samples, by hops;
-// `independent`: hop / length. The error of f is the noise weighted with a straight line, hence 1 - 3 x
+// `independent`: hop / length. The error of f is the noise weighted with a straight line, hence 1 -
+// 3 x
 // + 2 x^3 at a distance of x lengths.
 std::vector<double> overlap_correlation(double independent);
 

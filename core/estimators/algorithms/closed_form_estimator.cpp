@@ -92,10 +92,9 @@ private:
 
     WaveEstimate complete(const Window& window, double power, double residual,
                           const WaveReport<double>& wave, const BestWave& best, Flags flags) const {
-        const double steady =
-            without_motion(residual_of(power - best.power, power, window,
-                                       parts_of(to_phasors(best.state)), best.w),
-                           best.motion);
+        const double steady = without_motion(residual_of(power - best.power, power, window,
+                                                         parts_of(to_phasors(best.state)), best.w),
+                                             best.motion);
         return complete_estimate(
             wave,
             {residual_of(residual, power, window, wave), steady, algorithm_.parameters,

@@ -36,10 +36,8 @@ VYBEG_INLINED inline BestWaveOf<Vec8> find_best(const ProjectionBatch& batch,
         return Jet2<Vec8>{a.value + move * (a.slope + 0.5 * move * a.bend), a.slope + move * a.bend,
                           a.bend};
     };
-    return {state_of(z).wave,
-            frame.w0() + 2 * (end.x + move) / static_cast<double>(frame.length()),
-            phase_difference_of(z),
-            end.value(),
+    return {state_of(z).wave, frame.w0() + 2 * (end.x + move) / static_cast<double>(frame.length()),
+            phase_difference_of(z), end.value(),
             motion_power(WindowJets<Vec8>{along(s.pc), along(s.qc), along(s.pd), along(s.qd),
                                           along(s.g), along(s.h)},
                          spread_by_x(frame))};

@@ -86,8 +86,7 @@ void set_noise(WaveEstimate& estimate, double noise) {
     }
     const bool leaks = estimate.leakage_f_hz != 0;
     for_each_deviation(estimate, [ratio, leaks](double leakage, double& sd) {
-        sd = ratio *
-             (leaks ? std::sqrt(std::max(sd * sd - leakage * leakage, 0.0)) : sd);
+        sd = ratio * (leaks ? std::sqrt(std::max(sd * sd - leakage * leakage, 0.0)) : sd);
     });
     if (leaks) {
         add_leakage(estimate);

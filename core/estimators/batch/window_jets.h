@@ -59,9 +59,9 @@ VYBEG_INLINED inline WindowJets<Vec8> jets_at_reference(const ProjectionBatch& b
 }
 
 // Power that a linear change of the four phasor components over a window adds to that of the best
-// phasors at one frequency: sum of the squares of the residual's components along u cos wu and u sin
-// wu, made orthogonal to cos and sin. At the best frequency it is the power of three parameters, the
-// fourth being the frequency itself. `spread`: sum u^2, in the units of the jets.
+// phasors at one frequency: sum of the squares of the residual's components along u cos wu and u
+// sin wu, made orthogonal to cos and sin. At the best frequency it is the power of three
+// parameters, the fourth being the frequency itself. `spread`: sum u^2, in the units of the jets.
 template <class Real>
 VYBEG_INLINED inline Real motion_power(const WindowJets<Real>& s, double spread) {
     // sum u sin wu cos wu is minus half the slope of g.
