@@ -1836,6 +1836,10 @@
         <translation>Средняя частота</translation>
     </message>
     <message>
+        <source>Instant of the mean</source>
+        <translation>Момент среднего</translation>
+    </message>
+    <message>
         <source>Noise σ</source>
         <translation>Шум σ</translation>
     </message>
@@ -3766,6 +3770,10 @@
     <message>
         <source>%1 (%2 flagged)</source>
         <translation>%1 (помечено %2)</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1 в момент %2 с</translation>
     </message>
     <message>
         <source>Analyses</source>

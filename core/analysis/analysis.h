@@ -28,6 +28,7 @@ struct AnalysisSummary {
     std::vector<Diagnostic> diagnostics;  // of the recording and of the analysis
     std::vector<FlaggedRows> flagged;     // rows whose flag was known only after they were made
     TrackSummary means;                   // before `flagged`
+    std::vector<double> f_correlation;    // of errors of f, by hops (TrackSummariser)
     Timing timing;
 
     double f0_hz() const { return *settings.f0_hz; }

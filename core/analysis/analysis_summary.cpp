@@ -62,6 +62,7 @@ void add_estimation(const EstimationSummary& estimation, const SampleFaults& fau
     analysis.flagged.insert(analysis.flagged.end(), moving.begin(), moving.end());
     std::ranges::stable_sort(analysis.flagged, {}, &FlaggedRows::first);
     analysis.means = estimation.track;
+    analysis.f_correlation = estimation.f_correlation;
     add_diagnostics(estimation, analysis);
     analysis.timing.read_s = estimation.read_s;
     analysis.timing.estimate_s = estimation.estimate_s;

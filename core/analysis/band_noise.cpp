@@ -2,6 +2,7 @@
 
 #include "core/numerics/fft.h"
 #include "core/numerics/median.h"
+#include "core/track/track_summary.h"
 
 #include <algorithm>
 #include <bit>
@@ -69,6 +70,23 @@ double power_gain(double f_hz, const Band& band, double rate_hz) {
     return gain * gain;
 }
 
+// sum u sin phi u over n samples, at an offset from the carrier, cycles per sample.
+double moment_at(double offset, double n) {
+    const double half = pi * offset;
+    const double sine = std::sin(half);
+    const double turns = n * half;
+    return std::abs(turns) < 1e-3
+               ? half * n * (n * n - 1) / 6
+               : (0.5 * std::sin(turns) * std::cos(half) - 0.5 * n * std::cos(turns) * sine) /
+                     (sine * sine);
+}
+
+// Its square by sum u^2.
+double frequency_response(double offset, double n) {
+    const double moment = moment_at(offset, n);
+    return 12 * moment * moment / (n * (n * n - 1));
+}
+
 }  // namespace
 
 Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std::int64_t end,
@@ -123,13 +141,8 @@ EquivalentNoise equivalent_noise(double noise, const Band& band, double f0_hz, s
         const double sine = std::sin(half);
         const double turns = count * half;
         const double sum = std::sin(turns) / sine;
-        const double moment =
-            std::abs(turns) < 1e-3
-                ? half * count * (count * count - 1) / 6
-                : (0.5 * std::sin(turns) * std::cos(half) - 0.5 * count * std::cos(turns) * sine) /
-                      (sine * sine);
         const double own = sum * sum / count;
-        const double by_time = 12 * moment * moment / (count * (count * count - 1));
+        const double by_time = frequency_response(offset, count);
         const double gain = power_gain(f0_hz + offset * rate_hz, band, rate_hz);
         phasors += gain * own;
         frequency += gain * by_time;
@@ -137,6 +150,45 @@ EquivalentNoise equivalent_noise(double noise, const Band& band, double f0_hz, s
         all_frequency += by_time;
     }
     return {noise * std::sqrt(phasors / all_phasors), noise * std::sqrt(frequency / all_frequency)};
+}
+
+std::vector<double> frequency_correlation(const Band& band, double f0_hz, std::int64_t n,
+                                          std::int64_t hop, double rate_hz) {
+    // The noise of the band forgets within some inverse bandwidths.
+    constexpr double memory = 16;
+    constexpr double most_points = std::int64_t{1} << 20;
+    const double reach = static_cast<double>(n) + memory * rate_hz / (band.high_hz - band.low_hz);
+    if (4 * reach > most_points) {  // such windows are long for every band
+        return overlap_correlation(
+            std::min(1.0, static_cast<double>(hop) / static_cast<double>(n)));
+    }
+    const std::size_t size = std::bit_ceil(static_cast<std::size_t>(4 * reach));
+    std::vector<std::complex<double>> density(size);
+    for (std::size_t k = 0; k < size; ++k) {
+        const double offset =
+            (static_cast<double>(k) + (k < size / 2 ? 0.0 : -static_cast<double>(size))) /
+            static_cast<double>(size);
+        const auto count = static_cast<double>(n);
+        double moment = moment_at(offset, count);
+        // Noise about -f0 enters, too, twice the carrier away, as far as it is no steady wave.
+        const double image = 2 * f0_hz / rate_hz;
+        const double from_image = std::remainder(offset + image, 1.0);
+        if (std::abs(from_image) < std::abs(offset)) {
+            const double half = pi * from_image;
+            const double mean =
+                std::abs(half) < 1e-9 ? 1 : std::sin(count * half) / (count * std::sin(half));
+            moment -= moment_at(std::remainder(-image, 1.0), count) * mean;
+        }
+        const double f_hz = std::abs(std::remainder(f0_hz + offset * rate_hz, rate_hz));
+        density[k] = power_gain(f_hz, band, rate_hz) * moment * moment;
+    }
+    Fft(size).forward(density);
+    std::vector<double> correlation;
+    for (std::size_t lag = 0; lag <= static_cast<std::size_t>(reach);
+         lag += static_cast<std::size_t>(hop)) {
+        correlation.push_back(density[lag].real() / density[0].real());
+    }
+    return correlation;
 }
 
 }  // namespace vybeg

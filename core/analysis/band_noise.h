@@ -7,6 +7,7 @@
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace vybeg {
 
@@ -28,5 +29,10 @@ Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std
 // `noise` for long windows and smaller for windows shorter than the inverse of the bandwidth.
 EquivalentNoise equivalent_noise(double noise, const Band& band, double f0_hz, std::int64_t n,
                                  double rate_hz);
+
+// Correlation of the errors of f of two windows of n samples behind the band-pass, by the hops
+// between them, from 1 to where it has died away.
+std::vector<double> frequency_correlation(const Band& band, double f0_hz, std::int64_t n,
+                                          std::int64_t hop, double rate_hz);
 
 }  // namespace vybeg

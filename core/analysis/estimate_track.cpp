@@ -1,6 +1,7 @@
 #include "core/analysis/estimate_track.h"
 
 #include "core/analysis/band_noise.h"
+#include "core/analysis/noise_level.h"
 #include "core/track/motion.h"
 #include "core/track/unwrap.h"
 
@@ -79,6 +80,8 @@ struct TrackChunk {
     std::int64_t first_window = 0;
     std::int64_t windows = 0;
     Track rows;
+    std::vector<char> no_wave;  // rows whose window holds no steady wave
+    std::vector<double> apart;  // NoiseLevel::apart()
 };
 
 class TrackEstimation {
@@ -93,10 +96,22 @@ public:
                     settings.initial,
                     plan.centre_s(0, rate_hz),
                     {}};
+        std::optional<NoiseLevel::Known> known;
         if (settings.filter && prepared.noise_in_band) {
-            options_.noise = equivalent_noise(*prepared.noise_in_band, *settings.filter,
-                                              prepared.f0_hz, plan.length, rate_hz);
+            const Band& band = *settings.filter;
+            const auto noise = [&](std::int64_t n) {
+                return equivalent_noise(*prepared.noise_in_band, band, prepared.f0_hz, n, rate_hz);
+            };
+            const double share = 2 * (band.high_hz - band.low_hz) / rate_hz;
+            options_.noise = noise(plan.length);
+            known = {noise(noise_window(plan.length, prepared.f0_hz, rate_hz)), *options_.noise,
+                     *prepared.noise_in_band * std::sqrt(std::min(share, 1.0)), share};
         }
+        level_ = NoiseLevel(plan.length, prepared.f0_hz, rate_hz, known);
+        EstimatorOptions of_short = options_;
+        of_short.length = level_->short_length();
+        of_short.noise = std::nullopt;
+        short_ = make_estimator(Algorithm::maximum_likelihood, of_short);
         sequential_ = make_estimator(algorithm_, options_);
     }
 
@@ -121,6 +136,11 @@ public:
         if (chunk.rows.rows() != static_cast<std::size_t>(chunk.windows)) {
             chunk.rows = Track(static_cast<std::size_t>(chunk.windows));
         }
+        chunk.no_wave.assign(static_cast<std::size_t>(chunk.windows), 0);
+        chunk.apart.assign(chunk.no_wave.size(), 0.0);
+        const double measured = job.now();
+        measure_noise(chunk);
+        const double noise_s = job.now() - measured;
         // The blocks are the same whatever the number of threads, and so is every result.
         const std::int64_t per_block = windows_of_block(plan_);
         const std::int64_t blocks = (chunk.windows + per_block - 1) / per_block;
@@ -144,12 +164,33 @@ public:
                                   });
             });
         }
-        return std::accumulate(seconds.begin(), seconds.end(), 0.0);
+        if (level_->all_move(chunk.apart)) {
+            std::ranges::fill(chunk.no_wave, 1);
+        }
+        return std::accumulate(seconds.begin(), seconds.end(), noise_s);
     }
 
     bool sequential() const { return sequential_->sequential(); }
 
 private:
+    // By short windows, evenly over the windows of the chunk.
+    void measure_noise(const TrackChunk& chunk) {
+        const std::int64_t start = plan_.start(chunk.first_window) - chunk.first_frame;
+        const std::int64_t frames = (chunk.windows - 1) * plan_.hop + plan_.length;
+        const std::int64_t length = level_->short_length();
+        const std::int64_t stride = level_->stride(chunk.windows, frames);
+        const std::int64_t hop = stride * plan_.hop;
+        // On the same half sample as the centres of the windows.
+        const std::int64_t first = start + (plan_.length - length) / 2;
+        std::vector<WaveEstimate> estimates(
+            static_cast<std::size_t>((chunk.windows - 1) / stride + 1));
+        const double centre_s = (static_cast<double>(chunk.first_frame + first) +
+                                 0.5 * static_cast<double>(length - 1)) /
+                                rate_hz_;
+        short_->estimate({chunk.c, chunk.d, first, length, hop}, centre_s, estimates);
+        level_->take(estimates, centre_s, hop);
+    }
+
     // `first`: from the first window of the chunk.
     void estimate_block(TrackChunk& chunk, Estimator& estimator, std::int64_t first,
                         std::int64_t count) {
@@ -166,7 +207,17 @@ private:
         std::vector<WaveEstimate> estimates(static_cast<std::size_t>(count));
         estimator.estimate({part(chunk.c), part(chunk.d), start - from, plan_.length, plan_.hop},
                            plan_.centre_s(first_window, rate_hz_), estimates);
+        if (!options_.noise && plan_.length == level_->short_length()) {
+            pool_noise(
+                estimates, plan_.length,
+                std::min(1.0, static_cast<double>(plan_.hop) / static_cast<double>(plan_.length)));
+        }
         for (std::size_t k = 0; k < estimates.size(); ++k) {
+            const std::size_t row = static_cast<std::size_t>(first) + k;
+            const double centre_s =
+                plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_);
+            chunk.no_wave[row] = level_->holds_no_wave(estimates[k], centre_s) ? 1 : 0;
+            chunk.apart[row] = level_->apart(estimates[k], centre_s);
             name_transient(estimates[k], first_window + static_cast<std::int64_t>(k));
             fill_row(chunk.rows, static_cast<std::size_t>(first) + k,
                      plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_),
@@ -191,6 +242,8 @@ private:
     double rate_hz_;
     Algorithm algorithm_;
     EstimatorOptions options_;
+    std::optional<NoiseLevel> level_;   // of the chunk in work
+    std::unique_ptr<Estimator> short_;  // of its short windows
     // What an estimator prepares for its windows it prepares once a thread.
     tbb::enumerable_thread_specific<std::unique_ptr<Estimator>> of_thread_{
         [this] { return make_estimator(algorithm_, options_); }};
@@ -231,10 +284,16 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                          const JobControl& job) {
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
     AngleUnwrapper angle(prepared.calibration.angle_zero_deg * std::numbers::pi / 90);
-    MotionMarker motion(plan.length, plan.hop, rate_hz);
-    TrackSummariser tracks(static_cast<std::size_t>(plan.count),
-                           static_cast<double>(plan.hop) / static_cast<double>(plan.length));
+    MotionMarker motion(plan.length, plan.hop, rate_hz, prepared.f0_hz);
     EstimationSummary summary;
+    const double independent =
+        std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length));
+    summary.f_correlation = settings.filter
+                                ? frequency_correlation(*settings.filter, prepared.f0_hz,
+                                                        plan.length, plan.hop, rate_hz)
+                                : overlap_correlation(independent);
+    TrackSummariser tracks(static_cast<std::size_t>(plan.count), independent,
+                           summary.f_correlation);
     summary.context = estimation.context();
     FirstError error;
     const auto stopped = [&] { return job.cancelled() || error.get(); };
@@ -266,7 +325,7 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
             return;
         }
         angle.unwrap(chunk->rows);
-        motion.take(chunk->rows);
+        motion.take(chunk->rows, chunk->no_wave);
         tracks.take(chunk->rows);
         summary.not_converged += count_with(Flag::not_converged, chunk->rows);
         summary.leaking += count_with(Flag::leakage, chunk->rows);

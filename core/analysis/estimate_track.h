@@ -17,6 +17,7 @@ struct EstimationSummary {
     std::int64_t leaking = 0;         // windows with Flag::leakage
     std::vector<FlaggedRows> moving;  // rows that get Flag::moving: seen from their neighbours
     TrackSummary track;               // before those flags
+    std::vector<double> f_correlation;  // of errors of f, by hops (TrackSummariser)
     double read_s = 0;
     double estimate_s = 0;  // summed over the threads, divided by their number
 };

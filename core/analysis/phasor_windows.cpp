@@ -169,13 +169,6 @@ double noise_freedom(const WindowMean& mean, const ConditionedRecording& prepare
     return std::clamp(4 * (width * window_s - 1), 1.0, mean.freedom());
 }
 
-// What a chi^2 over its mean takes at a number of deviations of a normal deviate (Wilson and
-// Hilferty).
-double chi2_ratio(double deviations, double freedom) {
-    const double variance = 2 / (9 * freedom);
-    return std::pow(std::max(1 - variance + deviations * std::sqrt(variance), 0.1), 3);
-}
-
 // Median of the noise powers that exist, without its bias for chi^2 of few degrees of freedom; NaN
 // where there is none.
 double median_power(const Estimates& estimates, double freedom) {

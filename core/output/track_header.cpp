@@ -32,6 +32,7 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
     lines.push_back("residual: " + round_trip_text(analysis.residual));
     if (analysis.means.windows > 0) {
         lines.push_back("mean_f_Hz: " + round_trip_text(analysis.means.mean_f_hz));
+        lines.push_back("mean_f_at_s: " + round_trip_text(analysis.means.mean_at_s));
         lines.push_back("sd_mean_f_Hz: " + round_trip_text(analysis.means.sd_mean_f_hz));
         lines.push_back("noise: " + round_trip_text(analysis.means.noise));
     }

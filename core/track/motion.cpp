@@ -1,5 +1,6 @@
 #include "core/track/motion.h"
 
+#include "core/estimators/wave/window_moments.h"
 #include "core/numerics/phase.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double quarter = pi / 4;
 // Rounding of an estimate without noise.
 constexpr double rounding = 1e-9;
+// Standard deviations of the bend's noise that a bend has to exceed.
+constexpr double rare = 5;
 // Largest standard deviation of the predicted alpha, in half turns, at which its step is
 // conclusive.
 constexpr double foretold = 0.08;
@@ -35,12 +38,16 @@ double turned(double from, double to) {
 
 }  // namespace
 
-MotionMarker::MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz)
+MotionMarker::MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz, double f0_hz)
     : apart_(static_cast<std::size_t>(
           std::max<std::int64_t>(1, (length + hop / 2) / std::max<std::int64_t>(hop, 1)))),
       lengths_apart_(static_cast<double>(apart_) * static_cast<double>(hop) /
                      static_cast<double>(length)),
-      hop_s_(static_cast<double>(hop) / rate_hz) {}
+      hop_s_(static_cast<double>(hop) / rate_hz) {
+    const WindowKernel kernel = window_kernel(length, 2 * pi * f0_hz / rate_hz);
+    slope_share_ = 0.5 * std::abs(kernel.slope) /
+                   (std::min(kernel.gram_cos, kernel.gram_sin) * static_cast<double>(length));
+}
 
 MotionMarker::Row MotionMarker::row_of(const Track& track, std::size_t k) {
     const auto value = [&](SlowVariable v) { return track.values(v)[k]; };
@@ -51,8 +58,11 @@ MotionMarker::Row MotionMarker::row_of(const Track& track, std::size_t k) {
             variance(f)};
 }
 
-void MotionMarker::take(const Track& next_rows) {
+void MotionMarker::take(const Track& next_rows, std::span<const char> no_wave) {
     for (std::size_t k = 0; k < next_rows.rows(); ++k) {
+        if (k < no_wave.size() && no_wave[k] != 0) {
+            add(rows_, rows_ + 1, no_wave_);
+        }
         const Row row = row_of(next_rows, k);
         step_to(row);
         held_.push_back(row);
@@ -83,9 +93,10 @@ void MotionMarker::judge_next() {
 
 bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) const {
     const double share = 1 / (24 * lengths_apart_ * lengths_apart_);
-    const auto beyond = [share](double second, double b, double a, double c, double scale) {
+    const double limit = std::max(0.25, rare * rare * 6 * share * share);
+    const auto beyond = [share, limit](double second, double b, double a, double c, double scale) {
         const double bias = std::abs(second) * share;
-        return bias * bias > (b + a + c) / 3 && bias > rounding * scale;
+        return bias * bias > limit * (b + a + c) / 3 && bias > rounding * scale;
     };
     const double forward = turned(at.two_theta_A, after.two_theta_A);
     const double back = turned(before.two_theta_A, at.two_theta_A);
@@ -101,6 +112,13 @@ bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) con
                     after.var_two_theta_A)) {
             return true;
         }
+    }
+    const double b_step = std::isnan(at.a_B) ? 0 : after.a_B - before.a_B;
+    const double step = std::hypot(after.a_A - before.a_A, b_step, at.a_A * (forward + back));
+    const double skewed = slope_share_ * step / (2 * lengths_apart_);
+    if (skewed * skewed > 0.25 * (before.var_a_A + at.var_a_A + after.var_a_A) / 3 &&
+        skewed > rounding * at.a_A) {
+        return true;
     }
     return beyond(after.a_A - 2 * at.a_A + before.a_A, before.var_a_A, at.var_a_A, after.var_a_A,
                   at.a_A) ||
@@ -152,6 +170,7 @@ bool MotionMarker::loses_branch(const Row& from, const Row& to, double hops) con
 std::vector<FlaggedRows> MotionMarker::finish() {
     std::vector<FlaggedRows> both = inside_;
     both.insert(both.end(), between_.begin(), between_.end());
+    both.insert(both.end(), no_wave_.begin(), no_wave_.end());
     std::ranges::sort(both, {}, &FlaggedRows::first);
     std::vector<FlaggedRows> found;
     for (const FlaggedRows& rows : both) {

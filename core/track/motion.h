@@ -4,6 +4,7 @@
 #include "core/track/track.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -13,9 +14,9 @@ namespace vybeg {
 //
 // Inside a window: a variable x linear in time has its mean at the centre; curvature shifts the
 // mean by x'' T^2/24. x'' follows from the windows one window length before and after. A window is
-// marked where the shift exceeds the standard deviation of a_A, a_B, 2theta_A or f, or where
-// 2theta_A turns by more than pi/4 within a window length. Adjacent windows are marked, too, among
-// them those between two bends, whose own x'' passes zero.
+// marked where the shift exceeds half of the standard deviation of a_A, a_B, 2theta_A or f and five
+// of its own, or where 2theta_A turns by more than pi/4 within a window length. Adjacent windows
+// are marked, too, among them those between two bends, whose own x'' passes zero.
 //
 // Where windows lie apart, the curvature between them may be aliased, and the residual decides: a
 // wave that changes by d over the window leaves d/sqrt(12) and an error of about d^2/24 of its
@@ -28,9 +29,10 @@ namespace vybeg {
 // reveals a missed branch. Both windows of such a step are marked.
 class MotionMarker {
 public:
-    MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz);
+    MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz, double f0_hz);
 
-    void take(const Track& next_rows);
+    // `no_wave`, a flag a row: whether its window is known to hold no steady wave.
+    void take(const Track& next_rows, std::span<const char> no_wave = {});
     // Marked rows in ascending order; ranges do not overlap.
     std::vector<FlaggedRows> finish();
 
@@ -50,6 +52,9 @@ private:
     std::size_t apart_;     // rows between a window and the adjacent one
     double lengths_apart_;  // window lengths between their centres
     double hop_s_;
+    // Error of a phasor component by the change of the other one over a window, because u sin wu is
+    // not orthogonal to cos wu in a window of some periods.
+    double slope_share_;
     std::vector<Row> held_;       // the last rows
     std::size_t first_held_ = 0;  // index of the first of them
     std::size_t rows_ = 0;
@@ -59,6 +64,7 @@ private:
     bool any_valid_ = false;
     std::vector<FlaggedRows> inside_;
     std::vector<FlaggedRows> between_;
+    std::vector<FlaggedRows> no_wave_;
 };
 
 }  // namespace vybeg

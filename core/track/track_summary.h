@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -17,6 +18,9 @@ struct TrackSummary {
     std::size_t moving = 0;   // with Flag::moving
     double mean_f_hz = 0;     // weighted mean of the valid windows; NaN where there is none
     double sd_mean_f_hz = 0;  // all contributions; NaN for fewer than two windows
+    // Instant of the mean, s from the start of the recording: the mean of the windows' times with
+    // the same weights. A frequency that drifts evenly has the mean's value there.
+    double mean_at_s = 0;
     double leakage_f_hz = 0;  // part due to leakage of a closed form: |its weighted mean|
     double scatter_f_hz = 0;  // part due to the scatter of the windows
     // Per sample and channel, root of the mean square over the windows without faults, or over all
@@ -30,22 +34,26 @@ struct TrackSummary {
 
 // Computes the summary of a track that arrives in pieces.
 //
-// The mean of f is weighted with 1/sd^2, averaged over a block of windows, because the deviation of
-// a single short window is itself known to no more than a third. Windows without a value, over
+// The mean of f is that of blocks of windows, weighted by 1/variance of a block's mean, from the
+// deviations of its windows and the correlation of their errors. Windows without a value, over
 // faults, not converged or at the bound of the search are excluded. Its variance is the sum of
-//   - the scatter of the block means: half of their mean squared step from block to block, so that
-//     a drift of the frequency is no scatter, while overlapping windows and noise correlated over
-//     some windows count; with fewer than 20 blocks that of the windows about the mean, but no
-//     less than their own deviations;
+//   - that of the weighted mean, by the deviations and correlations. Errors of windows that overlap
+//     or lie behind a band-pass cancel each other from window to window, which no scatter of
+//     blocks shows;
+//   - what the second differences of the blocks' means have beyond that, as noise between blocks:
+//     coloured noise counts, an even drift does not. With fewer than 20 blocks the variance grows
+//     in their ratio;
 //   - the squared mean of the leakage, which is common to all windows;
 //   - the effect of the windows at the bound: the squared sum of their distances from the mean,
 //     by the number of windows.
+// Without deviations (a track without noise), the scatter about the mean replaces the first two.
 class TrackSummariser {
 public:
     // `rows`: their total number. `independent`: fraction of a window's samples that the next
     // window does not share, hop / length, at most 1, because overlapping windows determine the
-    // mean less than their number suggests.
-    TrackSummariser(std::size_t rows, double independent);
+    // mean less than their number suggests. `correlation`: of the errors of f of two windows, by
+    // the hops between them, from 1 to where it stays zero; empty: that of white noise.
+    TrackSummariser(std::size_t rows, double independent, std::vector<double> correlation = {});
 
     void take(const Track& next_rows);
     TrackSummary summary() const;
@@ -54,6 +62,7 @@ private:
     struct Block {
         double count = 0;
         double mean = 0;      // of f
+        double time_s = 0;    // mean
         double variance = 0;  // sum of sd^2
         double leakage = 0;   // sum
     };
@@ -72,9 +81,13 @@ private:
         double root() const { return std::sqrt(sum / count); }  // NaN for none
     };
 
-    void take_frequency(double f, double sd, double leakage);
+    void take_frequency(double time_s, double f, double sd, double leakage);
+    double variance_of(const Block& block) const;
+    double covariance_of(const Block& block, const Block& next) const;
+    double excess(std::span<const double> variances, std::span<const double> covariances) const;
 
     double independent_;
+    std::vector<double> correlation_;
     double block_length_;
     TrackSummary counts_;
     std::vector<Block> blocks_;
@@ -87,7 +100,14 @@ private:
     MeanSquare noise_of_invalid_;
 };
 
+// Correlation of the errors of f in white noise of windows that share samples, by hops;
+// `independent`: hop / length. The error of f is the noise weighted with a straight line, hence 1 -
+// 3 x
+// + 2 x^3 at a distance of x lengths.
+std::vector<double> overlap_correlation(double independent);
+
 // A whole track at once.
-TrackSummary summarise(const Track& track, double independent);
+TrackSummary summarise(const Track& track, double independent,
+                       std::vector<double> correlation = {});
 
 }  // namespace vybeg

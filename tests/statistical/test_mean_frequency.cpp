@@ -19,8 +19,10 @@ using namespace vybeg::test;
 namespace {
 
 TrackSummary summary_of(const Analysis& analysis) {
-    return summarise(analysis.track, static_cast<double>(analysis.plan.hop) /
-                                         static_cast<double>(analysis.plan.length));
+    return summarise(
+        analysis.track,
+        static_cast<double>(analysis.plan.hop) / static_cast<double>(analysis.plan.length),
+        analysis.f_correlation);
 }
 
 }  // namespace
@@ -121,6 +123,67 @@ private slots:
         // each other from window to window, which the deviation does not count on.
         VYBEG_MORE(rms, filter ? 0.02 : 0.75);
         VYBEG_LESS(rms, 1.25);
+    }
+
+    // The mean of a drifting frequency is its value at the mean's instant.
+    void the_mean_of_a_drift_holds_at_its_instant_data() {
+        QTest::addColumn<double>("drift");
+        QTest::addColumn<double>("tau");
+        QTest::addColumn<int>("n");
+        QTest::addColumn<int>("hop");
+        QTest::addColumn<bool>("filter");
+        for (const bool filter : {false, true}) {
+            for (const double drift : {0.0, 0.002, 0.02}) {
+                for (const int n : {6, 60, 600}) {
+                    for (const int hop : {n, n / 10}) {
+                        if (hop > 0 && (n < 600 ? drift != 0.002 : true)) {
+                            const double tau = n == 60 ? 400 : 5;
+                            QTest::addRow("drift %g Hz/s, tau %g s, n %d, hop %d%s", drift, tau, n,
+                                          hop, filter ? ", filter" : "")
+                                << drift << tau << n << hop << filter;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    void the_mean_of_a_drift_holds_at_its_instant() {
+        QFETCH(double, drift);
+        QFETCH(double, tau);
+        QFETCH(int, n);
+        QFETCH(int, hop);
+        QFETCH(bool, filter);
+        constexpr int runs = 40;  // a deviation over them is known to 11 %
+        double squares = 0;
+        for (int run = 1; run <= runs; ++run) {
+            FreeDecay wave;
+            wave.seconds = n == 600 ? 4 : 1;
+            wave.a_B = 0.2;
+            wave.two_theta_A = 0.1 * run;
+            wave.tau_s = tau;
+            wave.frequency_drift_hz_s = drift;
+            wave.noise = 1e-3;
+            wave.seed = static_cast<std::uint64_t>(run + 1000 * n + 7 * hop);
+            Settings settings;
+            settings.window = n;
+            settings.hop = hop;
+            settings.threads = 1;
+            settings.f0_hz = wave.f0_hz;
+            if (filter) {
+                settings.filter = Band{5100, 5500};
+            }
+            const Result<Analysis> analysis = analyse(simulated_recording(wave), settings, {});
+            QVERIFY(analysis);
+            const TrackSummary& mean = analysis->means;
+            QVERIFY(mean.mean_at_s > 0 && mean.mean_at_s < wave.seconds);
+            const double pull =
+                (mean.mean_f_hz - wave.f0_hz - drift * mean.mean_at_s) / mean.sd_mean_f_hz;
+            squares += pull * pull;
+        }
+        const double rms = std::sqrt(squares / runs);
+        qInfo("rms pull %g", rms);
+        VYBEG_MORE(rms, 0.8 - 0.2);
+        VYBEG_LESS(rms, 1.2 + 0.3);
     }
 
     // A carrier that is told 400 Hz off: windows of 60 samples search within 555 Hz of it, and many

@@ -12,6 +12,9 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace test_moving_waves {
 
@@ -122,6 +125,175 @@ private slots:
         if (split <= 0.05) {
             VYBEG_MORE(unflagged, 0.99 * windows, qPrintable(found));
         }
+    }
+
+    // Root of the mean square pull of each variable over the windows without a flag.
+    void deviations_of_unflagged_windows_are_right_data() {
+        QTest::addColumn<double>("decibels");
+        QTest::addColumn<double>("split");
+        QTest::addColumn<int>("n");
+        for (const double decibels : {20.0, 60.0, 100.0}) {
+            for (const double split : {0.0, 5.0, 20.0}) {
+                for (const int n : {6, 60, 600, 2000, 6000}) {
+                    QTest::addRow("%g dB, split %g Hz, n %d", decibels, split, n)
+                        << decibels << split << n;
+                }
+            }
+        }
+    }
+    void deviations_of_unflagged_windows_are_right() {
+        QFETCH(double, decibels);
+        QFETCH(double, split);
+        QFETCH(int, n);
+        std::array<double, variables_with_sd.size()> squares{};
+        double count = 0;
+        double windows = 0;
+        for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+            FreeDecay wave;
+            wave.seconds = n == 6 ? 1 : n < 2000 ? 4 : 12;
+            wave.split_hz = split;
+            wave.theta_w = seed == 1 ? 0.1 : 0.39;
+            wave.two_theta_A = 0.3 * static_cast<double>(seed);
+            wave.tau_s = 20;
+            wave.a_B = 0.05;
+            wave.noise = std::pow(10, -decibels / 20);
+            wave.seed = seed + static_cast<std::uint64_t>(n);
+            Settings settings;
+            settings.window = n;
+            settings.f0_hz = wave.f0_hz;
+            const Result<Analysis> analysis = analyse(simulated_recording(wave), settings, {});
+            QVERIFY(analysis);
+            const Result<Track> truth = true_track(wave, n);
+            QVERIFY(truth);
+            const Track& track = analysis->track;
+            windows += static_cast<double>(track.rows());
+            for (std::size_t k = 0; k < track.rows(); ++k) {
+                if (track.flags()[k] != 0) {
+                    continue;
+                }
+                count += 1;
+                for (std::size_t v = 0; v < squares.size(); ++v) {
+                    const double pull = error_of(track, *truth, variables_with_sd[v], k, k) /
+                                        track.sds(variables_with_sd[v])[k];
+                    squares[v] += pull * pull;
+                }
+            }
+        }
+        if (split == 0) {
+            VYBEG_MORE(count, 0.99 * windows);
+        }
+        if (count < 30) {
+            return;  // all but the quiet ones are flagged, and so few determine no deviation
+        }
+        const double uncertain = 4 / std::sqrt(2 * count);
+        for (std::size_t v = 0; v < squares.size(); ++v) {
+            const double rms = std::sqrt(squares[v] / count);
+            const QString found = QString("%1: rms pull %2 of %3 windows of %4")
+                                      .arg(info(variables_with_sd[v]).column)
+                                      .arg(rms)
+                                      .arg(count)
+                                      .arg(windows);
+            VYBEG_CLOSE(rms, 1, 0.2 + uncertain, qPrintable(found));
+        }
+    }
+
+    // Near a whole number of beats neighbours are alike, and the residual alone shows the motion.
+    void whole_beats_in_a_window_are_flagged_data() {
+        QTest::addColumn<double>("split");
+        QTest::addColumn<int>("n");
+        QTest::addColumn<double>("noise");
+        for (const double noise : {1e-1, 1e-3}) {
+            QTest::newRow("0.9 beats") << 5.0 << 6000 << noise;
+            QTest::newRow("1.2 beats") << 20.0 << 2000 << noise;
+            QTest::newRow("2.0 beats") << 5.0 << 13333 << noise;
+            QTest::newRow("6 beats") << 20.0 << 10000 << noise;
+        }
+    }
+    void whole_beats_in_a_window_are_flagged() {
+        QFETCH(double, split);
+        QFETCH(int, n);
+        QFETCH(double, noise);
+        FreeDecay wave;
+        wave.seconds = 16;
+        wave.split_hz = split;
+        wave.theta_w = 0.39;
+        wave.noise = noise;
+        Settings settings;
+        settings.window = n;
+        const Result<Analysis> analysis = analyse(simulated_recording(wave), settings, {});
+        QVERIFY(analysis);
+        for (const Flags flags : analysis->track.flags()) {
+            QVERIFY(flags != 0);
+        }
+    }
+
+    // White noise behind offset and hum or a band-pass is no motion.
+    void noise_is_no_motion_data() {
+        QTest::addColumn<int>("n");
+        QTest::addColumn<double>("hum");
+        QTest::addColumn<bool>("filter");
+        for (const int n : {5, 6, 22, 60, 100, 600, 6000, 100000}) {
+            QTest::addRow("n %d", n) << n << 0.0 << false;
+            // Short windows take a part of the hum for the wave; of 100 samples, twenty times the
+            // noise in it leaves values off by more than their deviations.
+            if (n >= 22 && n != 100) {
+                QTest::addRow("n %d, hum", n) << n << 0.1 << false;
+            }
+            QTest::addRow("n %d, filter", n) << n << 0.0 << true;
+        }
+    }
+    void noise_is_no_motion() {
+        QFETCH(int, n);
+        QFETCH(double, hum);
+        QFETCH(bool, filter);
+        FreeDecay wave;
+        wave.seconds = n < 10000 ? 8 : 30;
+        wave.a_B = 0.2;
+        wave.noise = 1e-3;
+        wave.seed = static_cast<std::uint64_t>(n);
+        wave.hum = hum;
+        wave.offset_c = hum;
+        Settings settings;
+        settings.window = n;
+        settings.f0_hz = wave.f0_hz;
+        if (filter) {
+            settings.filter = Band{5200, 5400};
+        }
+        const Result<Analysis> analysis = analyse(simulated_recording(wave), settings, {});
+        QVERIFY(analysis);
+        double moving = 0;
+        for (const Flags flags : analysis->track.flags()) {
+            moving += has(flags, Flag::moving) && !has(flags, Flag::filter_transient) ? 1 : 0;
+        }
+        // A bend marks three windows.
+        VYBEG_AT_MOST(moving, 1e-4 * static_cast<double>(analysis->track.rows()) + 3);
+    }
+
+    void a_knock_is_flagged_data() {
+        QTest::addColumn<int>("n");
+        for (const int n : {6, 60, 600, 6000}) {
+            QTest::addRow("n %d", n) << n;
+        }
+    }
+    void a_knock_is_flagged() {
+        QFETCH(int, n);
+        FreeDecay wave;
+        wave.seconds = 4;
+        wave.noise = 1e-3;
+        SimulatedDecay samples = simulated(wave);
+        const std::size_t at = samples.c.size() / 2 + static_cast<std::size_t>(n) / 3;
+        for (std::size_t k = 0; k < 200; ++k) {
+            samples.c[at + k] += 0.3 * std::exp(-0.02 * static_cast<double>(k)) *
+                                 std::cos(1.7 * static_cast<double>(k));
+        }
+        Settings settings;
+        settings.window = n;
+        settings.f0_hz = wave.f0_hz;
+        const Result<Analysis> analysis = analyse(
+            recording_of(std::move(samples.c), std::move(samples.d), wave.rate_hz), settings, {});
+        QVERIFY(analysis);
+        const std::size_t struck = at / static_cast<std::size_t>(n);
+        QVERIFY(has(analysis->track.flags()[struck], Flag::moving));
     }
 
     void crossings_are_those_of_the_wave_data() {

@@ -17,6 +17,8 @@
 #include <QSignalBlocker>
 #include <QStyle>
 
+#include <cmath>
+
 namespace vybeg::ui {
 
 QIcon curveIcon(const ShownAnalysis& shown) {
@@ -139,7 +141,11 @@ void AnalysisList::fill(QTreeWidgetItem& item, const AnalysisEntry& entry) {
         entry.partial()
             ? tr("%1 of %2").arg(count, locale.toString(static_cast<qint64>(analysis.plan.count)))
             : flagged);
-    item.setText(frequency, valueText(entry.summary.mean_f_hz, entry.summary.sd_mean_f_hz));
+    const QString mean = valueText(entry.summary.mean_f_hz, entry.summary.sd_mean_f_hz);
+    item.setText(frequency,
+                 std::isfinite(entry.summary.mean_at_s)
+                     ? tr("%1 at %2 s").arg(mean, shortNumberText(entry.summary.mean_at_s, 4))
+                     : mean);
     item.setText(noise, locale.toString(entry.summary.noise, 'g', 4));
     const double ms = 1e3 * entry.shown.seconds_taken;
     item.setText(time, entry.partial() ? QString() : locale.toString(ms, 'f', ms < 10 ? 2 : 0));

@@ -109,9 +109,10 @@ QString settingsSection(const ReportContent& content) {
                      head(QT_TRANSLATE_NOOP("Report", "Window, hop (samples)")),
                      head(QT_TRANSLATE_NOOP("Report", "Windows")),
                      head(QT_TRANSLATE_NOOP("Report", "Mean frequency"), "Hz"),
+                     head(QT_TRANSLATE_NOOP("Report", "Instant of the mean"), "s"),
                      head(QT_TRANSLATE_NOOP("Report", "Noise σ"))},
                     {},
-                    {20, 20, 15, 11, 22, 12}};
+                    {18, 18, 14, 10, 20, 10, 10}};
     for (const ReportAnalysis& each : content.analyses) {
         const Analysis& analysis = *each.shown.analysis;
         const QLocale locale;
@@ -122,6 +123,7 @@ QString settingsSection(const ReportContent& content) {
                                   locale.toString(static_cast<qint64>(analysis.plan.hop))),
                               locale.toString(static_cast<qint64>(analysis.plan.count)),
                               valueText(each.means.mean_f_hz, each.means.sd_mean_f_hz),
+                              shortNumberText(each.means.mean_at_s, 4),
                               shortNumberText(each.means.noise, 3)});
         if (const QString options = optionsText(analysis.settings); !options.isEmpty()) {
             table.rows.push_back({monospaced(options)});

@@ -92,10 +92,14 @@ private:
 
     WaveEstimate complete(const Window& window, double power, double residual,
                           const WaveReport<double>& wave, const BestWave& best, Flags flags) const {
-        return complete_estimate(wave,
-                                 {residual_of(residual, power, window, wave), algorithm_.parameters,
-                                  static_cast<Flags>(algorithm_.flags | flags), &best},
-                                 options_);
+        const double steady = without_motion(residual_of(power - best.power, power, window,
+                                                         parts_of(to_phasors(best.state)), best.w),
+                                             best.motion);
+        return complete_estimate(
+            wave,
+            {residual_of(residual, power, window, wave), steady, algorithm_.parameters,
+             static_cast<Flags>(algorithm_.flags | flags), &best},
+            options_);
     }
 
     // Minimum of J by a search over the main lobe, for windows in which Newton's steps on the
@@ -135,8 +139,7 @@ private:
         }
         return complete(window, power, minimum.value,
                         report_wave(sum, w, kernel_at(w), closed.phasors, closed.wave),
-                        {to_wave_state(best.phasors), best.w, phase_difference(best.phasors)},
-                        flags);
+                        best_wave(best.phasors, best.w, window), flags);
     }
 
     ClosedFormAlgorithm algorithm_;

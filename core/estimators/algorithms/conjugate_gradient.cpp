@@ -63,8 +63,9 @@ public:
                     out[k] = no_estimate(Flag::gap);
                 } else if (fits.arrived[lane] > 0) {
                     const DescentFit<double> fit = lane_of(fits, lane);
+                    const double residual = residual_of(fit.residual, power, window, fit.wave);
                     out[k] = complete_estimate(
-                        fit.wave, {residual_of(fit.residual, power, window, fit.wave)}, options_);
+                        fit.wave, {residual, without_motion(residual, fit.motion)}, options_);
                 } else {
                     out[k] =
                         estimate_window(window, start_values(window, centre_of(block, k, centre_s)))

@@ -9,20 +9,23 @@
 namespace vybeg {
 namespace {
 
+template <class Real>
+struct LikelyWave {
+    WaveReport<Real> wave;
+    Real motion;
+};
+
 VYBEG_DISPATCHED
 void report_maximum(const ProjectionBatch& __restrict batch, const BatchMaximum& __restrict maximum,
-                    const TaylorFrame& __restrict frame, WaveReport<Vec8>& __restrict waves) {
+                    const TaylorFrame& __restrict frame, LikelyWave<Vec8>& __restrict waves) {
     const Vec8 x = load(maximum.x);
-    const Jet2<Vec8> g = gram_jet(frame, x);
-    const Vec8 by_cos = 1 / g.value;
-    const Vec8 by_sin = 1 / (static_cast<double>(frame.length()) - g.value);
-    const auto at = [x](const TaylorSums& sums) VYBEG_INLINED {
-        return polynomial<taylor_orders>(
-            x, [&](std::size_t k) VYBEG_INLINED { return load(sums[k]); });
-    };
-    const PhasorParts<Vec8> phasors{at(batch.c_cos) * by_cos, -at(batch.c_sin) * by_sin,
-                                    at(batch.d_cos) * by_cos, -at(batch.d_sin) * by_sin};
-    waves = report_batch(batch, frame, x, g, phasors, state_of(phasors));
+    const WindowJets<Vec8> s = jets_at(batch, frame, x);
+    const Vec8 by_cos = 1 / s.g.value;
+    const Vec8 by_sin = 1 / s.h.value;
+    const PhasorParts<Vec8> phasors{s.pc.value * by_cos, -s.qc.value * by_sin, s.pd.value * by_cos,
+                                    -s.qd.value * by_sin};
+    waves.motion = motion_power(s, spread_by_x(frame));
+    waves.wave = report_batch(batch, frame, x, s.g, phasors, state_of(phasors));
 }
 
 class MaximumLikelihood final : public Estimator {
@@ -35,7 +38,7 @@ public:
     void estimate(const WindowBlock& block, double, std::span<WaveEstimate> out) override {
         ProjectionBatch batch;
         BatchMaximum maximum;
-        WaveReport<Vec8> waves;
+        LikelyWave<Vec8> waves;
         sums_.take(block, out.size());
         for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
             count = sums_.next(first, batch, maximum);
@@ -48,10 +51,11 @@ public:
                 } else if (maximum.arrived[lane] == 0) {
                     out[first + lane] = estimate_window(window);
                 } else {
-                    const WaveReport<double> wave = lane_of(waves, lane);
+                    const LikelyWave<double> likely = lane_of(waves, lane);
+                    const double residual =
+                        residual_of(power - maximum.power[lane], power, window, likely.wave);
                     out[first + lane] = complete_estimate(
-                        wave, {residual_of(power - maximum.power[lane], power, window, wave)},
-                        options_);
+                        likely.wave, {residual, without_motion(residual, likely.motion)}, options_);
                 }
             }
         }

@@ -32,8 +32,15 @@ VYBEG_INLINED inline BestWaveOf<Vec8> find_best(const ProjectionBatch& batch,
     const Vec8 by_h = 1 / moved(s.h);
     const PhasorParts<Vec8> z{moved(s.pc) * by_g, -moved(s.qc) * by_h, moved(s.pd) * by_g,
                               -moved(s.qd) * by_h};
+    const auto along = [move](const Jet2<Vec8>& a) VYBEG_INLINED {
+        return Jet2<Vec8>{a.value + move * (a.slope + 0.5 * move * a.bend), a.slope + move * a.bend,
+                          a.bend};
+    };
     return {state_of(z).wave, frame.w0() + 2 * (end.x + move) / static_cast<double>(frame.length()),
-            phase_difference_of(z)};
+            phase_difference_of(z), end.value(),
+            motion_power(WindowJets<Vec8>{along(s.pc), along(s.qc), along(s.pd), along(s.qd),
+                                          along(s.g), along(s.h)},
+                         spread_by_x(frame))};
 }
 
 template <template <class> class Form>

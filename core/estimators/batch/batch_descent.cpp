@@ -83,6 +83,7 @@ void descend_batch(const ProjectionBatch& __restrict batch, const TaylorFrame& _
     found.arrived = select(arrived, Vec8{} + 1.0, Vec8{});
     found.residual = load(batch.cc) + load(batch.dd) + f.value;
     const PhasorParts<Vec8> phasors = phasors_of(turned_lanes(at));
+    found.motion = motion_power(jets_at(batch, frame, at[4]), spread_by_x(frame));
     found.wave =
         report_batch(batch, frame, at[4], gram_jet(frame, at[4]), phasors, state_of(phasors));
 }

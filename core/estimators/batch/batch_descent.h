@@ -10,6 +10,7 @@ template <class Real>
 struct DescentFit {
     WaveReport<Real> wave;
     Real residual;  // n F at the minimum
+    Real motion;    // motion_power()
     // 1; 0 where the steps leave the reach of the series or a step is not the exact one. descend()
     // estimates such windows.
     Real arrived;

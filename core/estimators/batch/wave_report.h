@@ -11,6 +11,8 @@ struct BestWaveOf {
     WaveStateOf<Real> state;
     Real w;  // rad per sample
     Real delta_phi_CD;
+    Real power;   // of the best phasors
+    Real motion;  // motion_power()
 };
 using BestWave = BestWaveOf<double>;
 

@@ -1,5 +1,7 @@
 #include "core/estimators/batch/window_estimate.h"
 
+#include "core/estimators/batch/profile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,6 +24,28 @@ double reduced(double difference, double period) {
     return difference;
 }
 
+template <class Take>
+void for_each_deviation(WaveEstimate& estimate, Take take) {
+    take(estimate.leakage_f_hz, estimate.sd_f_hz);
+    take(estimate.leakage.a_A, estimate.sd.a_A);
+    take(estimate.leakage.a_B, estimate.sd.a_B);
+    take(estimate.leakage.two_theta_A, estimate.sd.two_theta_A);
+    take(estimate.leakage.alpha, estimate.sd.alpha);
+    take(estimate.leakage_delta_phi_CD, estimate.sd_delta_phi_CD);
+}
+
+void add_leakage(WaveEstimate& estimate) {
+    bool beyond = false;
+    for_each_deviation(estimate, [&beyond](double leakage, double& sd) {
+        beyond = beyond || std::abs(leakage) > sd;
+        sd = std::sqrt(sd * sd + leakage * leakage);
+    });
+    estimate.flags = static_cast<Flags>(estimate.flags & ~static_cast<Flags>(Flag::leakage));
+    if (beyond) {
+        set(estimate.flags, Flag::leakage);
+    }
+}
+
 }  // namespace
 
 Window window_of(const WindowBlock& block, std::size_t k) {
@@ -37,29 +61,35 @@ bool has_gap(std::span<const double> samples) {
 
 WaveEstimate no_estimate(Flag flag) {
     const WaveState none{nan, nan, nan, nan};
-    WaveEstimate estimate{none, nan, nan, nan, nan, nan, none, nan, nan, nan, 0};
+    WaveEstimate estimate{none, nan, nan, nan, nan, nan, nan, none, nan, nan, {}, nan, nan, 0};
     set(estimate.flags, flag);
     return estimate;
 }
 
 void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz) {
-    bool beyond = false;
-    const auto add = [&beyond](double difference, double& sd) {
-        beyond = beyond || std::abs(difference) > sd;
-        sd = std::sqrt(sd * sd + difference * difference);
-    };
     // (2theta_A, alpha) and (2theta_A + pi, alpha + pi) are the same wave.
     estimate.leakage_f_hz = estimate.f_hz - best.w / (2 * pi) * rate_hz;
-    add(estimate.leakage_f_hz, estimate.sd_f_hz);
-    add(estimate.state.a_A - best.state.a_A, estimate.sd.a_A);
-    add(reduced(estimate.state.two_theta_A - best.state.two_theta_A, pi), estimate.sd.two_theta_A);
-    add(reduced(estimate.state.alpha - best.state.alpha, pi), estimate.sd.alpha);
-    if (!has(estimate.flags, Flag::no_quadrature)) {
-        add(estimate.state.a_B - best.state.a_B, estimate.sd.a_B);
-        add(reduced(estimate.delta_phi_CD - best.delta_phi_CD, 2 * pi), estimate.sd_delta_phi_CD);
+    estimate.leakage = {estimate.state.a_A - best.state.a_A, estimate.state.a_B - best.state.a_B,
+                        reduced(estimate.state.two_theta_A - best.state.two_theta_A, pi),
+                        reduced(estimate.state.alpha - best.state.alpha, pi)};
+    estimate.leakage_delta_phi_CD = reduced(estimate.delta_phi_CD - best.delta_phi_CD, 2 * pi);
+    if (has(estimate.flags, Flag::no_quadrature)) {
+        estimate.leakage.a_B = estimate.leakage_delta_phi_CD = 0;
     }
-    if (beyond) {
-        set(estimate.flags, Flag::leakage);
+    add_leakage(estimate);
+}
+
+void set_noise(WaveEstimate& estimate, double noise) {
+    const double ratio = noise / estimate.steady_noise;
+    if (!(ratio > 0 && std::isfinite(ratio))) {
+        return;  // no estimate, or one without noise
+    }
+    const bool leaks = estimate.leakage_f_hz != 0;
+    for_each_deviation(estimate, [ratio, leaks](double leakage, double& sd) {
+        sd = ratio * (leaks ? std::sqrt(std::max(sd * sd - leakage * leakage, 0.0)) : sd);
+    });
+    if (leaks) {
+        add_leakage(estimate);
     }
 }
 
@@ -84,20 +114,28 @@ void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n) {
 }
 
 double residual_of(double difference, double power, const Window& window,
-                   const WaveReport<double>& wave) {
+                   const PhasorParts<double>& z, double w) {
     constexpr double least_difference = 1e-8;
-    const PhasorParts<double>& z = wave.phasors;
     return difference < least_difference * power
-               ? residual_sum(window, {{z.c_re, z.c_im}, {z.d_re, z.d_im}}, wave.w)
+               ? residual_sum(window, {{z.c_re, z.c_im}, {z.d_re, z.d_im}}, w)
                : difference;
+}
+
+BestWave best_wave(const Phasors& phasors, double w, const Window& window) {
+    const WindowJets<double> jets =
+        jets_of(window_moments(window, w), window_kernel(window.length(), w));
+    return {to_wave_state(phasors), w, phase_difference(phasors), profile_power(jets).value,
+            motion_power(jets, window_kernel(window.length(), w).spread)};
 }
 
 WaveEstimate complete_estimate(const Phasors& phasors, double w, Flags flags, const Window& window,
                                const EstimatorOptions& options) {
     const PhasorParts<double> parts = parts_of(phasors);
+    const double residual = residual_sum(window, {phasors.c, phasors.d}, w);
+    const double motion = best_wave(phasors, w, window).motion;
     return complete_estimate(report_wave(sample_products(window), w,
                                          window_kernel(options.length, w), parts, state_of(parts)),
-                             {residual_sum(window, {phasors.c, phasors.d}, w), 5, flags}, options);
+                             {residual, without_motion(residual, motion), 5, flags}, options);
 }
 
 WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fit,
@@ -106,8 +144,9 @@ WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fi
     const double hertz = options.rate_hz / (2 * pi);
     WaveEstimate estimate;
     estimate.noise = std::sqrt(fit.residual / (2 * n - fit.parameters));
+    estimate.steady_noise = std::sqrt(fit.steady / steady_freedom(options.length));
     const EquivalentNoise noise =
-        options.noise.value_or(EquivalentNoise{estimate.noise, estimate.noise});
+        options.noise.value_or(EquivalentNoise{estimate.steady_noise, estimate.steady_noise});
     const WaveState& unit = wave.unit_sd.sd;
     estimate.state = wave.state;
     estimate.f_hz = wave.w * hertz;
@@ -122,7 +161,7 @@ WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fi
     if (fit.best) {
         add_leakage(estimate, *fit.best, options.rate_hz);
     }
-    clear_undefined(estimate, noise.phasors, options.length);
+    clear_undefined(estimate, options.noise ? noise.phasors : estimate.noise, options.length);
     return estimate;
 }
 

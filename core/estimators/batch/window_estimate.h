@@ -3,6 +3,8 @@
 #include "core/estimators/batch/wave_report.h"
 #include "core/estimators/wave/estimator.h"
 
+#include <algorithm>
+
 namespace vybeg {
 
 // Samples of window k of a block.
@@ -17,6 +19,7 @@ WaveEstimate no_estimate(Flag flag);
 // Quality of a wave's fit in its window.
 struct WaveFit {
     double residual = 0;  // n F, sum of squared residuals
+    double steady = 0;    // that of the best wave without the linear part of its motion
     int parameters = 5;
     Flags flags = 0;
     const BestWave* best = nullptr;  // algorithms 1 to 4
@@ -26,7 +29,20 @@ struct WaveFit {
 // power of the wave, if it exceeds 1e-8 of the power and so keeps eight digits; otherwise a sum
 // over the samples.
 double residual_of(double difference, double power, const Window& window,
-                   const WaveReport<double>& wave);
+                   const PhasorParts<double>& phasors, double w);
+inline double residual_of(double difference, double power, const Window& window,
+                          const WaveReport<double>& wave) {
+    return residual_of(difference, power, window, wave.phasors, wave.w);
+}
+
+// The residual without the power of the motion (motion_power()); a remainder within the rounding of
+// both is that rounding.
+inline double without_motion(double residual, double motion) {
+    return std::max(residual - motion, 1e-12 * residual);
+}
+
+// Best wave with the powers of its window.
+BestWave best_wave(const Phasors& phasors, double w, const Window& window);
 
 // Adds the leakage of a closed form to its deviations: the difference from the best wave of the
 // same samples, due to a window off Snap and to the power of the noise in averages. The best wave
@@ -40,8 +56,17 @@ void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz);
 // circular). `noise`: that of the phasors, sd per sample and channel.
 void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n);
 
+// Gives the deviations of an estimate for another noise than that of its own window. The leakage of
+// a closed form stays in them, and Flag::leakage follows them.
+void set_noise(WaveEstimate& estimate, double noise);
+
+// Degrees of freedom of WaveEstimate::steady_noise.
+inline double steady_freedom(std::int64_t n) {
+    return 2 * static_cast<double>(n) - 8;
+}
+
 // Estimate of a window: rms from the residual; noise with 2n - parameters degrees of freedom;
-// standard deviations for the known noise, otherwise for that of the residual.
+// standard deviations for the known noise, otherwise for the steady noise of the window.
 WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fit,
                                const EstimatorOptions& options);
 

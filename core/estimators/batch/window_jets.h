@@ -58,6 +58,33 @@ VYBEG_INLINED inline WindowJets<Vec8> jets_at_reference(const ProjectionBatch& b
                       });
 }
 
+// Power that a linear change of the four phasor components over a window adds to that of the best
+// phasors at one frequency: sum of the squares of the residual's components along u cos wu and u
+// sin wu, made orthogonal to cos and sin. At the best frequency it is the power of three
+// parameters, the fourth being the frequency itself. `spread`: sum u^2, in the units of the jets.
+template <class Real>
+VYBEG_INLINED inline Real motion_power(const WindowJets<Real>& s, double spread) {
+    // sum u sin wu cos wu is minus half the slope of g.
+    const Real by_g = 1 / s.g.value;
+    const Real by_h = 1 / s.h.value;
+    const Real half = 0.5 * s.g.slope;
+    const Real for_cos = half * by_g;
+    const Real for_sin = half * by_h;
+    const Real c_sin = s.pc.slope - s.pc.value * for_cos;
+    const Real d_sin = s.pd.slope - s.pd.value * for_cos;
+    const Real c_cos = s.qc.slope + s.qc.value * for_sin;
+    const Real d_cos = s.qd.slope + s.qd.value * for_sin;
+    const Real with_sin = 0.5 * (spread + 0.5 * s.g.bend) - half * for_cos;
+    const Real with_cos = 0.5 * (spread - 0.5 * s.g.bend) - half * for_sin;
+    return (c_sin * c_sin + d_sin * d_sin) / with_sin + (c_cos * c_cos + d_cos * d_cos) / with_cos;
+}
+
+// sum u^2 in units of x.
+inline double spread_by_x(const TaylorFrame& frame) {
+    const auto n = static_cast<double>(frame.length());
+    return 4 * frame.spread() / (n * n);
+}
+
 // Of one window, by w: d/dw multiplies by -iu.
 inline WindowJets<double> jets_of(const Moments& z, const WindowKernel& kernel) {
     const auto p = [](const ChannelMoments& of) {

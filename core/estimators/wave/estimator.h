@@ -62,11 +62,17 @@ struct WaveEstimate {
     double delta_phi_CD = 0;  // rad, in (-pi, pi]
     double rms = 0;           // sqrt(F), recording units
     double noise = 0;  // per sample and channel, recording units: sqrt(n F/(2n - parameters))
+    // The same of the best wave, without the linear part of the wave's motion inside the window, 2n
+    // - 8 degrees of freedom: the deviations are those of this noise.
+    double steady_noise = 0;
     double orthogonality = 0;  // <S_A S_B> / (<S_A^2> + <S_B^2>), the check of (30)
     WaveState sd;              // one standard deviation each
     double sd_f_hz = 0;
     double sd_delta_phi_CD = 0;
-    double leakage_f_hz = 0;  // algorithms 1 to 4: f_hz less that of the best wave; 0 for 5 and 6
+    // Algorithms 1 to 4: values less those of the best wave; 0 for 5 and 6.
+    WaveState leakage;
+    double leakage_f_hz = 0;
+    double leakage_delta_phi_CD = 0;
     Flags flags = 0;
 };
 

@@ -21,8 +21,8 @@ enum class Flag : std::uint16_t {
     delay_reach = 128,      // the quarter-period delay reaches beyond the samples (algorithm 2)
     // The closed form lies more than one standard deviation from the best wave of its window.
     leakage = 256,
-    // A slow variable bends inside the window by more than its standard deviation, or the wave
-    // turns so far between windows that the branch of its angle is unknown.
+    // A slow variable bends inside the window by half its standard deviation, the residual is far
+    // above the recording's noise, or the branch of the angle between windows is unknown.
     moving = 512,
 };
 
