@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace vybeg {
 namespace {
@@ -25,6 +26,7 @@ constexpr double own_share = 0.01;
 constexpr double derived_share = 0.5;
 constexpr double axis_needs = 5;  // standard deviations of the vector
 constexpr double modes_need = 5;  // of the modes' difference
+constexpr double grows_by = 3;    // of a mode that refuses all
 constexpr double narrowed = 0.1;  // of a channel's tolerance
 constexpr double limit_sd = 2;
 constexpr double much_turned_deg = 22.5;
@@ -48,6 +50,10 @@ public:
             add_free();
         }
         add_modes();
+        if (grown_) {
+            fit_.warnings.push_back({DiagnosticKind::mode_grows, grown_->args});
+            refuse_all(*grown_, fit_);
+        }
     }
 
 private:
@@ -248,6 +254,14 @@ private:
             return;
         }
         for (const int k : {0, 1}) {
+            const Estimate decay = number(mode_decay_of + k);
+            if (decay.value < -grows_by * decay.uncertainty()) {
+                grown_ = Reason{ReasonCode::mode_grows,
+                                {number_arg(f_ref_hz_ + at_.value[mode_f_of + k], 7),
+                                 number_arg(-decay.value, 3), number_arg(decay.uncertainty(), 2)}};
+            }
+        }
+        for (const int k : {0, 1}) {
             ModeEstimate mode;
             mode.f_hz = number(mode_f_of + k, 1, f_ref_hz_);
             mode.tau_s = decay_time_of(mode_decay_of + k, {ReasonCode::rests_on_unseen, {}});
@@ -336,6 +350,7 @@ private:
     const ReportedVariances& at_;
     ResonatorFit& fit_;
     double f_ref_hz_ = 0;
+    std::optional<Reason> grown_;  // a mode that grows
 };
 
 }  // namespace

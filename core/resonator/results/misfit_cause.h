@@ -17,4 +17,7 @@ namespace vybeg {
 std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterior& posterior,
                                        std::span<const PhasorRun> fine, double scale);
 
+// Words for a damping whose rate follows the amplitude to a power.
+MessageArg friction_words(double exponent);
+
 }  // namespace vybeg
