@@ -3,9 +3,11 @@
 // samples, and none on faultless sets.
 #include "core/analysis/identify.h"
 #include "core/analysis/inspect.h"
+#include "core/base/messages.h"
 #include "core/resonator/results/free_decay.h"
 #include "core/resonator/runs/sum_of_modes.h"
 #include "tests/closeness.h"
+#include "tests/core/resonator/known_resonator.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/random_sets.h"
 #include "tests/statistical/simulated_recording.h"
@@ -93,6 +95,22 @@ std::vector<PhasorRun> four_runs(std::uint64_t seed, std::size_t which, const Ch
     return runs;
 }
 
+// D shows (1 - share) d + share c, as the simulator's pick-offs do.
+PhasorRun in_one_projection(FreeDecay decay, double share, std::uint64_t seed) {
+    constexpr double noise = 1e-4;
+    decay.noise = 0;
+    PhasorRun run = moved_phasors(decay, 50, seed);
+    GaussianNoise random(seed);
+    for (std::size_t k = 0; k < run.c.size(); ++k) {
+        const auto [c_re, c_im] = random.next();
+        const auto [d_re, d_im] = random.next();
+        run.d[k] += share * (run.c[k] - run.d[k]) + noise * std::complex(d_re, d_im);
+        run.c[k] += noise * std::complex(c_re, c_im);
+        run.sd[k] = noise;
+    }
+    return run;
+}
+
 // Tau, anisotropy, rotation and quadrature over their whole range, one or two runs.
 std::vector<PhasorRun> wide_set(std::uint64_t seed) {
     std::mt19937_64 random(seed);
@@ -161,7 +179,7 @@ void TestVerdicts::faultless_sets_raise_no_word() {
         if (said != fit.warnings.end()) {
             ++words;
             const std::lock_guard lock(mutex);
-            qInfo("seed %d: %s", seed, english(*said).c_str());
+            qInfo("seed %d: %s", seed, qPrintable(texts(fit.warnings)));
         }
     });
     qInfo("%d of %d sets have a needless word", words.load(), sets);
@@ -184,7 +202,7 @@ void TestVerdicts::friction_is_named_by_its_law() {
     int named = 0;
     int small = 0;
     int silent = 0;
-    constexpr int seeds = 8;
+    constexpr int seeds = 4;
     for (int seed = 0; seed < seeds; ++seed) {
         FreeDecay decay = slow_gyro(static_cast<std::uint64_t>(seed));
         decay.tau_s = 60;
@@ -305,8 +323,7 @@ void TestVerdicts::one_projection_gives_its_modes() {
         decay.damping_anisotropy_per_s = 0.1 / tau_s;
         decay.theta_w = 0.35;
         decay.two_theta_A = -0.1 * static_cast<double>(seed);
-        decay.same_projection = share;
-        const std::vector<PhasorRun> runs{moved_phasors(decay, 50, seed)};
+        const std::vector<PhasorRun> runs{in_one_projection(decay, share, seed)};
         const ResonatorFit fit = judged(runs);
         QVERIFY2(says(fit.warnings, DiagnosticKind::same_projection), qPrintable(texts(fit.warnings)));
         QCOMPARE(fit.modes.size(), std::size_t{2});

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/numerics/median.h"
+#include "core/resonator/fit/map_fit.h"
 #include "core/resonator/model/kept_windows.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/resonator_parameters.h"
@@ -42,9 +43,25 @@ bool explains_all(const ResonatorFit& fit) {
 
 // Whether the motion has another cause that the fit has named.
 bool named_otherwise(const ResonatorFit& fit) {
-    return warns_of(fit, {DiagnosticKind::misfit_settling, DiagnosticKind::misfit_neighbour,
-                          DiagnosticKind::misfit_channel, DiagnosticKind::misfit_pickoff,
+    return warns_of(fit, {DiagnosticKind::misfit_settling, DiagnosticKind::misfit_channel,
                           DiagnosticKind::fitted_phase_step});
+}
+
+// Causes that another verdict replaces.
+void withdraw(ResonatorFit& fit) {
+    std::erase_if(fit.warnings, [](const Diagnostic& warning) {
+        return warning.kind == DiagnosticKind::misfit_damping ||
+               warning.kind == DiagnosticKind::misfit_neighbour ||
+               warning.kind == DiagnosticKind::misfit_pickoff ||
+               warning.kind == DiagnosticKind::structured_refused;
+    });
+}
+
+// Whether two modes with amplitudes of their own in each channel leave noise only: a free decay,
+// also where the fit has missed it.
+bool is_two_modes(const PhasorRun& run) {
+    const std::optional<ModeSum> sum = sum_of_modes(run, 2);
+    return sum && sum->chi2 < noise_bound(sum->freedom) * sum->freedom;
 }
 
 // Windows from one index to another.
@@ -152,22 +169,27 @@ private:
             return;
         }
         const PhasorRun& run = runs_[k];
+        if (!unlike && is_two_modes(run)) {
+            return;
+        }
         const std::size_t of_fit = runs_.size() > 1 ? 0 : k;
         const double left =
             log_amplitude_chi2(run, predicted_phasors(alone.motion, of_fit, run.time_s));
-        const double needed = (unlike ? 9 : 25) * law.scatter();
-        const bool by_law = law.departs() && left - law.chi2 > needed;
-        constexpr double exact = 1.5;
-        if (by_law && law.scatter() < exact) {
+        const double needed = 25 * law.scatter();
+        constexpr double at_noise = 1.5;
+        constexpr double little = 0.02;
+        const auto count = static_cast<double>(law.windows);
+        const bool exact = law.scatter() < at_noise ||
+                           law.chi2 - count < little * (law.line_chi2 - count);
+        const bool by_law = law.departs() && (left - law.chi2 > needed || (unlike && exact));
+        if (by_law && exact) {
             add_law(k);
         } else if (!explains_all(alone) && !named_otherwise(alone)) {
-            if (const std::optional<Part> part = free_part(run)) {
-                std::erase_if(fit_.warnings, [](const Diagnostic& warning) {
-                    return warning.kind == DiagnosticKind::misfit_damping;
-                });
+            if (const std::optional<Part> part = free_part(seen_windows(run))) {
+                withdraw(fit_);
                 say(DiagnosticKind::part_decays,
                     {recording_arg(k),
-                     number_arg(run.time_s[part->first] - run.window_s / 2, 4),
+                     number_arg(std::max(run.time_s[part->first] - run.window_s / 2, 0.0), 4),
                      number_arg(run.time_s[part->end - 1] + run.window_s / 2, 4)});
             } else if (by_law) {
                 add_law(k);
@@ -181,10 +203,7 @@ private:
         const double exponent = law.power - 1;
         fit_.runs[k].law = law;
         if (std::abs(exponent) > dominates) {
-            std::erase_if(fit_.warnings, [](const Diagnostic& warning) {
-                return warning.kind == DiagnosticKind::misfit_damping ||
-                       warning.kind == DiagnosticKind::structured_refused;
-            });
+            withdraw(fit_);
             say(DiagnosticKind::no_free_decay,
                 {recording_arg(k),
                  words(VYBEG_MESSAGE("Words", "its damping is by %1, the decay rate goes with the "
@@ -197,6 +216,16 @@ private:
         }
     }
 
+    // Up to where the wave falls below ten deviations for good.
+    static PhasorRun seen_windows(const PhasorRun& run) {
+        std::size_t end = 0;
+        for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+            const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
+            end = power > 100 * run.sd[k] * run.sd[k] ? k + 1 : end;
+        }
+        return kept_windows(run, [end](std::size_t k) { return k < end; });
+    }
+
     std::optional<ResonatorFit> fit_of(const PhasorRun& run, const Part& part) const {
         if (part.size() < least_part || job_.cancelled()) {
             return {};
@@ -205,7 +234,7 @@ private:
             kept_windows(run, [&](std::size_t k) { return k >= part.first && k < part.end; }));
     }
 
-    // The part that decays freely, if the rest does not.
+    // The part that decays freely, if the rest does not. `run`: its windows with a wave.
     std::optional<Part> free_part(const PhasorRun& run) const {
         const std::size_t count = run.time_s.size();
         for (const auto& [from, to] : {std::pair(1, 3), std::pair(2, 4), std::pair(0, 2)}) {
