@@ -117,7 +117,8 @@ Json q_envelope_json(const RunEstimate& run) {
         quantity["at_amplitude"] = number_json(band.amplitude);
         quantity["band"] = {
             {{"amplitude", number_json(band.largest)}, {"value", number_json(band.q_at_largest)}},
-            {{"amplitude", number_json(band.smallest)}, {"value", number_json(band.q_at_smallest)}}};
+            {{"amplitude", number_json(band.smallest)},
+             {"value", number_json(band.q_at_smallest)}}};
     }
     return quantity;
 }

@@ -78,8 +78,7 @@ double AmplitudeFactor::at(double t) {
     const double x = (t - begin_.time_s) / h;
     const double rise = end_.factor - begin_.factor;
     return begin_.factor + x * rise +
-           x * (1 - x) *
-               ((1 - x) * (h * begin_.slope - rise) - x * (h * end_.slope - rise));
+           x * (1 - x) * ((1 - x) * (h * begin_.slope - rise) - x * (h * end_.slope - rise));
 }
 
 }  // namespace vybeg

@@ -247,8 +247,8 @@ Status check(const FreeDecay& decay) {
     if (decay.full_scale < 0) {
         return impossible("the full scale cannot be negative");
     }
-    for (const auto& part :
-         {check_sizes, check_motion, check_drive, check_channels, check_modes_beside, check_losses}) {
+    for (const auto& part : {check_sizes, check_motion, check_drive, check_channels,
+                             check_modes_beside, check_losses}) {
         if (const Status status = part(decay); !status) {
             return status;
         }

@@ -219,9 +219,8 @@ void TestVerdicts::friction_is_named_by_its_law() {
             const DecayLaw& law = *fit.runs[0].law;
             VYBEG_CLOSE(law.power, dry ? 0 : 2, 0.5);
             const QBand band = q_band(law, fit.runs[0].q_envelope.value);
-            const double friction =
-                dry ? decay.dry_friction_per_s / band.amplitude
-                    : decay.air_friction_per_s * band.amplitude;
+            const double friction = dry ? decay.dry_friction_per_s / band.amplitude
+                                        : decay.air_friction_per_s * band.amplitude;
             const double rate = 1 / decay.tau_s + friction;
             VYBEG_CLOSE_RATIO(fit.runs[0].q_envelope.value, pi * decay.f0_hz / rate, 0.1);
             VYBEG_LESS(band.smallest, band.amplitude);
@@ -241,8 +240,8 @@ void TestVerdicts::friction_is_named_by_its_law() {
 void TestVerdicts::a_held_recording_of_four_is_named() {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const std::size_t which = seed % 4;
-        const std::vector<PhasorRun> runs = four_runs(
-            seed, which, [](FreeDecay& decay) { decay.drive_per_s = 1 / decay.tau_s; });
+        const std::vector<PhasorRun> runs =
+            four_runs(seed, which, [](FreeDecay& decay) { decay.drive_per_s = 1 / decay.tau_s; });
         const ResonatorFit fit = judged(runs);
         const auto word =
             std::ranges::find(fit.warnings, DiagnosticKind::no_free_decay, &Diagnostic::kind);
@@ -325,7 +324,8 @@ void TestVerdicts::one_projection_gives_its_modes() {
         decay.two_theta_A = -0.1 * static_cast<double>(seed);
         const std::vector<PhasorRun> runs{in_one_projection(decay, share, seed)};
         const ResonatorFit fit = judged(runs);
-        QVERIFY2(says(fit.warnings, DiagnosticKind::same_projection), qPrintable(texts(fit.warnings)));
+        QVERIFY2(says(fit.warnings, DiagnosticKind::same_projection),
+                 qPrintable(texts(fit.warnings)));
         QCOMPARE(fit.modes.size(), std::size_t{2});
         VYBEG_NEAR(fit.modes[0].f_hz, decay.f0_hz + split_hz / 2, 5, 0.02 * split_hz);
         VYBEG_NEAR(fit.modes[1].f_hz, decay.f0_hz - split_hz / 2, 5, 0.02 * split_hz);

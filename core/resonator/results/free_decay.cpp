@@ -26,7 +26,7 @@
 namespace vybeg {
 namespace {
 
-constexpr double clear = 5;  // standard deviations
+constexpr double clear = 5;             // standard deviations
 constexpr std::size_t least_part = 16;  // windows
 
 bool warns_of(const ResonatorFit& fit, std::initializer_list<DiagnosticKind> kinds) {
@@ -122,8 +122,9 @@ private:
         if (rate < -clear * law.per_s_sd && -rate * length_s > least_growth &&
             is_line > most_of_it * (law.still_chi2 - static_cast<double>(law.windows))) {
             say(DiagnosticKind::no_free_decay,
-                {recording_arg(k), words(VYBEG_MESSAGE("Words", "its amplitude grows, by %1 1/s "
-                                                                "(standard deviation %2)"),
+                {recording_arg(k), words(VYBEG_MESSAGE("Words",
+                                                       "its amplitude grows, by %1 1/s "
+                                                       "(standard deviation %2)"),
                                          {number_arg(-rate, 3), number_arg(law.per_s_sd, 2)})});
             return true;
         }
@@ -145,8 +146,9 @@ private:
         }
         say(DiagnosticKind::no_free_decay,
             {recording_arg(k),
-             words(VYBEG_MESSAGE("Words", "its amplitude is held (decay rate %1 1/s), while that "
-                                          "of the other recordings decays (%2 1/s)"),
+             words(VYBEG_MESSAGE("Words",
+                                 "its amplitude is held (decay rate %1 1/s), while that "
+                                 "of the other recordings decays (%2 1/s)"),
                    {number_arg(rate, 2), number_arg(usual, 3)})});
         return true;
     }
@@ -169,7 +171,7 @@ private:
             return;
         }
         const PhasorRun& run = runs_[k];
-        if (!unlike && is_two_modes(run)) {
+        if (is_two_modes(run)) {
             return;
         }
         const std::size_t of_fit = runs_.size() > 1 ? 0 : k;
@@ -179,8 +181,8 @@ private:
         constexpr double at_noise = 1.5;
         constexpr double little = 0.02;
         const auto count = static_cast<double>(law.windows);
-        const bool exact = law.scatter() < at_noise ||
-                           law.chi2 - count < little * (law.line_chi2 - count);
+        const bool exact =
+            law.scatter() < at_noise || law.chi2 - count < little * (law.line_chi2 - count);
         const bool by_law = law.departs() && (left - law.chi2 > needed || (unlike && exact));
         if (by_law && exact) {
             add_law(k);
@@ -206,8 +208,9 @@ private:
             withdraw(fit_);
             say(DiagnosticKind::no_free_decay,
                 {recording_arg(k),
-                 words(VYBEG_MESSAGE("Words", "its damping is by %1, the decay rate goes with the "
-                                              "amplitude to the power %2 (standard deviation %3)"),
+                 words(VYBEG_MESSAGE("Words",
+                                     "its damping is by %1, the decay rate goes with the "
+                                     "amplitude to the power %2 (standard deviation %3)"),
                        {friction_words(exponent), number_arg(exponent, 3),
                         number_arg(law.power_sd, 2)})});
         } else if (!warns_of(fit_, {DiagnosticKind::misfit_damping})) {
@@ -312,9 +315,10 @@ private:
     bool rest_is_similar(const PhasorRun& run, const Part& part) const {
         constexpr double similar = 0.3;
         const auto rate_of = [&](const Part& where) {
-            return decay_law(kept_windows(run, [&](std::size_t k) {
-                       return k >= where.first && k < where.end;
-                   })).line_per_s;
+            return decay_law(
+                       kept_windows(
+                           run, [&](std::size_t k) { return k >= where.first && k < where.end; }))
+                .line_per_s;
         };
         const double usual = rate_of(part);
         for (const Part& rest : {Part{0, part.first}, Part{part.end, run.time_s.size()}}) {

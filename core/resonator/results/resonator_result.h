@@ -84,7 +84,8 @@ struct RunEstimate {
     Estimate direction_tau_s;  // likewise: known for a still wave if f_mean and tau are not
     Estimate q_envelope;       // pi f tau, tau of the power |z|^2 alone
     Estimate drift_hz_per_s;
-    // The decay over the amplitude where it is not constant; q_envelope then holds at one amplitude.
+    // The decay over the amplitude where it is not constant; q_envelope then holds at one
+    // amplitude.
     std::optional<DecayLaw> law;
 };
 

@@ -75,7 +75,8 @@ LawAt law_at(const Vector3d& law, double t) {
 double chi2_of(const LogAmplitude& series, const Vector3d& law) {
     double chi2 = 0;
     for (std::size_t k = 0; k < series.value.size(); ++k) {
-        const double off = series.weight[k] * (series.value[k] - law_at(law, series.time_s[k]).value);
+        const double off =
+            series.weight[k] * (series.value[k] - law_at(law, series.time_s[k]).value);
         chi2 += off * off;
     }
     return std::isfinite(chi2) ? chi2 : std::numeric_limits<double>::infinity();
@@ -169,9 +170,7 @@ bool DecayLaw::departs() const {
 }
 
 QBand q_band(const DecayLaw& law, double q) {
-    const auto q_at = [&](double amplitude) {
-        return q * law.line_per_s / law.rate_at(amplitude);
-    };
+    const auto q_at = [&](double amplitude) { return q * law.line_per_s / law.rate_at(amplitude); };
     return {law.amplitude * std::pow(law.line_per_s / law.per_s, 1 / (law.power - 1)), law.largest,
             q_at(law.largest), law.smallest, q_at(law.smallest)};
 }

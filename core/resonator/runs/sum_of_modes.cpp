@@ -101,8 +101,7 @@ std::vector<Complex> predicted_rates(const Data& data, std::size_t lag, std::siz
 // amplitudes, so that its equations are complex ones.
 class Solution {
 public:
-    Solution(const Data& data, std::vector<Complex> rates)
-        : data_(data), rates_(std::move(rates)) {
+    Solution(const Data& data, std::vector<Complex> rates) : data_(data), rates_(std::move(rates)) {
         chi2_ = with_amplitudes(rates_, amplitudes_);
     }
 

@@ -17,7 +17,7 @@ namespace vybeg {
 // regular where both channels show the same projection and the shapes are parallel.
 struct ModeSum {
     std::vector<std::complex<double>> rates;  // by falling frequency
-    std::vector<double> rate_sd;  // of the real and of the imaginary part, for the scatter
+    std::vector<double> rate_sd;           // of the real and of the imaginary part, for the scatter
     std::vector<Eigen::Vector2cd> shapes;  // (c, d) at the first window
     std::vector<double> shape_sd;          // relative, of the larger part
     double chi2 = 0;

@@ -57,8 +57,8 @@ private slots:
         FreeDecay decay = decay_of(tau);
         decay.air_friction_per_s = k;
         for (const double t : {0.5, 3.0, 18.0}) {
-            VYBEG_CLOSE(amplitude(decay, t),
-                        1 / ((1 + k * tau) * std::exp(t / tau) - k * tau), 1e-9);
+            VYBEG_CLOSE(amplitude(decay, t), 1 / ((1 + k * tau) * std::exp(t / tau) - k * tau),
+                        1e-9);
         }
     }
 
