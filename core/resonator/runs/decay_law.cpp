@@ -13,10 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t least_windows = 8;
-constexpr double seen = 10;  // deviations
+constexpr std::size_t fewest_seen = 8;
+constexpr double visible = 10;  // deviations
 constexpr double most_power = 4;
-constexpr int most_steps = 100;
+constexpr int law_steps = 100;
 
 struct LogAmplitude {
     std::vector<std::size_t> window;
@@ -32,9 +32,9 @@ LogAmplitude log_amplitude(const PhasorRun& run) {
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
         const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
         const double variance = run.sd[k] * run.sd[k];
-        if (!(power > seen * seen * variance)) {
+        if (!(power > visible * visible * variance)) {
             // A wave that rests leaves noise; one window alone is a fault.
-            if (series.value.size() >= least_windows) {
+            if (series.value.size() >= fewest_seen) {
                 break;
             }
             continue;
@@ -102,7 +102,7 @@ Normal normal_of(const LogAmplitude& series, const Vector3d& law) {
 Vector3d fitted(const LogAmplitude& series, Vector3d law) {
     double damping = 1e-3;
     double chi2 = chi2_of(series, law);
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < law_steps; ++step) {
         Normal normal = normal_of(series, law);
         normal.square.diagonal() *= 1 + damping;
         Vector3d next = law + normal.square.ldlt().solve(normal.side);
@@ -190,7 +190,7 @@ double log_amplitude_chi2(const PhasorRun& run, std::span<const Phasors> expecte
 DecayLaw decay_law(const PhasorRun& run) {
     const LogAmplitude series = log_amplitude(run);
     DecayLaw found;
-    if (series.value.size() < least_windows) {
+    if (series.value.size() < fewest_seen) {
         return found;
     }
     // The mean and the straight line; times count from the weighted mean.

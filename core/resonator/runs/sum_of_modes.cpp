@@ -20,8 +20,8 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using std::numbers::pi;
 
-constexpr std::size_t fewest = 16;
-constexpr int most_steps = 60;
+constexpr std::size_t fewest_of_sum = 16;
+constexpr int sum_steps = 60;
 
 // The channels' phasors in units of the noise, without the mean rotation, from the first window.
 struct Data {
@@ -109,7 +109,7 @@ public:
 
     void refine() {
         double damping = 1e-3;
-        for (int step = 0; step < most_steps && std::isfinite(chi2_); ++step) {
+        for (int step = 0; step < sum_steps && std::isfinite(chi2_); ++step) {
             const MatrixXcd jacobian = derivatives();
             MatrixXcd square = jacobian.adjoint() * jacobian;
             const VectorXcd side = jacobian.adjoint() * residual();
@@ -266,7 +266,7 @@ double visible_s(const ModeSum& sum, std::size_t mode, const PhasorRun& run) {
 }  // namespace
 
 std::optional<ModeSum> sum_of_modes(const PhasorRun& run, std::size_t count) {
-    if (run.time_s.size() < fewest) {
+    if (run.time_s.size() < fewest_of_sum) {
         return {};
     }
     const Data data = data_of(run);
@@ -294,7 +294,7 @@ bool shares_projection(const PhasorRun& run) {
     constexpr double least_share = 0.05;  // of the weaker mode
     constexpr double least_fall = 100;
     constexpr double most_of_it = 0.7;
-    if (run.time_s.size() < fewest || !may_share(run)) {
+    if (run.time_s.size() < fewest_of_sum || !may_share(run)) {
         return false;
     }
     const std::optional<ModeSum> one = sum_of_modes(run, 1);
