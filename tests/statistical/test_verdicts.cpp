@@ -4,7 +4,6 @@
 #include "core/analysis/identify.h"
 #include "core/analysis/inspect.h"
 #include "core/base/messages.h"
-#include "core/recording/open/open_recording.h"
 #include "core/resonator/results/free_decay.h"
 #include "core/resonator/runs/sum_of_modes.h"
 #include "tests/closeness.h"
@@ -14,7 +13,6 @@
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"
 
-#include <QElapsedTimer>
 #include <QtTest>
 
 #include <algorithm>
@@ -157,8 +155,6 @@ private slots:
     void one_projection_gives_its_modes();
     void a_kind_from_samples_data();
     void a_kind_from_samples();
-    void a_bell_before_two_near_microphones_has_modes_only_data();
-    void a_bell_before_two_near_microphones_has_modes_only();
 };
 
 void TestVerdicts::faultless_sets_raise_no_word_data() {
@@ -407,42 +403,6 @@ void TestVerdicts::a_kind_from_samples() {
             }
         }
     }
-}
-
-void TestVerdicts::a_bell_before_two_near_microphones_has_modes_only_data() {
-    QTest::addColumn<bool>("filtered");
-    QTest::newRow("as recorded") << false;
-    QTest::newRow("478 to 494 Hz") << true;
-}
-
-void TestVerdicts::a_bell_before_two_near_microphones_has_modes_only() {
-    QFETCH(bool, filtered);
-    const QString folder = qEnvironmentVariable("VYBEG_REAL_DATA");
-    if (folder.isEmpty()) {
-        QSKIP("VYBEG_REAL_DATA is not set: THE REAL RECORDINGS ARE NOT TESTED");
-    }
-    const Result<Recording> recording =
-        open_recording((folder + "/same-projection.wav").toStdString(), {}, {});
-    QVERIFY2(recording, "the recording does not open");
-    IdentifySettings settings;
-    if (filtered) {
-        settings.signal.filter = Band{478, 494};
-    }
-    QElapsedTimer clock;
-    clock.start();
-    const Result<Identification> found = identify({&*recording, 1}, settings, {});
-    const qint64 took_ms = clock.elapsed();
-    QVERIFY(found);
-    for (const ModeEstimate& mode : found->fit.modes) {
-        qInfo("%.4f +- %.4f Hz, %.4g +- %.2g s", mode.f_hz.value, mode.f_hz.sd, mode.tau_s.value,
-              mode.tau_s.sd);
-    }
-    QVERIFY2(says(found->fit.warnings, DiagnosticKind::same_projection),
-             qPrintable(texts(found->fit.warnings)));
-    QCOMPARE(found->fit.modes.size(), std::size_t{2});
-    QVERIFY(!found->fit.resonator.theta_w_rad.given());
-    QVERIFY(!found->runs[0].wave.theta_rate_rad_s.given());
-    VYBEG_LESS(took_ms, 5000);
 }
 
 VYBEG_TEST(TestVerdicts)
