@@ -154,6 +154,18 @@ std::string modes_text(const ResonatorFit& fit) {
     return text;
 }
 
+// "1234 ± 5 at the amplitude 0.41 (900 at 0.95, 3000 at 0.1)" where Q depends on the amplitude.
+std::string q_envelope_text(const RunEstimate& run) {
+    const std::string text = text_of(run.q_envelope, "");
+    if (!run.law || !run.q_envelope.given()) {
+        return text;
+    }
+    const QBand band = q_band(*run.law, run.q_envelope.value);
+    return text + " at the amplitude " + short_text(band.amplitude, 3) + " (" +
+           short_text(band.q_at_largest, 3) + " at " + short_text(band.largest, 3) + ", " +
+           short_text(band.q_at_smallest, 3) + " at " + short_text(band.smallest, 3) + ")";
+}
+
 std::string run_text(const IdentifiedInput& input, const IdentifiedRun& run,
                      const RunEstimate& estimate) {
     return "run " + plain_text(input.name) + "\n" +
@@ -165,7 +177,7 @@ std::string run_text(const IdentifiedInput& input, const IdentifiedRun& run,
            line("split_sin", text_of(estimate.split_sin_hz, "Hz")) +
            line("f of this direction", text_of(estimate.direction_f_hz, "Hz")) +
            line("tau of this direction", text_of(estimate.direction_tau_s, "s")) +
-           line("q_envelope", text_of(estimate.q_envelope, "")) +
+           line("q_envelope", q_envelope_text(estimate)) +
            line("drift", text_of(estimate.drift_hz_per_s, "Hz/s"));
 }
 

@@ -1369,10 +1369,6 @@
         <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
     </message>
     <message>
-        <source>The residual is that of a damping that follows the amplitude (about %1 1/s per squared recording unit), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit later parts of the recordings, where the wave is smaller (--from).</source>
-        <translation>Невязка такая, как при затухании, зависящем от амплитуды (около %1 1/с на квадрат единицы записи); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите более поздние части записей, где волна меньше (--from).</translation>
-    </message>
-    <message>
         <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out (--from).</source>
         <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды (--from).</translation>
     </message>
@@ -1455,10 +1451,6 @@
     <message>
         <source>The first %1 s do not decay like the rest. The range can leave them out.</source>
         <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном.</translation>
-    </message>
-    <message>
-        <source>The residual is that of a damping that follows the amplitude (about %1 1/s per squared recording unit), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit later parts of the recordings, where the wave is smaller.</source>
-        <translation>Невязка такая, как при затухании, зависящем от амплитуды (около %1 1/с на квадрат единицы записи); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите более поздние части записей, где волна меньше.</translation>
     </message>
     <message>
         <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out of the range.</source>
@@ -1571,6 +1563,34 @@
     <message>
         <source>The frequencies of the recordings lie %1 ppm apart (%2: %3 Hz, %4: %5 Hz). A mean frequency and modes are refused.</source>
         <translation>Частоты записей отличаются на %1 млн⁻¹ (%2: %3 Гц, %4: %5 Гц). Средняя частота и моды не приводятся.</translation>
+    </message>
+    <message>
+        <source>The residual is that of a damping by %1 (about %2 % of the damping at the largest amplitude), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit parts of the recordings in which the amplitude changes less (--from, --to).</source>
+        <translation>Невязка такая, как при затухании, которое создаёт %1 (около %2 % затухания при наибольшей амплитуде); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите участки записей, где амплитуда меняется меньше (--from, --to).</translation>
+    </message>
+    <message>
+        <source>The residual is that of a damping by %1 (about %2 % of the damping at the largest amplitude), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit parts of the recordings in which the amplitude changes less.</source>
+        <translation>Невязка такая, как при затухании, которое создаёт %1 (около %2 % затухания при наибольшей амплитуде); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите участки записей, где амплитуда меняется меньше.</translation>
+    </message>
+    <message>
+        <source>Recording %1: this is no free decay: %2. Damping, Q and what rests on them may be off by more than their deviations.</source>
+        <translation>Запись %1: это не свободный выбег: %2. Затухание, добротность и всё, что на них опирается, могут быть ошибочны больше своих СКО.</translation>
+    </message>
+    <message>
+        <source>Recording %1: this is no free decay from start to end. From %2 s to %3 s it decays freely: take this part (--from %2 --to %3).</source>
+        <translation>Запись %1: это не свободный выбег от начала до конца. От %2 с до %3 с выбег свободный: возьмите этот участок (--from %2 --to %3).</translation>
+    </message>
+    <message>
+        <source>Recording %1: this is no free decay from start to end. From %2 s to %3 s it decays freely: set the range to this part.</source>
+        <translation>Запись %1: это не свободный выбег от начала до конца. От %2 с до %3 с выбег свободный: выберите этот участок диапазоном.</translation>
+    </message>
+    <message>
+        <source>Recording %1: both channels show the same projection of the motion. The modes are seen, but no directions: axes and quadrature are refused. Place the pick-offs 45 degrees apart.</source>
+        <translation>Запись %1: оба канала показывают одну и ту же проекцию движения. Видны моды, но не направления: оси и квадратура не определяются. Разнесите съёмы на 45 градусов.</translation>
+    </message>
+    <message>
+        <source>The mode at %1 Hz would grow, at a rate of %2 1/s (standard deviation %3): the motion is not that of a resonator in free decay, and modes and resonator are refused.</source>
+        <translation>Мода %1 Гц росла бы со скоростью %2 1/с (СКО %3): это не движение резонатора в свободном выбеге, моды и резонатор не определяются.</translation>
     </message>
 </context>
 <context>
@@ -1715,6 +1735,14 @@
     <message>
         <source>The frequencies of the recordings lie %1 ppm apart: each recording has its own.</source>
         <translation>Частоты записей отличаются на %1 млн⁻¹: у каждой записи своя.</translation>
+    </message>
+    <message>
+        <source>The mode at %1 Hz would grow, at a rate of %2 1/s (standard deviation %3): the motion is not that of a resonator in free decay.</source>
+        <translation>Мода %1 Гц росла бы со скоростью %2 1/с (СКО %3): это не движение резонатора в свободном выбеге.</translation>
+    </message>
+    <message>
+        <source>Both channels show the same projection of the motion: the modes are seen, directions are not.</source>
+        <translation>Оба канала показывают одну и ту же проекцию движения: видны моды, но не направления.</translation>
     </message>
 </context>
 <context>
@@ -2676,6 +2704,18 @@
     <message>
         <source>comment</source>
         <translation>примечание</translation>
+    </message>
+    <message>
+        <source>Q over the amplitude</source>
+        <translation>Q по амплитуде</translation>
+    </message>
+    <message>
+        <source>Amplitude at which Q from the envelope holds; Q at the largest and at the smallest amplitude</source>
+        <translation>Амплитуда, к которой относится Q по огибающей; Q при наибольшей и при наименьшей амплитуде</translation>
+    </message>
+    <message>
+        <source>at %1; %2 at %3, %4 at %5</source>
+        <translation>при %1; %2 при %3, %4 при %5</translation>
     </message>
 </context>
 <context>
@@ -3763,6 +3803,30 @@
     <message>
         <source>more than one number of %1 differs</source>
         <translation>у записи %1 отличается не одно число</translation>
+    </message>
+    <message>
+        <source>dry friction</source>
+        <translation>сухое трение</translation>
+    </message>
+    <message>
+        <source>the friction of air</source>
+        <translation>трение о воздух</translation>
+    </message>
+    <message>
+        <source>the squared amplitude</source>
+        <translation>зависимость от квадрата амплитуды</translation>
+    </message>
+    <message>
+        <source>its amplitude grows, by %1 1/s (standard deviation %2)</source>
+        <translation>амплитуда растёт со скоростью %1 1/с (СКО %2)</translation>
+    </message>
+    <message>
+        <source>its amplitude is held (decay rate %1 1/s), while that of the other recordings decays (%2 1/s)</source>
+        <translation>амплитуда поддерживается (скорость затухания %1 1/с), а в остальных записях затухает (%2 1/с)</translation>
+    </message>
+    <message>
+        <source>its damping is by %1, the decay rate goes with the amplitude to the power %2 (standard deviation %3)</source>
+        <translation>затухание создаёт %1, скорость затухания пропорциональна амплитуде в степени %2 (СКО %3)</translation>
     </message>
 </context>
 <context>

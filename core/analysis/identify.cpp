@@ -4,7 +4,10 @@
 #include "core/analysis/prepare.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
+#include "core/resonator/results/free_decay.h"
 #include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/runs/merge_windows.h"
+#include "core/resonator/runs/sum_of_modes.h"
 #include "core/resonator/runs/wave_uncertainty.h"
 
 #include <tbb/parallel_for.h>
@@ -115,6 +118,33 @@ std::vector<Result<Windows>> all_windows(std::span<const Recording> recordings,
         });
     });
     return found;
+}
+
+// The resonator of the phasors, with the verdicts on its recordings.
+Result<ResonatorFit> fit_of(std::span<const PhasorRun> phasors, const FitOptions& options,
+                            const JobControl& job) {
+    const bool one_projection = std::ranges::any_of(
+        phasors, [](const PhasorRun& run) { return shares_projection(usable_windows(run)); });
+    if (one_projection) {
+        return fit_one_projection(phasors);
+    }
+    Result<ResonatorFit> fit = fit_resonator(phasors, options, job);
+    if (fit) {
+        judge_free_decay(phasors, options, job, *fit);
+    }
+    return fit;
+}
+
+// Channels of one projection show no angle and no quadrature of a wave.
+void refuse_directions(Identification& found) {
+    for (const Diagnostic& warning : found.fit.warnings) {
+        if (warning.kind == DiagnosticKind::same_projection) {
+            for (IdentifiedRun& run : found.runs) {
+                run.wave.theta_rate_rad_s = run.wave.quadrature_rate_per_s =
+                    Estimate{.reason = {ReasonCode::same_projection, {}}};
+            }
+        }
+    }
 }
 
 // The breaks that the fit has found count in each recording's own numbers, too.
@@ -296,11 +326,12 @@ Result<Identification> identify(std::span<const Recording> recordings,
     const double f_hz = phasors.front().f_ref_hz;
     options.tolerance = tolerance_of(settings, f_hz, Taken::by_fit);
     options.assumed = tolerance_of(settings, f_hz, Taken::all);
-    Result<ResonatorFit> fit = fit_resonator(phasors, options, job.silent());
+    Result<ResonatorFit> fit = fit_of(phasors, options, job.silent());
     if (!fit) {
         return named(fit.error(), phasors, recordings);
     }
     found.fit = std::move(*fit);
+    refuse_directions(found);
     take_breaks(found.fit.breaks, settings, phasors, job, found);
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
     add_envelopes(found);

@@ -51,14 +51,13 @@ std::vector<std::pair<std::string, std::string>> conditions_of(const Measurement
             return text_of(recording.conditions);
         });
     };
-    return {{"bias_v", field([](const Conditions& c) { return number_field(c.bias_v); })},
-            {"temperature_c",
-             field([](const Conditions& c) { return number_field(c.temperature_c); })},
-            {"exchanged", field([](const Conditions& c) -> std::string {
-                 return c.exchanged ? "yes" : "";
-             })},
-            {"operator", field([](const Conditions& c) { return c.operator_name; })},
-            {"comment", field([](const Conditions& c) { return c.comment; })}};
+    return {
+        {"bias_v", field([](const Conditions& c) { return number_field(c.bias_v); })},
+        {"temperature_c", field([](const Conditions& c) { return number_field(c.temperature_c); })},
+        {"exchanged",
+         field([](const Conditions& c) -> std::string { return c.exchanged ? "yes" : ""; })},
+        {"operator", field([](const Conditions& c) { return c.operator_name; })},
+        {"comment", field([](const Conditions& c) { return c.comment; })}};
 }
 
 std::string other_of(const MeasurementSet& set, std::size_t k) {

@@ -43,6 +43,10 @@ enum class DiagnosticKind {
     phase_unknown,       // args: places of a phase_step inside an identification
     carrier_elsewhere,   // args: carrier given, carrier found (Hz)
     strike_left_out,     // args: seconds from the start of the range. No free decay there yet.
+    no_free_decay,       // args: recording, what the motion is instead (words)
+    part_decays,         // args: recording, begin, end (s) of its only part in free decay
+    same_projection,     // args: recording. Two modes beat, in one direction of C and D.
+    mode_grows,          // args: the mode (Hz), rate of growth, its sd (1/s). Modes are refused.
     frequency_drifts,    // args: recording, Hz per s, its sd. Fitted.
     frequency_follows_amplitude,  // args: Hz per squared unit of amplitude, its sd. Fitted.
     q_disagrees,                  // args: recording, Q from the envelope, Q from the coherent fit
@@ -58,7 +62,8 @@ enum class DiagnosticKind {
     residual_below_noise,         // args: chi^2 per degree of freedom. Deviations too large.
     residual_coloured,            // args: chi^2 per degree of freedom. Deviations hold its colour.
     noise_too_narrow,             // args: width (Hz) below which no residual shows a noise
-    misfit_damping,               // args: 1/s per squared unit. Damping that follows the amplitude.
+    misfit_damping,               // args: what the damping follows (words), its share at the
+                                  // largest amplitude, %
     misfit_settling,              // args: Hz, s. A frequency that settles.
     misfit_neighbour,             // args: frequency (Hz), per cent of the wave. Another mode.
     misfit_channel,               // args: error as --tolerance names it, its size; held at zero

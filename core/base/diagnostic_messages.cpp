@@ -202,6 +202,32 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "The first %1 s are left out of the fit: a strike, or what a "
                                   "band-pass makes of the beginning, is no free decay.")};
+        case DiagnosticKind::no_free_decay:
+            return {"no-free-decay", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "Recording %1: this is no free decay: %2. Damping, Q and what "
+                                  "rests on them may be off by more than their deviations.")};
+        case DiagnosticKind::part_decays:
+            return {"no-free-decay-part", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "Recording %1: this is no free decay from start to end. From %2 "
+                                  "s to %3 s it decays freely: take this part (--from %2 --to "
+                                  "%3)."),
+                    VYBEG_MESSAGE("Message",
+                                  "Recording %1: this is no free decay from start to end. From %2 "
+                                  "s to %3 s it decays freely: set the range to this part.")};
+        case DiagnosticKind::same_projection:
+            return {"same-projection", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "Recording %1: both channels show the same projection of the "
+                                  "motion. The modes are seen, but no directions: axes and "
+                                  "quadrature are refused. Place the pick-offs 45 degrees apart.")};
+        case DiagnosticKind::mode_grows:
+            return {"mode-grows", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The mode at %1 Hz would grow, at a rate of %2 1/s (standard "
+                                  "deviation %3): the motion is not that of a resonator in free "
+                                  "decay, and modes and resonator are refused.")};
         case DiagnosticKind::frequency_drifts:
             return {
                 "frequency-drifts", note,
@@ -292,16 +318,16 @@ MessageRow message_row(DiagnosticKind kind) {
                 "misfit-damping", serious,
                 VYBEG_MESSAGE(
                     "Message",
-                    "The residual is that of a damping that follows the amplitude (about %1 1/s "
-                    "per squared recording unit), which the model does not hold: damping, its "
-                    "anisotropy, rotation and drifts may be off by more than their deviations. Fit "
-                    "later parts of the recordings, where the wave is smaller (--from)."),
+                    "The residual is that of a damping by %1 (about %2 % of the damping at the "
+                    "largest amplitude), which the model does not hold: damping, its anisotropy, "
+                    "rotation and drifts may be off by more than their deviations. Fit parts of "
+                    "the recordings in which the amplitude changes less (--from, --to)."),
                 VYBEG_MESSAGE(
                     "Message",
-                    "The residual is that of a damping that follows the amplitude (about %1 1/s "
-                    "per squared recording unit), which the model does not hold: damping, its "
-                    "anisotropy, rotation and drifts may be off by more than their deviations. Fit "
-                    "later parts of the recordings, where the wave is smaller.")};
+                    "The residual is that of a damping by %1 (about %2 % of the damping at the "
+                    "largest amplitude), which the model does not hold: damping, its anisotropy, "
+                    "rotation and drifts may be off by more than their deviations. Fit parts of "
+                    "the recordings in which the amplitude changes less.")};
         case DiagnosticKind::misfit_settling:
             return {"misfit-settling", serious,
                     VYBEG_MESSAGE(

@@ -140,6 +140,20 @@ Json wave_json(const WaveMotion& wave) {
     return object;
 }
 
+// Where Q depends on the amplitude, with the one at which it holds, and with Q at both ends.
+Json q_envelope_json(const RunEstimate& run) {
+    Json quantity = quantity_json(run.q_envelope);
+    if (run.law && run.q_envelope.given()) {
+        const QBand band = q_band(*run.law, run.q_envelope.value);
+        quantity["at_amplitude"] = number_json(band.amplitude);
+        quantity["band"] = {
+            {{"amplitude", number_json(band.largest)}, {"value", number_json(band.q_at_largest)}},
+            {{"amplitude", number_json(band.smallest)},
+             {"value", number_json(band.q_at_smallest)}}};
+    }
+    return quantity;
+}
+
 Json runs_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
     Json list = Json::array();
     for (std::size_t k = 0; k < identification.runs.size(); ++k) {
@@ -155,7 +169,7 @@ Json runs_json(const Identification& identification, std::span<const IdentifiedI
                         {"direction",
                          {{"f_hz", quantity_json(run.direction_f_hz)},
                           {"tau_s", quantity_json(run.direction_tau_s)}}},
-                        {"q_envelope", quantity_json(run.q_envelope)},
+                        {"q_envelope", q_envelope_json(run)},
                         {"drift_hz_per_s", quantity_json(run.drift_hz_per_s)},
                         {"window_samples", input.window},
                         {"windows", input.windows},

@@ -1,6 +1,7 @@
 #include "core/simulation/check_decay.h"
 
 #include "core/base/number_text.h"
+#include "core/simulation/amplitude_factor.h"
 
 #include <algorithm>
 #include <array>
@@ -78,6 +79,24 @@ Status check_motion(const FreeDecay& decay) {
     if (decay.damping_per_power_per_s < 0 &&
         1 / decay.tau_s + by_power < decay.damping_anisotropy_per_s / 2) {
         return impossible("the damping per power would let the wave grow at the start");
+    }
+    return {};
+}
+
+// Departures from a free decay. Their sizes bound the steps of AmplitudeFactor.
+Status check_drive(const FreeDecay& decay) {
+    constexpr double most_growth = 100;  // of the logarithm
+    if (decay.dry_friction_per_s < 0 || decay.air_friction_per_s < 0) {
+        return impossible("a friction cannot be negative");
+    }
+    const double driven_s = std::max(
+        std::min(decay.drive_to_s, decay.seconds) - std::max(decay.drive_from_s, 0.0), 0.0);
+    if (std::abs(decay.drive_per_s) * driven_s > most_growth) {
+        return impossible("the drive changes the amplitude by more than e^100");
+    }
+    const bool by_power = decay.frequency_per_power_hz != 0 || decay.damping_per_power_per_s != 0;
+    if (has_amplitude_factor(decay) && by_power) {
+        return impossible("friction or drive, and a dependence on the power, exclude each other");
     }
     return {};
 }
@@ -169,6 +188,12 @@ Status check(const FreeDecay& decay) {
                              decay.settling_time_s,
                              decay.frequency_per_power_hz,
                              decay.damping_per_power_per_s,
+                             decay.dry_friction_per_s,
+                             decay.air_friction_per_s,
+                             decay.drive_per_s,
+                             decay.drive_from_s,
+                             decay.drive_to_s,
+                             decay.same_projection,
                              decay.delay_d_s,
                              decay.skew_deg,
                              decay.crosstalk,
@@ -222,8 +247,8 @@ Status check(const FreeDecay& decay) {
     if (decay.full_scale < 0) {
         return impossible("the full scale cannot be negative");
     }
-    for (const auto& part :
-         {check_sizes, check_motion, check_channels, check_modes_beside, check_losses}) {
+    for (const auto& part : {check_sizes, check_motion, check_drive, check_channels,
+                             check_modes_beside, check_losses}) {
         if (const Status status = part(decay); !status) {
             return status;
         }

@@ -23,6 +23,9 @@ DecayMotion::DecayMotion(const FreeDecay& decay, double late_s)
     if (decay.frequency_per_power_hz != 0 || decay.damping_per_power_per_s != 0) {
         by_power_.emplace(decay, linear_.matrix(), linear_.start());
     }
+    if (has_amplitude_factor(decay)) {
+        factor_.emplace(decay, linear_);
+    }
 }
 
 // e^{2 pi i int (f - f0) dt} from t = 0, in long double: a drift makes 1e5 turns in an hour.
@@ -35,19 +38,22 @@ Complex DecayMotion::turn(double frame) const {
 }
 
 Eigen::Vector2cd DecayMotion::at_frame(double frame) {
-    if (!by_power_ && !turns_ && late_s_ == 0) {
+    if (!by_power_ && !factor_ && !turns_ && late_s_ == 0) {
         return linear_.at_frame(frame);
     }
     const double t = frame / decay_.rate_hz - late_s_;
-    const Eigen::Vector2cd z =
+    Eigen::Vector2cd z =
         by_power_ ? by_power_->at(t) : Eigen::Vector2cd(linear_.propagator(t) * linear_.start());
+    if (factor_) {
+        z *= factor_->at(t);
+    }
     const Complex carrier = linear_.carrier(frame) * earlier_;
     return z * (turns_ ? carrier * turn(frame) : carrier);
 }
 
 Eigen::Vector2cd DecayMotion::next() {
     const auto frame = static_cast<double>(frame_);
-    if (by_power_) {
+    if (by_power_ || factor_) {
         ++frame_;
         return at_frame(frame);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/simulation/amplitude_factor.h"
 #include "core/simulation/power_motion.h"
 #include "core/simulation/slow_motion.h"
 
@@ -31,6 +32,7 @@ private:
     double late_s_;
     SlowMotion linear_;
     std::optional<PowerMotion> by_power_;
+    std::optional<AmplitudeFactor> factor_;
     bool turns_;                    // whether f changes
     std::complex<double> earlier_;  // rotation of the carrier in late_s_
     Eigen::Matrix2cd step_;

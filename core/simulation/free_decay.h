@@ -35,11 +35,12 @@ struct LostSamples {
 //
 // Slow motion of z = (c, d), relative to the carrier's phase 2 pi int f dt:
 //     dz/dt = M z + i (2 pi b/3) (2|z|^2 z + (z.z) conj z) - k |z|^2 z
+//           + [g(t) - dry/|z| - air |z|] z, g the drive between its instants
 //     f(t) = f0 + drift t + settling e^{-t/settling_time}
 // Channels, T = seconds:
 //     C = c
 //     D = [d(t - delay) (1 + gain_drift t/T) e^{i phase_drift t/T}
-//          + (sin skew + i crosstalk) c] / kappa
+//          + (sin skew + i crosstalk) c] / kappa, d replaced by (1 - same) d + same c
 //     S = s + cubic s^3 + offset + hum + noise, s the channel with the modes beside.
 struct FreeDecay {
     double seconds = 28;
@@ -70,10 +71,17 @@ struct FreeDecay {
     double settling_time_s = 1;          // > 0
     double frequency_per_power_hz = 0;   // b: isotropic cubic spring, Hz per squared unit
     double damping_per_power_per_s = 0;  // k: 1/tau = 1/tau_s + k |z|^2, |z|^2 = a_A^2 + a_B^2
+    // No free decay. Not together with the two dependences on the power.
+    double dry_friction_per_s = 0;  // the amplitude |z| falls by this per second, until it rests
+    double air_friction_per_s = 0;  // 1/tau = 1/tau_s + this times |z|
+    double drive_per_s = 0;         // growth of the amplitude by a drive; negative: a touch
+    double drive_from_s = 0;        // instants between which the drive is on
+    double drive_to_s = 1e300;
 
     // Errors of the channels.
     double delay_d_s = 0;        // delay of channel D; |delay| <= 0.1 s
     double skew_deg = 0;         // the pick-off of D shows d + sin(skew) c
+    double same_projection = 0;  // D shows (1 - x) d + x c; 1: both channels are on one electrode
     double crosstalk = 0;        // in quadrature: i c, C a quarter of a period early
     double phase_drift_rad = 0;  // of D, over the recording
     double gain_drift = 0;       // of D, over the recording, relative

@@ -24,7 +24,7 @@ PickOffs::PickOffs(const FreeDecay& decay)
 
 std::pair<double, double> PickOffs::signals(const Eigen::Vector2cd& z, std::int64_t frame) const {
     const auto at = static_cast<double>(frame);
-    Complex of_d = z(1);
+    Complex of_d = z(1) + decay_.same_projection * (z(0) - z(1));
     if (drifts_) {
         const double share = at / (decay_.rate_hz * decay_.seconds);
         of_d *= (1 + decay_.gain_drift * share) * std::polar(1.0, decay_.phase_drift_rad * share);

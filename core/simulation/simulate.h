@@ -24,11 +24,12 @@ struct SimulatedDecay {
 Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job);
 
 // The two signals: slow motion by the exact matrix exponential, or, where frequency or damping
-// depend on the amplitude, by Taylor steps good to rounding; channels, noise, then the quantiser,
-// which clips; `full_scale` is that of find_full_scale(); lost samples last. The sink receives some
-// thousand frames at a time; memory does not grow with the length. The same seed gives the same
-// samples on every machine, to the rounding of its sin, cos, exp and log. Errors: those of the
-// sink, simulation_impossible, interrupted.
+// depend on the amplitude, by Taylor steps good to rounding; friction and drive by Runge-Kutta
+// steps; channels, noise, then the quantiser, which clips; `full_scale` is that of
+// find_full_scale(); lost samples last. The sink receives some thousand frames at a time; memory
+// does not grow with the length. The same seed gives the same samples on every machine, to the
+// rounding of its sin, cos, exp and log. Errors: those of the sink, simulation_impossible,
+// interrupted.
 Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink,
                 const JobControl& job);
 

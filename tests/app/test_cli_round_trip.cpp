@@ -88,6 +88,7 @@ private slots:
                                                      {"settling-time", "0.125"},
                                                      {"frequency-per-power", "3"},
                                                      {"damping-per-power", "0.75"},
+                                                     {"same-projection", "0.75"},
                                                      {"delay", "1e-06"},
                                                      {"skew", "0.5"},
                                                      {"crosstalk", "0.0625"},
@@ -134,6 +135,20 @@ private slots:
             QVERIFY2(header.contains(line), line + " is not in " + header.join("; "));
         }
         QVERIFY(header.contains("mode-beside: 1,2,3,4,5,6"));
+        // Friction and drive exclude a dependence on the power.
+        const QList<QPair<QString, QString>> not_free{
+            {"dry-friction", "0.5"}, {"air-friction", "0.25"}, {"drive", "2"}};
+        for (const auto& [name, value] : not_free) {
+            QCOMPARE(run(start + QStringList{"--" + name, value}).status, 0);
+            QVERIFY2(file("x.csv") != plain, qPrintable(name));
+        }
+        QCOMPARE(run(start + QStringList{"--drive", "2"}).status, 0);
+        const QByteArray driven = file("x.csv");
+        for (const char* instant : {"--drive-from", "--drive-to"}) {
+            QCOMPARE(run(start + QStringList{"--drive", "2", instant, "0.02"}).status, 0);
+            QVERIFY2(file("x.csv") != driven, instant);
+        }
+        QVERIFY(run(start + QStringList{"--drive", "2", "--damping-per-power", "1"}).status != 0);
         for (const QStringList& wrong :
              {QStringList{"--lose", "100"}, QStringList{"--lose", "a:3"},
               QStringList{"--hum", "1,2"}, QStringList{"--mode-beside", "1,2,3"},
@@ -341,6 +356,12 @@ private slots:
                                    "--settling-time",
                                    "--frequency-per-power",
                                    "--damping-per-power",
+                                   "--dry-friction",
+                                   "--air-friction",
+                                   "--drive",
+                                   "--drive-from",
+                                   "--drive-to",
+                                   "--same-projection",
                                    "--delay",
                                    "--skew",
                                    "--crosstalk",

@@ -233,6 +233,27 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
     add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q from the envelope")), {},
         QT_TRANSLATE_NOOP("Resonator", "Quality factor from the power of the waves alone"),
         estimate(&RunEstimate::q_envelope, 1));
+    const bool varies = std::ranges::any_of(
+        found.fit.runs, [](const RunEstimate& run) { return run.law && run.q_envelope.given(); });
+    if (varies) {
+        add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q over the amplitude")), {},
+            QT_TRANSLATE_NOOP("Resonator",
+                              "Amplitude at which Q from the envelope holds; Q at the largest and "
+                              "at the smallest amplitude"),
+            [&found](std::size_t k) {
+                const RunEstimate& run = found.fit.runs[k];
+                if (!run.law || !run.q_envelope.given()) {
+                    return sentenceCell({});
+                }
+                const QBand band = q_band(*run.law, run.q_envelope.value);
+                const QLocale locale;
+                const auto text = [&locale](double x) { return locale.toString(x, 'g', 3); };
+                return sentenceCell(
+                    resonatorText(QT_TRANSLATE_NOOP("Resonator", "at %1; %2 at %3, %4 at %5"))
+                        .arg(text(band.amplitude), text(band.q_at_largest), text(band.largest),
+                             text(band.q_at_smallest), text(band.smallest)));
+            });
+    }
     if (found.fit.model == ResonatorModel::structured) {
         add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q coherent")), {},
             QT_TRANSLATE_NOOP("Resonator", "Quality factor from the coherent fit of all runs"),

@@ -75,7 +75,7 @@ Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms
                 }
             }
             for (std::size_t term = 0; term < terms.size(); ++term) {
-                put_effect(by, window, static_cast<Index>(term), run.weight[window] * moved[term]);
+                put_effect(by, run, window, static_cast<Index>(term), moved[term]);
             }
             last = terms;
             before = z;
@@ -105,18 +105,23 @@ MatrixXd followed(const FitProblem& problem, const Posterior& at, const Effect& 
     return at.root * (at.root.transpose() * along(at.active, Eigen::all));
 }
 
-Effect damping_effect(const FitProblem& problem, const Posterior& at) {
+Effect damping_effect(const FitProblem& problem, const Posterior& at, int exponent) {
+    constexpr double seen = 3;  // least size of a wave, deviations
     Effect effect;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
         const ScaledRun& run = problem.runs[k];
         MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 1);
         double integral = 0;
         double last_s = 0;
+        const auto rate = [&](const Vector2cd& z, std::size_t window) {
+            const double least = seen / run.weight[window];
+            const double power = std::max(z.squaredNorm(), least * least) / run.power_kept;
+            return std::pow(power, 0.5 * exponent);
+        };
         for (std::size_t window = 0; window < run.size(); ++window) {
             const Vector2cd z = expected_phasor(run, at.runs[k], window);
-            const double before = window > 0 ? (run.z[window - 1]).squaredNorm() : z.squaredNorm();
-            integral +=
-                (run.time_s[window] - last_s) * (before + z.squaredNorm()) / 2 / run.power_kept;
+            const double before = window > 0 ? rate(run.z[window - 1], window) : rate(z, window);
+            integral += (run.time_s[window] - last_s) * (before + rate(z, window)) / 2;
             last_s = run.time_s[window];
             put_effect(by, run, window, 0, -integral * z);
         }

@@ -31,8 +31,9 @@ Score score(const FitProblem& problem, const Posterior& posterior, const Effect&
 Eigen::MatrixXd followed(const FitProblem& problem, const Posterior& posterior,
                          const Effect& effect);
 
-// A damping that follows the amplitude: log |z| falls by `per_power` times the integral of |z|^2.
-Effect damping_effect(const FitProblem& problem, const Posterior& posterior);
+// A damping that follows the amplitude: log |z| falls by the integral of |z|^exponent. -1: dry
+// friction, 1: the friction of air.
+Effect damping_effect(const FitProblem& problem, const Posterior& posterior, int exponent = 2);
 
 // Pick-offs whose gain follows the amplitude: of C by the power of C, of D by that of D.
 Effect pickoff_effect(const FitProblem& problem, const Posterior& posterior);

@@ -81,6 +81,17 @@ ReasonRow reason_row(ReasonCode code) {
             return {"grows",
                     VYBEG_MESSAGE("Reason",
                                   "The wave grows, at a rate of %1 1/s (standard deviation %2).")};
+        case ReasonCode::mode_grows:
+            return {"mode-grows",
+                    VYBEG_MESSAGE("Reason",
+                                  "The mode at %1 Hz would grow, at a rate of %2 1/s (standard "
+                                  "deviation %3): the motion is not that of a resonator in free "
+                                  "decay.")};
+        case ReasonCode::same_projection:
+            return {"same-projection",
+                    VYBEG_MESSAGE("Reason",
+                                  "Both channels show the same projection of the motion: the modes "
+                                  "are seen, directions are not.")};
         case ReasonCode::amplitude_or_time:
             return {"amplitude-or-time",
                     VYBEG_MESSAGE("Reason",

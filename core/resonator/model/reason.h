@@ -27,6 +27,8 @@ enum class ReasonCode {
     drift_not_seen,      // a drift is indistinguishable from the motion in this recording
     decay_limits,        // args: least and greatest tau (s)
     grows,               // args: rate of growth, its sd (1/s)
+    mode_grows,          // args: the mode (Hz), rate of growth, its sd (1/s). The model is wrong.
+    same_projection,     // both channels show the same projection of the motion
     amplitude_or_time,   // a settling frequency explains the phasors as well
     rests_on_unseen,     // more than half of its variance is due to undetermined parameters
     too_few_windows,     // not enough windows for it in this run

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace vybeg {
@@ -26,6 +27,7 @@ constexpr double own_share = 0.01;
 constexpr double derived_share = 0.5;
 constexpr double axis_needs = 5;  // standard deviations of the vector
 constexpr double modes_need = 5;  // of the modes' difference
+constexpr double grows_by = 3;    // of a mode that refuses all
 constexpr double narrowed = 0.1;  // of a channel's tolerance
 constexpr double limit_sd = 2;
 constexpr double vector_needs_in_u = 3;  // of its errors by the tolerances
@@ -52,6 +54,10 @@ public:
             add_free();
         }
         add_modes();
+        if (grown_) {
+            fit_.warnings.push_back({DiagnosticKind::mode_grows, grown_->args});
+            refuse_all(*grown_, fit_);
+        }
         refuse_mean_frequency();
     }
 
@@ -242,6 +248,21 @@ private:
         fit_.shares.assign(resonator_parameters.size(), {});
     }
 
+    // Whether one of the decay rates is negative by more than its noise.
+    void look_for_growth(const std::vector<Index>& decays) {
+        for (const Index k : decays) {
+            const Estimate decay = number(k);
+            if (!unseen(k, derived_share) && decay.value < -grows_by * decay.uncertainty()) {
+                const Index f = k == mode_decay_of || k == mode_decay_of + 1
+                                    ? k - mode_decay_of + mode_f_of
+                                    : Index{f_mean_of};
+                grown_ = Reason{ReasonCode::mode_grows,
+                                {number_arg(f_ref_hz_ + at_.value[f], 7),
+                                 number_arg(-decay.value, 3), number_arg(decay.uncertainty(), 2)}};
+            }
+        }
+    }
+
     void add_modes() {
         fit_.mode_order = set_.context.order;
         const Posterior& p = set_.posterior;
@@ -256,9 +277,16 @@ private:
         const bool seen =
             !unseen(mode_f_of, derived_share) && !unseen(mode_f_of + 1, derived_share);
         if (!apart || !seen) {
+            // Where the modes are one, or a direction alone is seen, its decay is that of the wave.
+            std::vector<Index> decays{decay_of};
+            for (std::size_t run = 0; run < runs_.size(); ++run) {
+                decays.push_back(of_run(run, direction_decay_of));
+            }
+            look_for_growth(decays);
             fit_.no_modes = {apart ? ReasonCode::rests_on_unseen : ReasonCode::modes_not_apart, {}};
             return;
         }
+        look_for_growth({mode_decay_of, mode_decay_of + 1});
         for (const int k : {0, 1}) {
             ModeEstimate mode;
             mode.f_hz = number(mode_f_of + k, 1, f_ref_hz_);
@@ -385,6 +413,7 @@ private:
     const ReportedVariances& at_;
     ResonatorFit& fit_;
     double f_ref_hz_ = 0;
+    std::optional<Reason> grown_;  // a mode that grows
 };
 
 }  // namespace

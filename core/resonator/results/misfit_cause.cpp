@@ -231,6 +231,14 @@ Line nearest_line(const FitProblem& problem, const Posterior& at, std::span<cons
 
 }  // namespace
 
+MessageArg friction_words(double exponent) {
+    if (exponent < 0) {
+        return words(VYBEG_MESSAGE("Words", "dry friction"));
+    }
+    return exponent < 1.5 ? words(VYBEG_MESSAGE("Words", "the friction of air"))
+                          : words(VYBEG_MESSAGE("Words", "the squared amplitude"));
+}
+
 std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posterior& posterior,
                                         std::span<const PhasorRun> fine, double scale,
                                         Causes causes, const JobControl& job) {
@@ -263,9 +271,20 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
         consider(springs.fall, DiagnosticKind::misfit_springs,
                  {number_arg(springs.size.norm(), 2)});
     }
-    const Score damping = score(problem, posterior, damping_effect(problem, posterior));
-    consider(damping.fall, DiagnosticKind::misfit_damping,
-             {number_arg(damping.size[0] / (scale * scale), 2)});
+    double largest = 0;  // of all |z|, scaled units
+    for (const ScaledRun& run : problem.runs) {
+        for (const Vector2cd& z : run.z) {
+            largest = std::max(largest, z.norm());
+        }
+    }
+    for (const int exponent : {-1, 1, 2}) {
+        const Score damping =
+            score(problem, posterior, damping_effect(problem, posterior, exponent));
+        const double share = damping.size[0] * std::pow(largest, exponent) /
+                             std::max(std::abs(posterior.p[decay_at]), 1e-300);
+        consider(damping.fall, DiagnosticKind::misfit_damping,
+                 {friction_words(exponent), number_arg(100 * share, 2)});
+    }
     // The gain depends on |c|^2; the largest scaled amplitude is 1.
     const Score pickoff = score(problem, posterior, pickoff_effect(problem, posterior));
     consider(pickoff.fall, DiagnosticKind::misfit_pickoff,

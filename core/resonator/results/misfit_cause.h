@@ -26,4 +26,7 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
                                         std::span<const PhasorRun> fine, double scale,
                                         Causes causes, const JobControl& job);
 
+// Words for a damping whose rate follows the amplitude to a power.
+MessageArg friction_words(double exponent);
+
 }  // namespace vybeg

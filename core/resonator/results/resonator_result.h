@@ -7,6 +7,7 @@
 #include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/reason.h"
 #include "core/resonator/noise/noise_shape.h"
+#include "core/resonator/runs/decay_law.h"
 
 #include <array>
 #include <cstddef>
@@ -54,6 +55,9 @@ struct RunEstimate {
     Estimate direction_tau_s;  // likewise: known for a still wave if f_mean and tau are not
     Estimate q_envelope;       // pi f tau, tau of the power |z|^2 alone
     Estimate drift_hz_per_s;
+    // The decay over the amplitude where it is not constant; q_envelope then holds at one
+    // amplitude.
+    std::optional<DecayLaw> law;
 };
 
 // Fitted parameters for a passport, with names and full covariance.

@@ -1,0 +1,453 @@
+#include "core/resonator/results/free_decay.h"
+
+#include "core/base/number_text.h"
+#include "core/numerics/median.h"
+#include "core/resonator/fit/map_fit.h"
+#include "core/resonator/model/kept_windows.h"
+#include "core/resonator/results/misfit_cause.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
+#include "core/resonator/runs/decay_time.h"
+#include "core/resonator/runs/merge_windows.h"
+#include "core/resonator/runs/sum_of_modes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <initializer_list>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr double clear = 5;             // standard deviations
+constexpr std::size_t least_part = 16;  // windows
+
+bool warns_of(const ResonatorFit& fit, std::initializer_list<DiagnosticKind> kinds) {
+    return std::ranges::any_of(fit.warnings, [&](const Diagnostic& warning) {
+        return std::ranges::find(kinds, warning.kind) != kinds.end();
+    });
+}
+
+// Whether the fit leaves noise only.
+bool explains_all(const ResonatorFit& fit) {
+    return !warns_of(fit, {DiagnosticKind::residual_above_noise, DiagnosticKind::residual_coloured,
+                           DiagnosticKind::mode_grows, DiagnosticKind::fit_not_converged});
+}
+
+// Whether the motion has another cause that the fit has named.
+bool named_otherwise(const ResonatorFit& fit) {
+    return warns_of(fit, {DiagnosticKind::misfit_settling, DiagnosticKind::misfit_channel,
+                          DiagnosticKind::fitted_phase_step});
+}
+
+// Causes that another verdict replaces.
+void withdraw(ResonatorFit& fit) {
+    std::erase_if(fit.warnings, [](const Diagnostic& warning) {
+        return warning.kind == DiagnosticKind::misfit_damping ||
+               warning.kind == DiagnosticKind::misfit_neighbour ||
+               warning.kind == DiagnosticKind::misfit_pickoff ||
+               warning.kind == DiagnosticKind::structured_refused;
+    });
+}
+
+// Whether two modes with amplitudes of their own in each channel leave noise only: a free decay,
+// also where the fit has missed it.
+bool is_two_modes(const PhasorRun& run) {
+    const std::optional<ModeSum> sum = sum_of_modes(run, 2);
+    return sum && sum->chi2 < noise_bound(sum->freedom) * sum->freedom;
+}
+
+// Windows from one index to another.
+struct Part {
+    std::size_t first = 0;
+    std::size_t end = 0;
+
+    std::size_t size() const { return end - first; }
+};
+
+class Judgement {
+public:
+    Judgement(std::span<const PhasorRun> runs, const FitOptions& options, const JobControl& job,
+              ResonatorFit& fit)
+        : options_(options), job_(job), fit_(fit) {
+        for (const PhasorRun& run : runs) {
+            runs_.push_back(usable_windows(run));
+            laws_.push_back(decay_law(runs_.back()));
+        }
+    }
+
+    void add() {
+        for (std::size_t k = 0; k < runs_.size() && !job_.cancelled(); ++k) {
+            if (laws_[k].windows == 0 || driven(k)) {
+                continue;
+            }
+            const ResonatorFit* alone = &fit_;
+            std::optional<ResonatorFit> single;
+            if (runs_.size() > 1) {
+                single = fitted(runs_[k]);
+                alone = single ? &*single : nullptr;
+            }
+            if (alone != nullptr) {
+                judge(k, *alone);
+            }
+        }
+    }
+
+private:
+    std::optional<ResonatorFit> fitted(const PhasorRun& run) const {
+        Result<ResonatorFit> fit = fit_resonator({&run, 1}, options_, job_);
+        return fit ? std::optional(std::move(*fit)) : std::nullopt;
+    }
+
+    void say(DiagnosticKind kind, std::vector<MessageArg> args) {
+        fit_.warnings.push_back({kind, std::move(args)});
+    }
+
+    // Growth, or an amplitude held while those of the others fall.
+    bool driven(std::size_t k) {
+        constexpr double least_growth = 0.01;
+        constexpr double most_of_it = 0.8;
+        constexpr double held_below = 0.1;  // of the others' rate
+        const DecayLaw& law = laws_[k];
+        const double rate = law.line_per_s;
+        const double length_s = runs_[k].time_s.back() - runs_[k].time_s.front();
+        const double is_line = law.still_chi2 - law.line_chi2;
+        if (rate < -clear * law.per_s_sd && -rate * length_s > least_growth &&
+            is_line > most_of_it * (law.still_chi2 - static_cast<double>(law.windows))) {
+            say(DiagnosticKind::no_free_decay,
+                {recording_arg(k), words(VYBEG_MESSAGE("Words",
+                                                       "its amplitude grows, by %1 1/s "
+                                                       "(standard deviation %2)"),
+                                         {number_arg(-rate, 3), number_arg(law.per_s_sd, 2)})});
+            return true;
+        }
+        std::vector<double> others;
+        for (std::size_t j = 0; j < laws_.size(); ++j) {
+            if (j != k && laws_[j].windows > 0) {
+                others.push_back(laws_[j].line_per_s);
+            }
+        }
+        if (others.empty()) {
+            return false;
+        }
+        const double usual = median(others);
+        const double most = held_below * usual;
+        const double model = modelled_rate(k);
+        if (!(usual > 0) || !(std::abs(rate) + 2 * law.per_s_sd < most) ||
+            !(model - rate > std::max(most, clear * law.per_s_sd))) {
+            return false;
+        }
+        say(DiagnosticKind::no_free_decay,
+            {recording_arg(k),
+             words(VYBEG_MESSAGE("Words",
+                                 "its amplitude is held (decay rate %1 1/s), while that "
+                                 "of the other recordings decays (%2 1/s)"),
+                   {number_arg(rate, 2), number_arg(usual, 3)})});
+        return true;
+    }
+
+    // Decay rate of the amplitude that the fit of the set predicts for a recording.
+    double modelled_rate(std::size_t k) const {
+        PhasorRun expected = runs_[k];
+        const std::vector<Phasors> z = predicted_phasors(fit_.motion, k, expected.time_s);
+        for (std::size_t window = 0; window < z.size(); ++window) {
+            expected.c[window] = z[window].c;
+            expected.d[window] = z[window].d;
+        }
+        return decay_law(expected).line_per_s;
+    }
+
+    void judge(std::size_t k, const ResonatorFit& alone) {
+        const DecayLaw& law = laws_[k];
+        const bool unlike = warns_of(alone, {DiagnosticKind::structured_refused});
+        if (explains_all(alone) && !unlike) {
+            return;
+        }
+        const PhasorRun& run = runs_[k];
+        if (is_two_modes(run)) {
+            return;
+        }
+        const std::size_t of_fit = runs_.size() > 1 ? 0 : k;
+        const double left =
+            log_amplitude_chi2(run, predicted_phasors(alone.motion, of_fit, run.time_s));
+        const double needed = 25 * law.scatter();
+        constexpr double at_noise = 1.5;
+        constexpr double little = 0.02;
+        const auto count = static_cast<double>(law.windows);
+        const bool exact =
+            law.scatter() < at_noise || law.chi2 - count < little * (law.line_chi2 - count);
+        const bool by_law = law.departs() && (left - law.chi2 > needed || (unlike && exact));
+        if (by_law && exact) {
+            add_law(k);
+        } else if (!explains_all(alone) && !named_otherwise(alone)) {
+            if (const std::optional<Part> part = free_part(seen_windows(run))) {
+                withdraw(fit_);
+                say(DiagnosticKind::part_decays,
+                    {recording_arg(k),
+                     number_arg(std::max(run.time_s[part->first] - run.window_s / 2, 0.0), 4),
+                     number_arg(run.time_s[part->end - 1] + run.window_s / 2, 4)});
+            } else if (by_law) {
+                add_law(k);
+            }
+        }
+    }
+
+    void add_law(std::size_t k) {
+        constexpr double dominates = 0.5;
+        const DecayLaw& law = laws_[k];
+        const double exponent = law.power - 1;
+        fit_.runs[k].law = law;
+        if (std::abs(exponent) > dominates) {
+            withdraw(fit_);
+            say(DiagnosticKind::no_free_decay,
+                {recording_arg(k),
+                 words(VYBEG_MESSAGE("Words",
+                                     "its damping is by %1, the decay rate goes with the "
+                                     "amplitude to the power %2 (standard deviation %3)"),
+                       {friction_words(exponent), number_arg(exponent, 3),
+                        number_arg(law.power_sd, 2)})});
+        } else if (!warns_of(fit_, {DiagnosticKind::misfit_damping})) {
+            say(DiagnosticKind::misfit_damping,
+                {friction_words(exponent), number_arg(100 * std::abs(exponent), 2)});
+        }
+    }
+
+    // Up to where the wave falls below ten deviations for good.
+    static PhasorRun seen_windows(const PhasorRun& run) {
+        std::size_t end = 0;
+        for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+            const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
+            end = power > 100 * run.sd[k] * run.sd[k] ? k + 1 : end;
+        }
+        return kept_windows(run, [end](std::size_t k) { return k < end; });
+    }
+
+    std::optional<ResonatorFit> fit_of(const PhasorRun& run, const Part& part) const {
+        if (part.size() < least_part || job_.cancelled()) {
+            return {};
+        }
+        return fitted(
+            kept_windows(run, [&](std::size_t k) { return k >= part.first && k < part.end; }));
+    }
+
+    // The part that decays freely, if the rest does not. `run`: its windows with a wave.
+    std::optional<Part> free_part(const PhasorRun& run) const {
+        const std::size_t count = run.time_s.size();
+        for (const auto& [from, to] : {std::pair(1, 3), std::pair(2, 4), std::pair(0, 2)}) {
+            const auto quarter = [count](int k) { return count * static_cast<std::size_t>(k) / 4; };
+            Part part{quarter(from), quarter(to)};
+            std::optional<ResonatorFit> fit = fit_of(run, part);
+            if (!fit || !explains_all(*fit)) {
+                continue;
+            }
+            extend(run, part, *fit);
+            const bool whole = part.size() == count;
+            return whole || rest_is_similar(run, part) ? std::nullopt : std::optional(part);
+        }
+        return {};
+    }
+
+    // Extends the part as far as the motion continues as fitted, as long as that part still fits.
+    void extend(const PhasorRun& run, Part& part, ResonatorFit fit) const {
+        constexpr int rounds = 3;
+        for (int round = 0; round < rounds; ++round) {
+            Part wider = continued(run, part, fit);
+            std::optional<ResonatorFit> next;
+            for (int attempt = 0; attempt < 3 && wider.size() > part.size(); ++attempt) {
+                next = fit_of(run, wider);
+                if (next && explains_all(*next)) {
+                    break;
+                }
+                next.reset();
+                wider.first = (2 * wider.first + part.first + 2) / 3;
+                wider.end = (2 * wider.end + part.end) / 3;
+            }
+            if (!next) {
+                return;
+            }
+            const bool little = 20 * (wider.size() - part.size()) < part.size();
+            part = wider;
+            fit = std::move(*next);
+            if (little) {
+                return;
+            }
+        }
+    }
+
+    static Part continued(const PhasorRun& run, const Part& part, const ResonatorFit& fit) {
+        constexpr std::size_t block = 4;
+        constexpr double departs = 4;  // mean square over that of the noise
+        const std::vector<Phasors> z = predicted_phasors(fit.motion, 0, run.time_s);
+        const auto continues = [&](std::size_t first, std::size_t end) {
+            double sum = 0;
+            for (std::size_t k = first; k < end; ++k) {
+                sum += (std::norm(run.c[k] - z[k].c) + std::norm(run.d[k] - z[k].d)) /
+                       (run.sd[k] * run.sd[k]);
+            }
+            return sum < departs * 4 * static_cast<double>(end - first);
+        };
+        Part wider = part;
+        while (wider.first > 0) {
+            const std::size_t next = wider.first - std::min(block, wider.first);
+            if (!continues(next, wider.first)) {
+                break;
+            }
+            wider.first = next;
+        }
+        while (wider.end < run.time_s.size()) {
+            const std::size_t next = std::min(wider.end + block, run.time_s.size());
+            if (!continues(wider.end, next)) {
+                break;
+            }
+            wider.end = next;
+        }
+        return wider;
+    }
+
+    // Whether what lies outside the part decays freely at a similar rate: an event, not a drive.
+    bool rest_is_similar(const PhasorRun& run, const Part& part) const {
+        constexpr double similar = 0.3;
+        const auto rate_of = [&](const Part& where) {
+            return decay_law(
+                       kept_windows(
+                           run, [&](std::size_t k) { return k >= where.first && k < where.end; }))
+                .line_per_s;
+        };
+        const double usual = rate_of(part);
+        for (const Part& rest : {Part{0, part.first}, Part{part.end, run.time_s.size()}}) {
+            if (rest.size() < least_part) {
+                continue;
+            }
+            const std::optional<ResonatorFit> fit = fit_of(run, rest);
+            if (fit && explains_all(*fit) &&
+                std::abs(rate_of(rest) - usual) < similar * std::abs(usual)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    std::vector<PhasorRun> runs_;
+    std::vector<DecayLaw> laws_;
+    const FitOptions& options_;
+    const JobControl& job_;
+    ResonatorFit& fit_;
+};
+
+// Weighted mean of one mode's frequency and decay rate over recordings; deviations by the scatter
+// where it is the larger.
+class ModeMean {
+public:
+    void add(double f_ref_hz, std::complex<double> rate, double sd) {
+        f_hz_.add(f_ref_hz + rate.imag() / (2 * std::numbers::pi), sd / (2 * std::numbers::pi));
+        decay_.add(-rate.real(), sd);
+    }
+
+    ModeEstimate estimate() const {
+        ModeEstimate mode;
+        mode.f_hz = f_hz_.estimate();
+        const Estimate decay = decay_.estimate();
+        mode.tau_s = decay_time(decay.value, decay.sd, decay.u);
+        mode.q = mode.tau_s;
+        if (mode.q.given()) {
+            const double by = std::numbers::pi * mode.f_hz.value;
+            mode.q.value *= by;
+            mode.q.sd *= by;
+        }
+        return mode;
+    }
+
+private:
+    struct Mean {
+        std::vector<double> values;
+        std::vector<double> weights;
+
+        void add(double value, double sd) {
+            values.push_back(value);
+            weights.push_back(1 / (sd * sd));
+        }
+
+        Estimate estimate() const {
+            double sum = 0;
+            double all = 0;
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                sum += weights[k] * values[k];
+                all += weights[k];
+            }
+            const double mean = sum / all;
+            double chi2 = 0;
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                chi2 += weights[k] * (values[k] - mean) * (values[k] - mean);
+            }
+            const double freedom = std::max(static_cast<double>(values.size()) - 1, 1.0);
+            return {mean, std::sqrt(std::max(1.0, chi2 / freedom) / all), {}};
+        }
+    };
+
+    Mean f_hz_;
+    Mean decay_;
+};
+
+}  // namespace
+
+Result<ResonatorFit> fit_one_projection(std::span<const PhasorRun> runs) {
+    const Reason reason{ReasonCode::same_projection, {}};
+    const Estimate none{.reason = reason};
+    ResonatorFit fit;
+    fit.model = ResonatorModel::free;
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        fit.resonator.*parameter.member = none;
+    }
+    fit.sensitivities.assign(resonator_parameters.size(), {});
+    fit.shares.assign(resonator_parameters.size(), {});
+    RunEstimate run;
+    for (const RunParameter& parameter : run_parameters) {
+        run.*parameter.member = none;
+    }
+    fit.runs.assign(runs.size(), run);
+    std::array<ModeMean, 2> means;
+    double chi2 = 0;
+    double freedom = 0;
+    double squares = 0;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const PhasorRun good = usable_windows(runs[k]);
+        const std::optional<ModeSum> sum = sum_of_modes(good, 2);
+        if (!sum) {
+            return Error{ErrorCode::fit_failed,
+                         "recording " + std::to_string(k + 1),
+                         {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
+        }
+        for (std::size_t mode = 0; mode < means.size(); ++mode) {
+            means[mode].add(good.f_ref_hz, sum->rates[mode], sum->rate_sd[mode]);
+        }
+        chi2 += sum->chi2;
+        freedom += sum->freedom;
+        squares += sum->chi2 / sum->freedom * good.sd.front() * good.sd.front();
+        if (shares_projection(good)) {
+            fit.warnings.push_back({DiagnosticKind::same_projection, {recording_arg(k)}});
+        }
+    }
+    fit.chi2_per_dof = chi2 / freedom;
+    fit.residual_rms = std::sqrt(squares / static_cast<double>(runs.size()));
+    for (const ModeMean& mean : means) {
+        fit.modes.push_back(mean.estimate());
+    }
+    return fit;
+}
+
+void judge_free_decay(std::span<const PhasorRun> runs, const FitOptions& options,
+                      const JobControl& job, ResonatorFit& fit) {
+    if (explains_all(fit) && !warns_of(fit, {DiagnosticKind::structured_refused})) {
+        return;
+    }
+    Judgement(runs, options, job, fit).add();
+}
+
+}  // namespace vybeg

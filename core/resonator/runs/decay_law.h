@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/estimators/wave/wave_state.h"
+#include "core/resonator/model/phasor_run.h"
+
+#include <cstddef>
+#include <span>
+
+namespace vybeg {
+
+// How the amplitude a = |z| of a recording falls: da/dt = -k a^p, by least squares of log a over
+// the windows from the first to the last before a falls below ten deviations. p = 1 is the free
+// decay of a resonator, p = 0 dry friction, p = 2 the friction of air (1/tau follows a). Where a
+// free decay and one of these act together, |p - 1| is about the share of the other one.
+struct DecayLaw {
+    double power = 1;     // p
+    double power_sd = 0;  // from the scatter, with its correlation; infinite: not told
+    double per_s = 0;     // decay rate at `amplitude`, and its deviation
+    double per_s_sd = 0;
+    double amplitude = 0;  // at the mean instant, recording units
+    double largest = 0;    // by the law, first and last window
+    double smallest = 0;
+    double line_per_s = 0;  // decay rate of p = 1
+    double chi2 = 0;        // of the law
+    double line_chi2 = 0;   // of p = 1
+    double still_chi2 = 0;  // of a constant amplitude
+    std::size_t windows = 0;
+
+    // Decay rate at an amplitude, 1/s.
+    double rate_at(double at) const;
+    // Whether the law explains most of what a free decay leaves of the amplitude, and is no free
+    // decay by five deviations.
+    bool departs() const;
+    // chi^2 in units of the scatter about the law: what a difference has to exceed.
+    double scatter() const;
+};
+
+// Q over the amplitude: the amplitude at which the line's decay rate holds, and Q at both ends.
+struct QBand {
+    double amplitude = 0;
+    double largest = 0;
+    double q_at_largest = 0;
+    double smallest = 0;
+    double q_at_smallest = 0;
+};
+
+// `q`: of the line. Precondition: law.departs() and rates above 0; NaN otherwise.
+QBand q_band(const DecayLaw& law, double q);
+
+// chi^2 of the same windows' log a from that of an expected motion, one of each window.
+double log_amplitude_chi2(const PhasorRun& run, std::span<const Phasors> expected);
+
+// Precondition: the windows have finite values and deviations above 0. Fewer than eight windows
+// above the noise: windows = 0.
+DecayLaw decay_law(const PhasorRun& run);
+
+}  // namespace vybeg

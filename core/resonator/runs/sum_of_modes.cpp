@@ -1,0 +1,319 @@
+#include "core/resonator/runs/sum_of_modes.h"
+
+#include "core/numerics/dense_solvers.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace vybeg {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::VectorXcd;
+using std::numbers::pi;
+
+constexpr std::size_t fewest_of_sum = 16;
+constexpr int sum_steps = 60;
+
+// The channels' phasors in units of the noise, without the mean rotation, from the first window.
+struct Data {
+    std::vector<double> time_s;
+    std::vector<double> weight;
+    std::array<VectorXcd, 2> z;  // weighted
+    double turn = 0;             // removed rotation, rad/s
+    double step_s = 0;
+};
+
+Data data_of(const PhasorRun& run) {
+    Data data;
+    Complex steps = 0;
+    for (std::size_t k = 1; k < run.time_s.size(); ++k) {
+        if (run.time_s[k] - run.time_s[k - 1] < 1.5 * run.window_s) {
+            steps += std::conj(run.c[k - 1]) * run.c[k] + std::conj(run.d[k - 1]) * run.d[k];
+        }
+    }
+    data.step_s = run.window_s;
+    data.turn = std::arg(steps) / run.window_s;
+    const auto count = static_cast<Index>(run.time_s.size());
+    data.z = {VectorXcd(count), VectorXcd(count)};
+    for (Index k = 0; k < count; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const double t = run.time_s[at] - run.time_s.front();
+        const Complex back = std::polar(1 / run.sd[at], -data.turn * t);
+        data.time_s.push_back(t);
+        data.weight.push_back(1 / run.sd[at]);
+        data.z[0][k] = back * run.c[at];
+        data.z[1][k] = back * run.d[at];
+    }
+    return data;
+}
+
+// Modes by linear prediction: z(t + n lag) of the n values before.
+std::vector<Complex> predicted_rates(const Data& data, std::size_t lag, std::size_t modes) {
+    const std::size_t rows = data.time_s.size();
+    const double span = static_cast<double>(lag) * data.step_s;
+    const auto follows = [&](std::size_t k) {
+        const double off = data.time_s[k + lag] - data.time_s[k] - span;
+        return std::abs(off) < 0.01 * data.step_s;
+    };
+    Eigen::Matrix2cd square = Eigen::Matrix2cd::Zero();
+    Eigen::Vector2cd side = Eigen::Vector2cd::Zero();
+    for (std::size_t k = 0; k + modes * lag < rows; ++k) {
+        if (!follows(k) || (modes == 2 && !follows(k + lag))) {
+            continue;
+        }
+        for (const VectorXcd& z : data.z) {
+            const auto at = [&](std::size_t place) {
+                return z[static_cast<Index>(place)] / data.weight[place];
+            };
+            const Eigen::Vector2cd before(at(k), modes == 2 ? at(k + lag) : Complex(0));
+            square += before.conjugate() * before.transpose();
+            side += before.conjugate() * at(k + modes * lag);
+        }
+    }
+    std::vector<Complex> rates;
+    const auto add = [&](Complex step) {
+        const Complex rate = std::log(step) / span;
+        if (std::isfinite(rate.real()) && std::isfinite(rate.imag())) {
+            rates.push_back(rate);
+        }
+    };
+    if (modes == 1) {
+        add(side[0] / square(0, 0));
+        return rates;
+    }
+    const Eigen::Vector2cd by = square.fullPivLu().solve(side);
+    const Complex root = std::sqrt(by[1] * by[1] / 4.0 + by[0]);
+    add(by[1] / 2.0 + root);
+    add(by[1] / 2.0 - root);
+    return rates;
+}
+
+// Gauss and Newton from start values of the rates. The model is holomorphic in rates and
+// amplitudes, so that its equations are complex ones.
+class Solution {
+public:
+    Solution(const Data& data, std::vector<Complex> rates) : data_(data), rates_(std::move(rates)) {
+        chi2_ = with_amplitudes(rates_, amplitudes_);
+    }
+
+    double chi2() const { return chi2_; }
+
+    void refine() {
+        double damping = 1e-3;
+        for (int step = 0; step < sum_steps && std::isfinite(chi2_); ++step) {
+            const MatrixXcd jacobian = derivatives();
+            MatrixXcd square = jacobian.adjoint() * jacobian;
+            const VectorXcd side = jacobian.adjoint() * residual();
+            square.diagonal() *= 1 + damping;
+            const VectorXcd change = square.fullPivLu().solve(side);
+            std::vector<Complex> next = rates_;
+            for (std::size_t mode = 0; mode < next.size(); ++mode) {
+                next[mode] += change[static_cast<Index>(mode)];
+            }
+            std::array<VectorXcd, 2> amplitudes;
+            const double chi2 = with_amplitudes(next, amplitudes);
+            if (!(chi2 < chi2_)) {
+                damping *= 10;
+                if (damping > 1e6) {
+                    return;
+                }
+                continue;
+            }
+            const bool done = chi2_ - chi2 < 1e-6 * std::max(1.0, chi2);
+            rates_ = std::move(next);
+            amplitudes_ = std::move(amplitudes);
+            chi2_ = chi2;
+            damping = std::max(damping / 10, 1e-12);
+            if (done) {
+                return;
+            }
+        }
+    }
+
+    ModeSum found() const {
+        const auto modes = static_cast<Index>(rates_.size());
+        ModeSum sum;
+        sum.chi2 = chi2_;
+        sum.freedom = 4 * static_cast<double>(data_.time_s.size()) - 6 * static_cast<double>(modes);
+        const double scale = std::max(1.0, chi2_ / sum.freedom);
+        const MatrixXcd jacobian = derivatives();
+        const MatrixXcd covariance =
+            (jacobian.adjoint() * jacobian)
+                .eval()
+                .fullPivLu()
+                .solve(MatrixXcd::Identity(jacobian.cols(), jacobian.cols()));
+        const auto sd = [&](Index k) {
+            return std::sqrt(std::max(covariance(k, k).real(), 0.0) * scale);
+        };
+        std::vector<Index> order;
+        for (Index mode = 0; mode < modes; ++mode) {
+            order.push_back(mode);
+        }
+        std::ranges::sort(order, std::ranges::greater{}, [&](Index mode) {
+            return rates_[static_cast<std::size_t>(mode)].imag();
+        });
+        for (const Index mode : order) {
+            sum.rates.push_back(rates_[static_cast<std::size_t>(mode)] + Complex(0, data_.turn));
+            sum.rate_sd.push_back(sd(mode));
+            sum.shapes.emplace_back(amplitudes_[0][mode], amplitudes_[1][mode]);
+            sum.shape_sd.push_back(std::max(sd(modes + mode), sd(2 * modes + mode)) /
+                                   sum.shapes.back().norm());
+        }
+        return sum;
+    }
+
+private:
+    MatrixXcd waves(std::span<const Complex> rates) const {
+        const auto rows = static_cast<Index>(data_.time_s.size());
+        MatrixXcd waves(rows, static_cast<Index>(rates.size()));
+        for (Index mode = 0; mode < waves.cols(); ++mode) {
+            const Complex rate = rates[static_cast<std::size_t>(mode)];
+            for (Index k = 0; k < rows; ++k) {
+                const auto at = static_cast<std::size_t>(k);
+                waves(k, mode) = data_.weight[at] * std::exp(rate * data_.time_s[at]);
+            }
+        }
+        return waves;
+    }
+
+    // The best amplitudes for the rates; returns chi^2, infinite where there are none.
+    double with_amplitudes(std::span<const Complex> rates,
+                           std::array<VectorXcd, 2>& amplitudes) const {
+        const MatrixXcd all = waves(rates);
+        const MatrixXcd square = all.adjoint() * all;
+        double chi2 = 0;
+        for (std::size_t channel = 0; channel < 2; ++channel) {
+            const VectorXcd& z = data_.z[channel];
+            amplitudes[channel] = square.fullPivLu().solve(all.adjoint() * z);
+            chi2 += (z - all * amplitudes[channel]).squaredNorm();
+        }
+        return std::isfinite(chi2) ? chi2 : std::numeric_limits<double>::infinity();
+    }
+
+    VectorXcd residual() const {
+        const MatrixXcd all = waves(rates_);
+        VectorXcd left(2 * all.rows());
+        left << data_.z[0] - all * amplitudes_[0], data_.z[1] - all * amplitudes_[1];
+        return left;
+    }
+
+    // By the rates, then the amplitudes in C, then those in D.
+    MatrixXcd derivatives() const {
+        const MatrixXcd all = waves(rates_);
+        const Index rows = all.rows();
+        const Index modes = all.cols();
+        MatrixXcd by = MatrixXcd::Zero(2 * rows, 3 * modes);
+        for (Index mode = 0; mode < modes; ++mode) {
+            for (Index k = 0; k < rows; ++k) {
+                const Complex moved = data_.time_s[static_cast<std::size_t>(k)] * all(k, mode);
+                by(k, mode) = moved * amplitudes_[0][mode];
+                by(rows + k, mode) = moved * amplitudes_[1][mode];
+                by(k, modes + mode) = all(k, mode);
+                by(rows + k, 2 * modes + mode) = all(k, mode);
+            }
+        }
+        return by;
+    }
+
+    const Data& data_;
+    std::vector<Complex> rates_;
+    std::array<VectorXcd, 2> amplitudes_;
+    double chi2_ = 0;
+};
+
+// Whether the channels have nearly one shape, and a power that rises again: what a beat in one
+// projection needs. Cheap, and false for nearly all recordings of a gyro.
+bool may_share(const PhasorRun& run) {
+    constexpr double most_second = 0.05;  // of the first principal power
+    constexpr double least_rise = 1.05;
+    Eigen::Matrix2cd power = Eigen::Matrix2cd::Zero();
+    double least = std::numeric_limits<double>::infinity();
+    double rise = 1;
+    double noise = 0;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        const Eigen::Vector2cd z(run.c[k], run.d[k]);
+        power += z * z.adjoint();
+        noise += 2 * run.sd[k] * run.sd[k];
+        const double now = std::max(z.squaredNorm(), 100 * run.sd[k] * run.sd[k]);
+        least = std::min(least, now);
+        rise = std::max(rise, now / least);
+    }
+    const double half = power.trace().real() / 2;
+    const double spread = std::sqrt(std::max(half * half - power.determinant().real(), 0.0));
+    return half - spread - noise < most_second * (half + spread) && rise > least_rise;
+}
+
+// Seconds until a mode falls below ten deviations of a window.
+double visible_s(const ModeSum& sum, std::size_t mode, const PhasorRun& run) {
+    const double span = run.time_s.back() - run.time_s.front();
+    const double over = sum.shapes[mode].norm() / (10 * run.sd.front());
+    const double decay = -sum.rates[mode].real();
+    if (!(over > 1)) {
+        return 0;
+    }
+    return decay * span > std::log(over) ? std::log(over) / decay : span;
+}
+
+}  // namespace
+
+std::optional<ModeSum> sum_of_modes(const PhasorRun& run, std::size_t count) {
+    if (run.time_s.size() < fewest_of_sum) {
+        return {};
+    }
+    const Data data = data_of(run);
+    std::optional<Solution> best;
+    for (std::size_t lag = 1; 3 * lag < data.time_s.size(); lag += (lag + 1) / 2) {
+        std::vector<Complex> rates = predicted_rates(data, lag, count);
+        if (rates.size() < count) {
+            continue;
+        }
+        Solution next(data, std::move(rates));
+        if (std::isfinite(next.chi2()) && (!best || next.chi2() < best->chi2())) {
+            best.emplace(std::move(next));
+        }
+    }
+    if (!best) {
+        return {};
+    }
+    best->refine();
+    return best->found();
+}
+
+bool shares_projection(const PhasorRun& run) {
+    constexpr double most_sine = 0.1;
+    constexpr double most_sine_sd = 0.03;
+    constexpr double least_share = 0.05;  // of the weaker mode
+    constexpr double least_fall = 100;
+    constexpr double most_of_it = 0.7;
+    if (run.time_s.size() < fewest_of_sum || !may_share(run)) {
+        return false;
+    }
+    const std::optional<ModeSum> one = sum_of_modes(run, 1);
+    const std::optional<ModeSum> two = sum_of_modes(run, 2);
+    if (!one || !two) {
+        return false;
+    }
+    const double fall = one->chi2 - two->chi2;
+    const double needed = least_fall * std::max(1.0, two->chi2 / two->freedom);
+    const double sizes[] = {two->shapes[0].norm(), two->shapes[1].norm()};
+    const double seen_s = std::min(visible_s(*two, 0, run), visible_s(*two, 1, run));
+    const double beat = std::abs(two->rates[0].imag() - two->rates[1].imag()) * seen_s;
+    const bool beats = fall > needed && fall > most_of_it * (one->chi2 - one->freedom) &&
+                       beat > pi &&
+                       std::min(sizes[0], sizes[1]) > least_share * std::max(sizes[0], sizes[1]);
+    const double cosine = std::abs(two->shapes[0].dot(two->shapes[1])) / (sizes[0] * sizes[1]);
+    const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
+    return beats && sine < most_sine &&
+           std::hypot(two->shape_sd[0], two->shape_sd[1]) < most_sine_sd;
+}
+
+}  // namespace vybeg
