@@ -18,7 +18,7 @@ constexpr double individuals_share = 0.2;
 constexpr double ranges_share = 0.1;
 // Alarms of the family for each alarm of its charts: one result may lie outside several of them
 // (tests/statistical/test_control_charts.cpp, baselines of 10 to 100).
-constexpr double alarms_apart = 0.85;
+constexpr double alarms_apart = 0.9;
 
 // The baseline's values and the squares of their own uncertainties.
 struct Baseline {

@@ -41,7 +41,7 @@ private slots:
         }
     }
 
-    // Of one alarm in 370 * 0.85 points a fifth is for values, a tenth for changes, the rest for the
+    // Of one alarm in 370 * 0.9 points a fifth is for values, a tenth for changes, the rest for the
     // average.
     void limits_allow_for_a_baseline_of_finite_length() {
         std::vector<double> values;
@@ -49,13 +49,13 @@ private slots:
             values.push_back(k % 2 == 0 ? 1 : -1);
         }
         const ControlCharts charts = control_charts(values, std::vector<double>(20, absent), 20);
-        const double value = student_limit(0.2 / (370 * 0.85), 19) * std::sqrt(1.05);
-        const double range = student_limit(0.1 / (370 * 0.85), 19) * std::sqrt(2);
+        const double value = student_limit(0.2 / (370 * 0.9), 19) * std::sqrt(1.05);
+        const double range = student_limit(0.1 / (370 * 0.9), 19) * std::sqrt(2);
         VYBEG_CLOSE(charts.individuals.limits[3] / charts.deviations[3], value, 1e-9);
         VYBEG_CLOSE(charts.ranges.limits[3] / charts.deviations[3], range, 1e-9);
         QVERIFY(std::isnan(charts.ranges.limits[0]));
-        VYBEG_CLOSE(charts.average.limits.back(),
-                    ewma_limit(0.2, 20, 370 * 0.85 / 0.7) / 3, 1e-3);  // sqrt(0.2 / 1.8)
+        VYBEG_CLOSE(charts.average.limits.back(), ewma_limit(0.2, 20, 370 * 0.9 / 0.7) / 3,
+                    1e-3);  // sqrt(0.2 / 1.8)
     }
 
     // Abramowitz and Stegun, table 26.10: t of 0.05 and 0.001 on both sides together.
