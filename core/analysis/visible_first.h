@@ -19,7 +19,8 @@ using EarlySink = std::function<void(Analysis)>;
 // single windows spread over the whole range and over the visible part of it, then all windows of
 // the visible part between the spread ones; at once the latter, where they do not take long. Their
 // values are those of the result to 1e-9, flags of
-// clipped and lost samples and of motion excepted; 2theta_A modulo pi, where the wave turns by more
+// clipped and lost samples and of motion excepted, and deviations of short windows, whose noise is
+// that of the windows around; 2theta_A modulo pi, where the wave turns by more
 // than pi/2 between two spread windows, and windows that start from the one before
 // (StartRule::previous) as far as that start decides what they find. The result itself is that of
 // analyse(), to the bit. Errors as of analyse().
