@@ -184,7 +184,8 @@ void TestRowsFromSamples::every_given_number_is_right_data() {
                               .delay_s = 1e-8,
                               .crosstalk = 1e-4,
                               .phase_drift_rad = 1e-4,
-                              .gain_drift = 1e-4};
+                              .gain_drift = 1e-4,
+                              .rate_ppm = std::nullopt};
     row("14: errors of the channels within their tolerances", one);
     one = {};
     one.truth.damping_per_power_per_s = 5e-4;

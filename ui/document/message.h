@@ -12,7 +12,7 @@
 
 namespace vybeg::ui {
 
-enum class Severity : std::uint8_t { info, warning, error };
+enum class MessageLevel : std::uint8_t { info, warning, error };
 
 // A newer message of a topic replaces the older one; all of them disappear when the topic is
 // settled.
@@ -21,7 +21,7 @@ enum class Topic : std::uint8_t { none, live };
 // A message to the engineer. The text is a function, so that a change of language reaches what is
 // already on the screen.
 struct Message {
-    Severity severity = Severity::info;
+    MessageLevel severity = MessageLevel::info;
     std::function<QString()> text;
     // A file that opens with other import options (rate, channels, raw layout).
     QString reopen_path;

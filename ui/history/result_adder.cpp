@@ -67,7 +67,7 @@ void ResultAdder::add(const QString& path, const QString& gyro, const QString& d
                                               .arg(gyro, name)
                                         : tr("The result of %1 is in %2.").arg(gyro, name);
                     };
-                    document_.report({Severity::info, text, {}, {}});
+                    document_.report({MessageLevel::info, text, {}, {}});
                     emit added(path);
                 });
 }

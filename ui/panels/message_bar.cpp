@@ -27,7 +27,7 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayo
 }
 
 void MessageBar::add(const Message& message) {
-    if (message.severity == Severity::info) {
+    if (message.severity == MessageLevel::info) {
         return;  // stands in the status bar
     }
     withdraw(message.topic);
@@ -47,7 +47,7 @@ void MessageBar::add(const Message& message) {
     line->setContentsMargins(8, 3, 4, 3);
     auto* icon = new QLabel(frame);
     const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
-    const auto sign = message.severity == Severity::error ? QStyle::SP_MessageBoxCritical
+    const auto sign = message.severity == MessageLevel::error ? QStyle::SP_MessageBoxCritical
                                                           : QStyle::SP_MessageBoxWarning;
     icon->setPixmap(style()->standardIcon(sign).pixmap(size));
     line->addWidget(icon);

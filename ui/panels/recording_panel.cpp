@@ -36,7 +36,7 @@ protected:
 };
 
 bool isWorthAWarning(const Diagnostic& diagnostic) {
-    return severity(diagnostic.kind) != vybeg::Severity::note;
+    return severity(diagnostic.kind) != Severity::note;
 }
 
 // Allows line breaks anywhere in a long text without spaces (a path, a hash).

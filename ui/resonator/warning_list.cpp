@@ -26,7 +26,7 @@ void WarningList::refresh() {
     const std::size_t shown = open_ ? findings_.size() : std::min(findings_.size(), most_shown);
     QString html;
     for (std::size_t k = 0; k < shown; ++k) {
-        const bool note = severity(findings_[k].diagnostic.kind) == vybeg::Severity::note;
+        const bool note = severity(findings_[k].diagnostic.kind) == Severity::note;
         html += paragraphs({findingText(findings_[k])},
                            note ? QStringLiteral("%1") : QStringLiteral("⚠ %1"));
     }

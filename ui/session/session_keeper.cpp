@@ -68,7 +68,7 @@ void SessionKeeper::warn(std::function<QString()> text) {
 }
 
 void SessionKeeper::fail(std::function<QString()> text) {
-    document_.report({Severity::error, std::move(text), {}, {}});
+    document_.report({MessageLevel::error, std::move(text), {}, {}});
 }
 
 void SessionKeeper::openSession(const QString& path) {

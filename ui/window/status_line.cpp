@@ -61,7 +61,7 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
         });
     });
     connect(&document_, &Document::reported, this, [this](const Message& message) {
-        if (message.severity == Severity::info) {
+        if (message.severity == MessageLevel::info) {
             tell(message.text);
         }
     });

@@ -79,7 +79,11 @@ private slots:
         };
         QCOMPARE(used({}, 1), QString("kappa=0.01? skew=0.1? delay=1e-08? crosstalk=0.0001? "
                                       "phase-drift=0.0001? gain-drift=0.0001?"));
-        QCOMPARE(used({.skew_deg = 0, .delay_s = 2e-8, .crosstalk = 0, .rate_ppm = 1}, 1.02),
+        Tolerance told;
+        told.skew_deg = told.crosstalk = 0.0;
+        told.delay_s = 2e-8;
+        told.rate_ppm = 1.0;
+        QCOMPARE(used(told, 1.02),
                  QString("delay=2e-08 phase-drift=0.0001? gain-drift=0.0001? rate=1"));
     }
 
@@ -94,7 +98,8 @@ private slots:
         QVERIFY(*read_tolerance("none") == tolerance);
         tolerance = {0.003, 1.0 / 3, 1e-9 / 7, 1e-4, 2e-5, 3e-6, 0.5};
         QVERIFY(*read_tolerance(tolerance_text(tolerance)) == tolerance);
-        tolerance = {.kappa = 0.0};
+        tolerance = {};
+        tolerance.kappa = 0.0;
         QCOMPARE(tolerance_text(tolerance), std::string("kappa=0"));
     }
 

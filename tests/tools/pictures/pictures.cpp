@@ -320,7 +320,12 @@ void save_session(const PictureRequest& request) {
     window.show();
     fill(window, files.all, request.open);
     const QString path = request.folder.filePath(QStringLiteral("session.vybeg"));
-    if (!window.session().save(path)) {
+    bool saved = false;
+    window.session().save(path, [&saved] { saved = true; });
+    while (window.session().isSaving()) {
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    if (!saved) {
         throw std::runtime_error("The session cannot be written: " + path.toStdString());
     }
     document.cancel();

@@ -117,7 +117,7 @@ private slots:
         document.open({path});
         QVERIFY(QTest::qWaitFor([&] { return messages > 0; }));
         QCOMPARE(messages, 1);
-        QCOMPARE(last.severity, Severity::error);
+        QCOMPARE(last.severity, MessageLevel::error);
         QVERIFY(!last.text().isEmpty());
         QCOMPARE(!last.reopen_path.isEmpty(), can_be_reopened);
         QVERIFY(document.recordings().empty());

@@ -32,7 +32,7 @@ class TestSessionWriter : public QObject {
 
     // A disk that takes so long for each file.
     void useDisk(unsigned long ms, bool works = true) {
-        SessionWriter::setDisk([=](const QString& path, const QByteArray& bytes) -> Status {
+        SessionWriter::setDisk([this, ms, works](const QString& path, const QByteArray& bytes) -> Status {
             QThread::msleep(ms);
             if (!works) {
                 return Error{ErrorCode::output_failed, path.toStdString(), {"no space"}};

@@ -17,7 +17,7 @@ class TestMessageBar : public QObject {
 
     GuiTestHome home_;  // the settings of no other program
 
-    static Message told(Severity severity, const char* text) {
+    static Message told(MessageLevel severity, const char* text) {
         return {severity, [text] { return QString(text); }, {}, {}};
     }
 
@@ -25,13 +25,13 @@ private slots:
     void the_oldest_go_and_questions_stay() {
         MessageBar bar;
         int pressed = 0;
-        Message question = told(Severity::warning, "recover?");
+        Message question = told(MessageLevel::warning, "recover?");
         question.button = [] { return QString("Recover"); };
         question.press = [&pressed] { ++pressed; };
         question.until_answered = true;
         bar.add(question);
         for (const char* text : {"first", "second", "third", "fourth"}) {
-            bar.add(told(Severity::warning, text));
+            bar.add(told(MessageLevel::warning, text));
         }
         QCOMPARE(bar.texts(), (QStringList{"fourth", "third", "recover?"}));
         childOf<QPushButton>(bar).click();
@@ -42,18 +42,18 @@ private slots:
     // What needs no answer stands in the status bar.
     void news_are_no_messages() {
         const auto window = shownWindow();
-        window->document().report(told(Severity::info, "written"));
+        window->document().report(told(MessageLevel::info, "written"));
         QCOMPARE(childOf<MessageBar>(*window).texts(), QStringList());
         QCOMPARE(childOf<StatusLine>(*window).text(), QString("written"));
-        window->document().report(told(Severity::warning, "odd"));
+        window->document().report(told(MessageLevel::warning, "odd"));
         QCOMPARE(childOf<MessageBar>(*window).texts(), QStringList{"odd"});
     }
 
     void a_newer_message_of_the_same_words_takes_the_place_of_the_older() {
         MessageBar bar;
-        bar.add(told(Severity::warning, "a"));
-        bar.add(told(Severity::warning, "b"));
-        bar.add(told(Severity::warning, "a"));
+        bar.add(told(MessageLevel::warning, "a"));
+        bar.add(told(MessageLevel::warning, "b"));
+        bar.add(told(MessageLevel::warning, "a"));
         QCOMPARE(bar.texts(), (QStringList{"a", "b"}));
     }
 };

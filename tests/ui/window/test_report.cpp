@@ -178,12 +178,12 @@ private slots:
     // All six tolerances: the budget has nine columns of values.
     void no_number_is_broken() {
         openAll(resonatorRuns(home_, "HRG"));
-        document().setTolerance({.kappa = 0.01,
-                                 .skew_deg = 0.1,
-                                 .delay_s = 1e-8,
-                                 .crosstalk = 1e-4,
-                                 .phase_drift_rad = 1e-4,
-                                 .gain_drift = 1e-4});
+        Tolerance all;
+        all.kappa = 0.01;
+        all.skew_deg = 0.1;
+        all.delay_s = 1e-8;
+        all.crosstalk = all.phase_drift_rad = all.gain_drift = 1e-4;
+        document().setTolerance(all);
         identifyAll();
         const ReportContent content =
             reportContentOf(document(), reportSubjects(document()).front());
@@ -314,7 +314,7 @@ private slots:
             reportContentOf(document(), reportSubjects(document()).front());
         QStringList messages;
         connect(&document(), &Document::reported, this, [&](const Message& message) {
-            if (message.severity == Severity::error) {
+            if (message.severity == MessageLevel::error) {
                 messages << message.text();
             }
         });
