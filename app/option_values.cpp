@@ -125,6 +125,9 @@ std::string unknown_option(const CLI::App& app, const std::string& word) {
     const std::size_t begin = std::min(word.find_first_not_of('-'), word.size());
     const std::string name = word.substr(begin, word.find('=') - begin);
     const CLI::App& command = command_of(app);
+    if (&command == &app) {
+        return "A subcommand is required before " + plain_text(word) + ".";
+    }
     if (word == "--" + name && std::ranges::count(option_names(command), name) > 0) {
         return word + " follows its command, as in " + command.get_name() + " " + word + ".";
     }

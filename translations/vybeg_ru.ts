@@ -2717,6 +2717,10 @@
         <source>at %1; %2 at %3, %4 at %5</source>
         <translation>при %1; %2 при %3, %4 при %5</translation>
     </message>
+    <message>
+        <source>Spread</source>
+        <translation>Разброс</translation>
+    </message>
 </context>
 <context>
     <name>SetPanel</name>

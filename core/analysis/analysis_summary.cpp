@@ -1,8 +1,8 @@
 #include "core/analysis/analysis_summary.h"
 
-#include "core/analysis/inspect.h"
 #include "core/analysis/window_faults.h"
 #include "core/base/number_text.h"
+#include "core/recording/checks/recording_check.h"
 
 #include <algorithm>
 

@@ -13,7 +13,4 @@ namespace vybeg {
 Result<SampleFaults> inspect(const Recording& recording, const SignalSettings& settings,
                              const JobControl& job);
 
-// Adds findings to diagnostics, but for missing samples of which these tell already.
-void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnostic>& diagnostics);
-
 }  // namespace vybeg

@@ -1,11 +1,11 @@
 #include "core/analysis/phasor_windows.h"
 
 #include "core/analysis/filtered_noise.h"
-#include "core/analysis/inspect.h"
 #include "core/analysis/window_faults.h"
 #include "core/analysis/window_mean.h"
 #include "core/base/number_text.h"
 #include "core/numerics/median.h"
+#include "core/recording/checks/recording_check.h"
 
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>

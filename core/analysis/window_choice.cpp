@@ -1,8 +1,8 @@
 #include "core/analysis/window_choice.h"
 
-#include "core/analysis/inspect.h"
 #include "core/analysis/phasor_window_length.h"
 #include "core/base/number_text.h"
+#include "core/recording/checks/recording_check.h"
 
 #include <algorithm>
 #include <cmath>

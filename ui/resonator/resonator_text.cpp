@@ -307,7 +307,7 @@ QString toleranceName(ErrorSource source, const IdentifySettings& settings) {
         QT_TRANSLATE_NOOP("Resonator", "Gain ratio"),  QT_TRANSLATE_NOOP("Resonator", "Skew"),
         QT_TRANSLATE_NOOP("Resonator", "Delay"),       QT_TRANSLATE_NOOP("Resonator", "Crosstalk"),
         QT_TRANSLATE_NOOP("Resonator", "Phase drift"), QT_TRANSLATE_NOOP("Resonator", "Gain drift"),
-        QT_TRANSLATE_NOOP("Resonator", "Sample rate")};
+        QT_TRANSLATE_NOOP("Resonator", "Sample rate"), QT_TRANSLATE_NOOP("Resonator", "Spread")};
     const QString name = resonatorText(names[static_cast<std::size_t>(source)]);
     const auto used = tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa);
     const bool assumed = std::ranges::any_of(used, [source](const ToleranceInUse& each) {

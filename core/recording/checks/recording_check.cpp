@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -307,6 +308,17 @@ Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
         faults.findings.insert(faults.findings.end(), more.begin(), more.end());
     }
     return faults;
+}
+
+void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnostic>& diagnostics) {
+    const bool gaps_known = std::ranges::any_of(diagnostics, [](const Diagnostic& known) {
+        return known.kind == DiagnosticKind::missing_samples ||
+               known.kind == DiagnosticKind::time_gap ||
+               known.kind == DiagnosticKind::gaps_inserted;
+    });
+    std::ranges::copy_if(findings, std::back_inserter(diagnostics), [&](const Diagnostic& found) {
+        return found.kind != DiagnosticKind::missing_samples || !gaps_known;
+    });
 }
 
 }  // namespace vybeg

@@ -73,4 +73,7 @@ Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, doubl
 Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
                                      std::optional<double> f0_hz, const JobControl& job);
 
+// Adds findings to diagnostics, but for missing samples of which these tell already.
+void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnostic>& diagnostics);
+
 }  // namespace vybeg

@@ -29,6 +29,7 @@ enum ErrorSource : int {
     phase_drift_error,
     gain_drift_error,
     rate_error,     // sample rate
+    spread_error,   // recordings of a set that differ in decay, split and gain ratio
     cubic_error,    // spring that follows the amplitude
     damping_error,  // likewise
     pickoff_error,  // gain that follows the amplitude
@@ -39,8 +40,8 @@ enum ErrorSource : int {
 using BySource = std::array<double, error_sources>;
 
 // Names on the command line of those with a tolerance.
-inline constexpr std::array<const char*, rate_error + 1> tolerance_names{
-    "kappa", "skew", "delay", "crosstalk", "phase-drift", "gain-drift", "rate"};
+inline constexpr std::array<const char*, spread_error + 1> tolerance_names{
+    "kappa", "skew", "delay", "crosstalk", "phase-drift", "gain-drift", "rate", "spread"};
 
 // Errors of the channels as parameters of the fit.
 struct ChannelError {

@@ -61,7 +61,6 @@ public:
             set.context.power_kept.push_back(problem_.runs[k].power_kept);
         }
         set_covariance(ratio, dof, set);
-        add_spread(set.posterior);
         std::vector<ProfilePoint> beside;
         if (fit_.model == ResonatorModel::structured) {
             beside =
@@ -69,7 +68,8 @@ public:
         }
         set.context.order = mode_order(set);
         set.moved = moved_by(problem_, set.posterior, solved_.tolerance);
-        set.variances = reported_variances(set.posterior, set.context, beside, set.moved);
+        set.variances = reported_variances(set.posterior, set.context, beside, set.moved,
+                                           scattered(set.posterior));
         fit_.motion = motion_of(solved_);
         add_estimates(set, solved_.runs, fit_);
         fit_.raw = raw_parameters(set, solved_.runs);
@@ -128,27 +128,25 @@ private:
         }
     }
 
-    // What deviations of the runs from the set, of that size, make of the parameters.
-    void add_spread(Posterior& at) const {
+    // Changes of the active parameters by one deviation of each run from the set.
+    Eigen::MatrixXd scattered(const Posterior& at) const {
         const std::array<double, deviation_count> sizes{solved_.spread.decay, solved_.spread.split,
                                                         solved_.spread.kappa};
+        Eigen::MatrixXd along = Eigen::MatrixXd::Zero(
+            at.p.size(), deviation_count * static_cast<Eigen::Index>(at.runs.size()));
         for (std::size_t k = 0; k < at.runs.size(); ++k) {
             const RowMajor& by = at.runs[k].by_parameter;
             Eigen::MatrixXd effect(by.rows(), deviation_count);
-            effect << by.col(decay_at) * at.p[decay_at],
-                by.middleCols<2>(split_cos_at) * at.p.segment<2>(split_cos_at),
-                by.col(kappa_at) * at.p[kappa_at];
+            effect << sizes[0] * at.p[decay_at] * by.col(decay_at),
+                sizes[1] * (by.middleCols<2>(split_cos_at) * at.p.segment<2>(split_cos_at)),
+                sizes[2] * at.p[kappa_at] * by.col(kappa_at);
             const Eigen::MatrixXd cross = by.transpose() * effect;
-            for (int size = 0; size < deviation_count; ++size) {
-                Eigen::VectorXd along = Eigen::VectorXd::Zero(at.p.size());
-                along.head(shared_count) = cross.col(size).head(shared_count);
-                along.segment(problem_.layout.at(k, 0), problem_.layout.own_size(k)) =
-                    cross.col(size).tail(problem_.layout.own_size(k));
-                const Eigen::VectorXd moved = sizes[static_cast<std::size_t>(size)] *
-                                              (at.root.transpose() * along(at.active));
-                at.known += moved * moved.transpose();
-            }
+            const auto first = deviation_count * static_cast<Eigen::Index>(k);
+            along.block(0, first, shared_count, deviation_count) = cross.topRows(shared_count);
+            along.block(problem_.layout.at(k, 0), first, problem_.layout.own_size(k),
+                        deviation_count) = cross.bottomRows(problem_.layout.own_size(k));
         }
+        return at.root * (at.root.transpose() * along(at.active, Eigen::all));
     }
 
     // Order of the modes: by frequency if the frequencies differ, otherwise by decay.

@@ -73,8 +73,9 @@ private:
     }
 
     Estimate number(Index quantity, double factor = 1, double origin = 0) const {
-        const double u = at_.shares.row(quantity).any() ? at_.u(quantity) * std::abs(factor)
-                                                        : std::numeric_limits<double>::quiet_NaN();
+        const double u = at_.shares.row(quantity).any() || at_.spread[quantity] > 0
+                             ? at_.u(quantity) * std::abs(factor)
+                             : std::numeric_limits<double>::quiet_NaN();
         return {origin + factor * at_.value[quantity], at_.sd(quantity) * std::abs(factor), {}, u};
     }
 
@@ -341,7 +342,8 @@ private:
                 for (const auto& [number, quantity] :
                      {std::pair(&run.a_A, a_A_of), {&run.a_B, a_B_of}}) {
                     number->u =
-                        std::hypot(number->sd, set_.scale * at_.shares.row(at(quantity)).norm());
+                        std::hypot(number->sd, set_.scale * at_.shares.row(at(quantity)).norm(),
+                                   set_.scale * at_.spread[at(quantity)]);
                 }
                 run.two_theta_A_rad = run.split_sin_hz = circular;
                 run.direction_f_hz = run.direction_tau_s = circular;

@@ -54,12 +54,13 @@ double ReportedVariances::width(Eigen::Index quantity) const {
 }
 
 double ReportedVariances::u(Eigen::Index quantity) const {
-    return std::hypot(sd(quantity), shares.row(quantity).norm());
+    return std::hypot(sd(quantity), shares.row(quantity).norm(), spread[quantity]);
 }
 
 ReportedVariances reported_variances(const Posterior& posterior, const QuantityContext& context,
                                      const std::vector<ProfilePoint>& beside,
-                                     const Eigen::MatrixXd& moved) {
+                                     const Eigen::MatrixXd& moved,
+                                     const Eigen::MatrixXd& scattered) {
     ReportedVariances out;
     out.value = quantities(posterior.p, context);
     const Eigen::VectorXd period = quantity_periods(context.layout->runs());
@@ -110,6 +111,7 @@ ReportedVariances reported_variances(const Posterior& posterior, const QuantityC
         }
     }
     out.shares = out.shares.cwiseSqrt();
+    out.spread = (out.gradient * scattered).rowwise().norm();
     return out;
 }
 

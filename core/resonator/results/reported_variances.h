@@ -22,10 +22,11 @@ struct ReportedVariances {
     // Change of each quantity by an error of the size of each tolerance, told or assumed: root mean
     // square of both signs. Columns as channel_errors.
     Eigen::MatrixXd shares;
+    Eigen::VectorXd spread;  // deviation of each quantity by the spread between the runs
 
     double sd(Eigen::Index quantity) const;     // of `data` and `nothing`
     double width(Eigen::Index quantity) const;  // of all three: deviation of the posterior
-    double u(Eigen::Index quantity) const;      // of `sd` and `shares`
+    double u(Eigen::Index quantity) const;      // of `sd`, `shares` and `spread`
     double total(Eigen::Index quantity) const {
         return data[quantity] + known[quantity] + nothing[quantity];
     }
@@ -37,9 +38,11 @@ Eigen::VectorXcd square_gradient(const Posterior& posterior);
 // By central differences. `beside`: parameters as likely as the maximum; `nothing` covers the
 // values of the quantities at them. `moved`: changes of the active parameters by the tolerances
 // (sensitivities.h); the quantities at both of their ends give the shares, because a size or an
-// axis is not linear where an error is as large as the vector.
+// axis is not linear where an error is as large as the vector. `scattered`: changes of the active
+// parameters by one deviation of each run from the set.
 ReportedVariances reported_variances(const Posterior& posterior, const QuantityContext& context,
                                      const std::vector<ProfilePoint>& beside,
-                                     const Eigen::MatrixXd& moved);
+                                     const Eigen::MatrixXd& moved,
+                                     const Eigen::MatrixXd& scattered);
 
 }  // namespace vybeg

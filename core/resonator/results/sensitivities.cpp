@@ -83,6 +83,9 @@ std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEsti
                 std::abs(place.factor) *
                 set.variances.shares(place.quantity, static_cast<Index>(k));
         }
+        if ((out.*parameter.member).given()) {
+            shares[spread_error] = std::abs(place.factor) * set.variances.spread[place.quantity];
+        }
         all.push_back(shares);
     }
     return all;

@@ -130,7 +130,7 @@ Settings all_changed() {
     s.f0_hz = 5300.1;
     s.initial = StartValues{{1.1, -2e-7, 0.3, 1.0 / 3}, 5300.25};
     s.start = StartRule::previous;
-    s.from_s = -0.1;
+    s.from_s = 0.1;
     s.to_s = 27.3;
     s.band = Band{5000.1, 5600};
     s.filter = Band{0, 6000.7};

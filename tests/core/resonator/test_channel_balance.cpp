@@ -57,10 +57,12 @@ private slots:
     }
 
     void a_gain_that_changes_on_the_way_breaks_it() {
-        // A constant one would not: to the fit it is the gain ratio, or a damping anisotropy.
+        // A constant one would not: to the fit it is the gain ratio, or a damping anisotropy. A
+        // step would not either: the fit finds it.
         PhasorRun run = simulated_phasors(turning(), 500, 2);
-        for (std::size_t k = run.d.size() / 2; k < run.d.size(); ++k) {
-            run.d[k] *= 1.01;
+        for (std::size_t k = 0; k < run.d.size(); ++k) {
+            run.d[k] *= 1 + 0.01 * std::sin(20 * static_cast<double>(k) /
+                                            static_cast<double>(run.d.size()));
         }
         const double square = mean_square(balance_of(run));
         VYBEG_MORE(square, 100);

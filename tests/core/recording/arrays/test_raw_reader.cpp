@@ -133,8 +133,10 @@ void TestRawReader::a_raw_file_without_a_rate_or_samples_is_an_error() {
     options = raw(RawType::f64);
     options.raw->skip_bytes = 1000;
     QCOMPARE(open(path, options).error().code, ErrorCode::too_few_frames);
-    options.raw->skip_bytes = std::numeric_limits<std::int64_t>::max();
+    options.raw->skip_bytes = 1'000'000'000'000'000;
     QCOMPARE(open(path, options).error().code, ErrorCode::too_few_frames);
+    options.raw->skip_bytes = std::numeric_limits<std::int64_t>::max();
+    QCOMPARE(open(path, options).error().code, ErrorCode::setting_invalid);
     options.raw->skip_bytes = 0;
     options.raw->channels = 1;
     QCOMPARE(open(path, options).error().code, ErrorCode::too_few_channels);
