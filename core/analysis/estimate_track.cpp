@@ -80,8 +80,9 @@ struct TrackChunk {
     std::int64_t first_window = 0;
     std::int64_t windows = 0;
     Track rows;
+    std::vector<NoiseLevel::Judged> judged;
     std::vector<char> no_wave;  // rows whose window holds no steady wave
-    std::vector<double> apart;  // NoiseLevel::apart()
+    double excess = 1;          // NoiseLevel::excess()
 };
 
 class TrackEstimation {
@@ -136,8 +137,7 @@ public:
         if (chunk.rows.rows() != static_cast<std::size_t>(chunk.windows)) {
             chunk.rows = Track(static_cast<std::size_t>(chunk.windows));
         }
-        chunk.no_wave.assign(static_cast<std::size_t>(chunk.windows), 0);
-        chunk.apart.assign(chunk.no_wave.size(), 0.0);
+        chunk.judged.assign(static_cast<std::size_t>(chunk.windows), {});
         const double measured = job.now();
         measure_noise(chunk);
         const double noise_s = job.now() - measured;
@@ -164,31 +164,45 @@ public:
                                   });
             });
         }
-        if (level_->all_move(chunk.apart)) {
-            std::ranges::fill(chunk.no_wave, 1);
-        }
+        chunk.no_wave = level_->hold_no_wave(chunk.judged);
+        chunk.excess = level_->excess();
         return std::accumulate(seconds.begin(), seconds.end(), noise_s);
     }
 
     bool sequential() const { return sequential_->sequential(); }
 
 private:
-    // By short windows, evenly over the windows of the chunk.
+    // By short windows, evenly over the chunk and over its windows.
     void measure_noise(const TrackChunk& chunk) {
         const std::int64_t start = plan_.start(chunk.first_window) - chunk.first_frame;
         const std::int64_t frames = (chunk.windows - 1) * plan_.hop + plan_.length;
         const std::int64_t length = level_->short_length();
+        const auto estimate_into = [&](std::int64_t first, std::int64_t hop,
+                                       std::span<WaveEstimate> into) {
+            const double centre_s = (static_cast<double>(chunk.first_frame + first) +
+                                     0.5 * static_cast<double>(length - 1)) /
+                                    rate_hz_;
+            short_->estimate({chunk.c, chunk.d, first, length, hop}, centre_s, into);
+            return centre_s;
+        };
+        const std::vector<std::int64_t> runs = level_->runs(frames);
+        const auto of_run = static_cast<std::size_t>(level_->run_length(frames));
+        std::vector<WaveEstimate> in_runs(runs.size() * of_run);
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            estimate_into(start + runs[k], level_->run_hop(),
+                          std::span(in_runs).subspan(k * of_run, of_run));
+        }
+        if (!level_->has_shorts()) {
+            level_->take(in_runs, {}, 0, 0);
+            return;
+        }
         const std::int64_t stride = level_->stride(chunk.windows, frames);
         const std::int64_t hop = stride * plan_.hop;
-        // On the same half sample as the centres of the windows.
-        const std::int64_t first = start + (plan_.length - length) / 2;
-        std::vector<WaveEstimate> estimates(
+        std::vector<WaveEstimate> at_centres(
             static_cast<std::size_t>((chunk.windows - 1) / stride + 1));
-        const double centre_s = (static_cast<double>(chunk.first_frame + first) +
-                                 0.5 * static_cast<double>(length - 1)) /
-                                rate_hz_;
-        short_->estimate({chunk.c, chunk.d, first, length, hop}, centre_s, estimates);
-        level_->take(estimates, centre_s, hop);
+        // On the same half sample as the centres of the windows.
+        const double centre_s = estimate_into(start + (plan_.length - length) / 2, hop, at_centres);
+        level_->take(in_runs, at_centres, centre_s, hop);
     }
 
     // `first`: from the first window of the chunk.
@@ -216,12 +230,10 @@ private:
             const std::size_t row = static_cast<std::size_t>(first) + k;
             const double centre_s =
                 plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_);
-            chunk.no_wave[row] = level_->holds_no_wave(estimates[k], centre_s) ? 1 : 0;
-            chunk.apart[row] = level_->apart(estimates[k], centre_s);
+            chunk.judged[row] = {estimates[k].steady_noise * estimates[k].steady_noise,
+                                 level_->apart(estimates[k], centre_s)};
             name_transient(estimates[k], first_window + static_cast<std::int64_t>(k));
-            fill_row(chunk.rows, static_cast<std::size_t>(first) + k,
-                     plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_),
-                     estimates[k], prepared_.rate_relative_sd);
+            fill_row(chunk.rows, row, centre_s, estimates[k], prepared_.rate_relative_sd);
         }
     }
 
@@ -284,7 +296,6 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                          const JobControl& job) {
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
     AngleUnwrapper angle(prepared.calibration.angle_zero_deg * std::numbers::pi / 90);
-    MotionMarker motion(plan.length, plan.hop, rate_hz, prepared.f0_hz);
     EstimationSummary summary;
     const double independent =
         std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length));
@@ -292,6 +303,7 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                 ? frequency_correlation(*settings.filter, prepared.f0_hz,
                                                         plan.length, plan.hop, rate_hz)
                                 : overlap_correlation(independent);
+    MotionMarker motion(plan.length, plan.hop, rate_hz, prepared.f0_hz, summary.f_correlation);
     TrackSummariser tracks(static_cast<std::size_t>(plan.count), independent,
                            summary.f_correlation);
     summary.context = estimation.context();
@@ -325,7 +337,7 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
             return;
         }
         angle.unwrap(chunk->rows);
-        motion.take(chunk->rows, chunk->no_wave);
+        motion.take(chunk->rows, chunk->no_wave, chunk->excess);
         tracks.take(chunk->rows);
         summary.not_converged += count_with(Flag::not_converged, chunk->rows);
         summary.leaking += count_with(Flag::leakage, chunk->rows);

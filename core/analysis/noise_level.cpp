@@ -5,6 +5,7 @@
 #include "core/windows/window_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -17,6 +18,12 @@ namespace {
 constexpr double share_of_frames = 0.03;
 constexpr std::int64_t fewest_short = 32;
 constexpr std::int64_t most_short = 512;
+// Short windows on end in a run, over half a period of hum for a carrier up to 100 times its
+// frequency, and frames by those of runs.
+constexpr std::int64_t shorts_of_run = 8;
+constexpr std::int64_t frames_by_run = 64;
+constexpr std::int64_t fewest_runs = 4;
+constexpr std::size_t fewest_fourth = 12;
 
 // Hum h and offset o leave (o + h cos)^2, up to nine times its median (o = h/2), known from some
 // ten short windows.
@@ -35,7 +42,20 @@ bool is_measured(const WaveEstimate& estimate) {
     return std::isfinite(estimate.steady_noise) && std::isfinite(estimate.f_hz);
 }
 
+// The value beyond which a fifth of the others lies, and that of chi^2 with one degree of freedom.
+double upper(std::vector<double> values) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(4 * values.size() / 5);
+    std::ranges::nth_element(values, at);
+    return *at;
+}
+constexpr double upper_chi2 = 1.642;
+
 // Mean of variances of `freedom` degrees of freedom from their median; NaN of none.
+double level_of(std::vector<double> variances, double freedom) {
+    std::erase_if(variances, [](double x) { return std::isnan(x); });
+    return median(std::move(variances)) / chi2_ratio(0, freedom);
+}
+
 double level_of(std::span<const WaveEstimate> windows, double freedom) {
     std::vector<double> variances;
     variances.reserve(windows.size());
@@ -44,7 +64,24 @@ double level_of(std::span<const WaveEstimate> windows, double freedom) {
             variances.push_back(window.steady_noise * window.steady_noise);
         }
     }
-    return median(std::move(variances)) / chi2_ratio(0, freedom);
+    return level_of(std::move(variances), freedom);
+}
+
+// Least hop from window to window, without overlap, by which the wave turns most nearly half a
+// turn: what an offset leaves in the estimates alternates.
+std::int64_t alternating_hop(std::int64_t length, double f0_hz, double rate_hz) {
+    std::int64_t best = length;
+    double least = 1;
+    for (std::int64_t hop = length; hop <= length + static_cast<std::int64_t>(rate_hz / f0_hz);
+         ++hop) {
+        const double off = std::abs(
+            std::abs(std::remainder(static_cast<double>(hop) * f0_hz / rate_hz, 1.0)) - 0.5);
+        if (off < least) {
+            least = off;
+            best = hop;
+        }
+    }
+    return best;
 }
 
 }  // namespace
@@ -59,10 +96,12 @@ NoiseLevel::NoiseLevel(std::int64_t length, double f0_hz, double rate_hz,
                        std::optional<Known> known)
     : length_(length),
       short_(noise_window(length, f0_hz, rate_hz)),
+      run_hop_(alternating_hop(short_, f0_hz, rate_hz)),
       rate_hz_(rate_hz),
       known_(known) {
     const double share = known ? known->share : 1;
     const double freedom = std::max(2 * static_cast<double>(length) * share - 8, least_freedom);
+    leaks_ = static_cast<double>(length) * f0_hz < 3 * rate_hz;
     limit_ = least_ratio * chi2_ratio(rare, known ? freedom : steady_freedom(length));
 }
 
@@ -72,29 +111,111 @@ std::int64_t NoiseLevel::stride(std::int64_t windows, std::int64_t frames) const
     return std::max<std::int64_t>(windows / std::clamp(wish, fewest_short, most_short), 1);
 }
 
-void NoiseLevel::take(std::span<const WaveEstimate> estimates, double centre_s, std::int64_t hop) {
+std::int64_t NoiseLevel::run_length(std::int64_t frames) const {
+    return std::clamp<std::int64_t>((frames - short_) / run_hop_ + 1, 1, shorts_of_run);
+}
+
+std::vector<std::int64_t> NoiseLevel::runs(std::int64_t frames) const {
+    if (known_ || !(has_shorts() || leaks_)) {
+        return {};
+    }
+    const std::int64_t length = (run_length(frames) - 1) * run_hop_ + short_;
+    const std::int64_t count = std::min(std::max(frames / (frames_by_run * length), fewest_runs),
+                                        std::max<std::int64_t>(frames / length, 1));
+    std::vector<std::int64_t> starts;
+    for (std::int64_t k = 0; k < count; ++k) {
+        starts.push_back(k * (frames - length) / std::max<std::int64_t>(count - 1, 1));
+    }
+    return starts;
+}
+
+void NoiseLevel::take(std::span<WaveEstimate> in_runs, std::span<const WaveEstimate> at_centres,
+                      double centre_s, std::int64_t hop) {
     shorts_.clear();
     variance_ =
-        known_ ? known_->in_band * known_->in_band : level_of(estimates, steady_freedom(short_));
-    if (length_ < 2 * short_) {
-        return;
+        known_ ? known_->in_band * known_->in_band : level_of(in_runs, steady_freedom(short_));
+    if (leaks_ && !known_) {
+        pool_noise(in_runs, short_, 1);
+        excess_ = excess_of(in_runs);
     }
-    for (std::size_t k = 0; k < estimates.size(); ++k) {
-        if (is_measured(estimates[k])) {
+    for (std::size_t k = 0; k < at_centres.size(); ++k) {
+        if (is_measured(at_centres[k])) {
             shorts_.push_back(
                 {centre_s + static_cast<double>(k) * static_cast<double>(hop) / rate_hz_,
-                 to_phasors(estimates[k].state)});
+                 to_phasors(at_centres[k].state)});
         }
     }
 }
 
-bool NoiseLevel::holds_no_wave(const WaveEstimate& window, double centre_s) const {
-    return window.steady_noise * window.steady_noise > limit_ * variance_ ||
-           apart(window, centre_s) > rare_phasors;
+std::vector<char> NoiseLevel::hold_no_wave(std::span<const Judged> windows) const {
+    if (all_move(windows)) {
+        return std::vector<char>(windows.size(), 1);
+    }
+    double level = variance_;
+    if (!has_shorts()) {
+        std::vector<double> variances;
+        for (const Judged& window : windows) {
+            variances.push_back(window.variance);
+        }
+        // The larger one; either may be unknown.
+        level = excess_ * std::fmax(level, level_of(std::move(variances), steady_freedom(length_)));
+    }
+    std::vector<char> found;
+    for (const Judged& window : windows) {
+        found.push_back(window.variance > limit_ * level || window.apart > rare_phasors ? 1 : 0);
+    }
+    return found;
 }
 
-bool NoiseLevel::all_move(std::vector<double> apart) const {
-    std::erase_if(apart, [](double x) { return std::isnan(x); });
+double NoiseLevel::excess_of(std::span<const WaveEstimate> in_runs) const {
+    std::array<std::vector<double>, 4> squares;
+    const auto add = [&squares](std::size_t variable, const std::array<double, 5>& x, double sd) {
+        // 1, -4, 6, -4, 1: variance 70.
+        const double fourth = x[0] - 4 * x[1] + 6 * x[2] - 4 * x[3] + x[4];
+        const double square = fourth * fourth / (70 * sd * sd);
+        if (std::isfinite(square)) {
+            squares[variable].push_back(square);
+        }
+    };
+    for (std::size_t k = 0; k + 5 <= in_runs.size(); ++k) {
+        if (k % shorts_of_run > shorts_of_run - 5) {
+            continue;  // across two runs
+        }
+        std::array<double, 5> a_A;
+        std::array<double, 5> a_B;
+        std::array<double, 5> angle;
+        std::array<double, 5> f;
+        for (std::size_t j = 0; j < 5; ++j) {
+            const WaveEstimate& one = in_runs[k + j];
+            a_A[j] = one.state.a_A;
+            a_B[j] = one.state.a_B;
+            f[j] = one.f_hz;
+            angle[j] = j == 0 ? one.state.two_theta_A
+                              : angle[j - 1] + std::remainder(one.state.two_theta_A - angle[j - 1],
+                                                              std::numbers::pi);
+        }
+        const WaveEstimate& middle = in_runs[k + 2];
+        add(0, a_A, middle.sd.a_A);
+        add(1, a_B, middle.sd.a_B);
+        add(2, angle, middle.sd.two_theta_A);
+        add(3, f, middle.sd_f_hz);
+    }
+    double largest = 1;
+    for (std::vector<double>& of : squares) {
+        if (of.size() >= fewest_fourth) {
+            largest = std::max(largest, upper(std::move(of)) / upper_chi2);
+        }
+    }
+    return largest;
+}
+
+bool NoiseLevel::all_move(std::span<const Judged> windows) const {
+    std::vector<double> apart;
+    for (const Judged& window : windows) {
+        if (!std::isnan(window.apart)) {
+            apart.push_back(window.apart);
+        }
+    }
     if (known_ || apart.size() < 4 || shorts_.size() < 4) {
         return false;  // behind a band-pass the short windows are no independent witnesses
     }

@@ -15,51 +15,74 @@ namespace vybeg {
 // nine periods of the carrier, too short for a wave to move in.
 std::int64_t noise_window(std::int64_t length, double f0_hz, double rate_hz);
 
-// The noise about a stretch of a recording, from short windows, and what it says of longer ones.
+// The noise about a stretch of a recording, and which of its windows hold no steady wave.
 //
-// A window that holds no steady wave leaves a residual, but the residual alone does not show it:
-// noise, hum and offset leave one too. Short windows of the same samples leave those and not the
-// motion. Their median stands against events, and against a motion that all long windows share.
+// Such a window leaves a residual, but the residual alone does not show it: noise, hum and offset
+// leave one too. Short windows of the same samples leave those and not the motion, and stand
+// against events and against a motion that all long windows share. Windows too short to hold others
+// are compared with each other: what all of them have alike is no event.
 class NoiseLevel {
 public:
-    // Windows of `length` samples; `noise`: known, of windows of noise_window() samples and of the
-    // whole band, behind a band-pass.
+    // `noise`: known, of windows of noise_window() samples and of the whole band, behind a
+    // band-pass.
     struct Known {
         EquivalentNoise of_short;
         EquivalentNoise of_long;
         double in_band = 0;  // noise of a sample, sd
         double share = 1;    // of the band in the spectrum, independent samples in one
     };
+    // What is judged of a window.
+    struct Judged {
+        double variance = 0;  // of its steady noise
+        double apart = 0;     // apart()
+    };
+    // Windows of `length` samples.
     NoiseLevel(std::int64_t length, double f0_hz, double rate_hz, std::optional<Known> known);
 
+    std::int64_t short_length() const { return short_; }
+    // Whether the windows hold short ones.
+    bool has_shorts() const { return length_ >= 2 * short_; }
     // Windows from one with a short window at its centre to the next, in a stretch of `frames`.
     std::int64_t stride(std::int64_t windows, std::int64_t frames) const;
-    std::int64_t short_length() const { return short_; }
-    // Takes the estimates of the short windows, the first one centred at `centre_s`.
-    void take(std::span<const WaveEstimate> estimates, double centre_s, std::int64_t hop);
+    // First frames, from the start of the stretch, of runs of run_length() short windows every
+    // run_hop() frames: hum has any phase in them, while at the centres of windows of whole periods
+    // it has one.
+    std::vector<std::int64_t> runs(std::int64_t frames) const;
+    std::int64_t run_length(std::int64_t frames) const;
+    std::int64_t run_hop() const { return run_hop_; }
+    // Takes the estimates of the runs, and those at centres of windows, the first at `centre_s`.
+    void take(std::span<WaveEstimate> in_runs, std::span<const WaveEstimate> at_centres,
+              double centre_s, std::int64_t hop);
 
-    // Whether the window's residual is far above the level, or the short window at its centre lies
-    // far from its wave: a linear motion has its mean there. False where either is unknown.
-    bool holds_no_wave(const WaveEstimate& window, double centre_s) const;
-    // Mean squared distance of the short windows inside from the window's wave, by its variance;
-    // NaN for none.
+    // In windows below three periods offset and hum are not orthogonal to the wave, and errors
+    // exceed the deviations. Factor of the variances, at least 1: of the fourth differences in the
+    // runs, to which no motion of a wave contributes over so few periods.
+    double excess() const { return excess_; }
+    // Mean squared distance of the short window at the window's centre from the window's wave, by
+    // its variance: a linear motion has its mean there. NaN for none.
     double apart(const WaveEstimate& window, double centre_s) const;
-    // Whether the windows of the stretch together lie apart from their short windows: a motion that
-    // all of them share and none shows by itself.
-    bool all_move(std::vector<double> apart) const;
+    // A flag a window of the stretch: whether its residual is far above the level or its short
+    // window far from its wave; all of them where they together lie apart from their short windows,
+    // a motion that all share and none shows by itself.
+    std::vector<char> hold_no_wave(std::span<const Judged> windows) const;
 
 private:
     struct Short {
         double centre_s;
         Phasors phasors;
     };
+    bool all_move(std::span<const Judged> windows) const;
+    double excess_of(std::span<const WaveEstimate> in_runs) const;
 
     std::int64_t length_;
     std::int64_t short_;
+    std::int64_t run_hop_;
     double rate_hz_;
     std::optional<Known> known_;
     double limit_ = 0;     // of the ratio of two variances
     double variance_ = 0;  // of the noise, per sample and channel; NaN: unknown
+    double excess_ = 1;
+    bool leaks_ = false;  // below three periods
     std::vector<Short> shorts_;
 };
 

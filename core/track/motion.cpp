@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vybeg {
@@ -15,7 +16,7 @@ constexpr double quarter = pi / 4;
 // Rounding of an estimate without noise.
 constexpr double rounding = 1e-9;
 // Standard deviations of the bend's noise that a bend has to exceed.
-constexpr double rare = 5;
+constexpr double rare = 5.5;
 // Largest standard deviation of the predicted alpha, in half turns, at which its step is
 // conclusive.
 constexpr double foretold = 0.08;
@@ -38,7 +39,8 @@ double turned(double from, double to) {
 
 }  // namespace
 
-MotionMarker::MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz, double f0_hz)
+MotionMarker::MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz, double f0_hz,
+                           std::span<const double> f_correlation)
     : apart_(static_cast<std::size_t>(
           std::max<std::int64_t>(1, (length + hop / 2) / std::max<std::int64_t>(hop, 1)))),
       lengths_apart_(static_cast<double>(apart_) * static_cast<double>(hop) /
@@ -47,23 +49,35 @@ MotionMarker::MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz
     const WindowKernel kernel = window_kernel(length, 2 * pi * f0_hz / rate_hz);
     slope_share_ = 0.5 * std::abs(kernel.slope) /
                    (std::min(kernel.gram_cos, kernel.gram_sin) * static_cast<double>(length));
+    const auto correlation = [&](std::size_t hops) {
+        return hops < f_correlation.size() ? f_correlation[hops] : 0;
+    };
+    // Errors of f alternate more than those of the phasors.
+    second_variance_ = std::max(6 - 8 * correlation(apart_) + 2 * correlation(2 * apart_), 6.0);
 }
 
-MotionMarker::Row MotionMarker::row_of(const Track& track, std::size_t k) {
+MotionMarker::Row MotionMarker::row_of(const Track& track, std::size_t k, double excess) {
+    // A search that ended elsewhere than at a maximum says nothing of a motion; its row is flagged.
+    if (has(track.flags()[k], Flag::at_bound) || has(track.flags()[k], Flag::not_converged)) {
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        return {nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan};
+    }
     const auto value = [&](SlowVariable v) { return track.values(v)[k]; };
-    const auto variance = [&](SlowVariable v) { return track.sds(v)[k] * track.sds(v)[k]; };
+    const auto variance = [&](SlowVariable v) {
+        return excess * track.sds(v)[k] * track.sds(v)[k];
+    };
     using enum SlowVariable;
     return {value(a_A),   value(a_B),    value(two_theta_A), value(alpha),          value(f),
             value(noise), variance(a_A), variance(a_B),      variance(two_theta_A), variance(alpha),
             variance(f)};
 }
 
-void MotionMarker::take(const Track& next_rows, std::span<const char> no_wave) {
+void MotionMarker::take(const Track& next_rows, std::span<const char> no_wave, double excess) {
     for (std::size_t k = 0; k < next_rows.rows(); ++k) {
         if (k < no_wave.size() && no_wave[k] != 0) {
             add(rows_, rows_ + 1, no_wave_);
         }
-        const Row row = row_of(next_rows, k);
+        const Row row = row_of(next_rows, k, excess);
         step_to(row);
         held_.push_back(row);
         ++rows_;
@@ -93,7 +107,7 @@ void MotionMarker::judge_next() {
 
 bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) const {
     const double share = 1 / (24 * lengths_apart_ * lengths_apart_);
-    const double limit = std::max(0.25, rare * rare * 6 * share * share);
+    const double limit = std::max(0.25, rare * rare * second_variance_ * share * share);
     const auto beyond = [share, limit](double second, double b, double a, double c, double scale) {
         const double bias = std::abs(second) * share;
         return bias * bias > limit * (b + a + c) / 3 && bias > rounding * scale;
@@ -101,8 +115,8 @@ bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) con
     const double forward = turned(at.two_theta_A, after.two_theta_A);
     const double back = turned(before.two_theta_A, at.two_theta_A);
     if (lengths_apart_ > 1.2 && at.noise * at.noise > 0.5 * at.a_A * std::sqrt(at.var_a_A)) {
-        const auto differs = [](double second, double b, double a, double c) {
-            return second * second > 36 * (b + 4 * a + c);
+        const auto differs = [this](double second, double b, double a, double c) {
+            return second * second > 6 * second_variance_ * (b + 4 * a + c);
         };
         if (differs(after.a_A - 2 * at.a_A + before.a_A, before.var_a_A, at.var_a_A,
                     after.var_a_A) ||
@@ -113,8 +127,14 @@ bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) con
             return true;
         }
     }
-    const double b_step = std::isnan(at.a_B) ? 0 : after.a_B - before.a_B;
-    const double step = std::hypot(after.a_A - before.a_A, b_step, at.a_A * (forward + back));
+    // Steps beyond their noise; of a wave near a circle the angle alone steps far.
+    const auto clear = [](double x, double b, double a) {
+        return x * x > rare * rare * (b + a) ? x : 0;
+    };
+    const double step =
+        std::hypot(clear(after.a_A - before.a_A, before.var_a_A, after.var_a_A),
+                   clear(after.a_B - before.a_B, before.var_a_B, after.var_a_B),
+                   at.a_A * clear(forward + back, before.var_two_theta_A, after.var_two_theta_A));
     const double skewed = slope_share_ * step / (2 * lengths_apart_);
     if (skewed * skewed > 0.25 * (before.var_a_A + at.var_a_A + after.var_a_A) / 3 &&
         skewed > rounding * at.a_A) {

@@ -15,8 +15,8 @@ namespace vybeg {
 // Inside a window: a variable x linear in time has its mean at the centre; curvature shifts the
 // mean by x'' T^2/24. x'' follows from the windows one window length before and after. A window is
 // marked where the shift exceeds half of the standard deviation of a_A, a_B, 2theta_A or f and five
-// of its own, or where 2theta_A turns by more than pi/4 within a window length. Adjacent windows
-// are marked, too, among them those between two bends, whose own x'' passes zero.
+// and a half of its own, or where 2theta_A turns by more than pi/4 within a window length. Adjacent
+// windows are marked, too, among them those between two bends, whose own x'' passes zero.
 //
 // Where windows lie apart, the curvature between them may be aliased, and the residual decides: a
 // wave that changes by d over the window leaves d/sqrt(12) and an error of about d^2/24 of its
@@ -29,10 +29,13 @@ namespace vybeg {
 // reveals a missed branch. Both windows of such a step are marked.
 class MotionMarker {
 public:
-    MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz, double f0_hz);
+    // `f_correlation`: of errors of f, by hops.
+    MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz, double f0_hz,
+                 std::span<const double> f_correlation = {});
 
-    // `no_wave`, a flag a row: whether its window is known to hold no steady wave.
-    void take(const Track& next_rows, std::span<const char> no_wave = {});
+    // `no_wave`, a flag a row: whether its window is known to hold no steady wave. `excess`: by
+    // which the variances of the rows are known to be too small, at least 1.
+    void take(const Track& next_rows, std::span<const char> no_wave = {}, double excess = 1);
     // Marked rows in ascending order; ranges do not overlap.
     std::vector<FlaggedRows> finish();
 
@@ -42,7 +45,7 @@ private:
         double a_A, a_B, two_theta_A, alpha, f_hz, noise;
         double var_a_A, var_a_B, var_two_theta_A, var_alpha, var_f;
     };
-    static Row row_of(const Track& track, std::size_t k);
+    static Row row_of(const Track& track, std::size_t k, double excess);
 
     void judge_next();
     bool bends(const Row& before, const Row& at, const Row& after) const;
@@ -55,6 +58,8 @@ private:
     // Error of a phasor component by the change of the other one over a window, because u sin wu is
     // not orthogonal to cos wu in a window of some periods.
     double slope_share_;
+    // Variance of a second difference by that of a value: 6 for independent ones.
+    double second_variance_ = 6;
     std::vector<Row> held_;       // the last rows
     std::size_t first_held_ = 0;  // index of the first of them
     std::size_t rows_ = 0;
