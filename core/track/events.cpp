@@ -1,10 +1,12 @@
 #include "core/track/events.h"
 
 #include "core/numerics/line_fit.h"
+#include "core/track/motion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace vybeg {
 namespace {
@@ -45,6 +47,21 @@ std::vector<double> local_sds(std::span<const double> sds) {
     return local;
 }
 
+// Whether the angle of a moving window goes on from the row before: the motion inside it is small,
+// and the phase confirms a small step.
+bool follows(const Track& track, std::size_t row) {
+    constexpr double largest_share = 0.05;  // of the amplitude, left by the motion
+    if (row == 0) {
+        return false;
+    }
+    const MotionMarker::Row from = MotionMarker::row_of(track, row - 1);
+    const MotionMarker::Row to = MotionMarker::row_of(track, row);
+    const std::optional<double> off =
+        MotionMarker::phase_off(from, to, track.time_s()[row] - track.time_s()[row - 1]);
+    return to.noise < largest_share * to.a_A && off && std::abs(*off) < half_pi / 4 &&
+           std::abs(to.two_theta_A - from.two_theta_A) < half_pi / 4;
+}
+
 // Axis crossings with a dead band round each axis: the angle counts as past an axis only beyond six
 // standard deviations, which noise reaches once in 10^9 windows. The crossing is the intersection
 // of the axis with a line through the windows between and as many on either side.
@@ -54,7 +71,7 @@ void find_crossings(const Track& track, std::vector<Event>& events) {
     bool known = false;
     std::size_t last = 0;  // the last window that was clear of every axis
     for (std::size_t k = 0; k < track.rows(); ++k) {
-        if (has(track.flags()[k], Flag::moving)) {
+        if (has(track.flags()[k], Flag::moving) && !follows(track, k)) {
             known = false;
             continue;
         }

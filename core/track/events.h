@@ -31,7 +31,8 @@ struct Event {
 
 // All events of a track in the order of time. Crossings within the noise of the angle count once:
 // the angle must leave the axis by more than six standard deviations on both sides. Windows with
-// Flag::moving have no crossing, because the branch of their angle is uncertain.
+// Flag::moving have one only where the motion inside is small and the phase confirms the branch of
+// their angle, uncertain otherwise.
 std::vector<Event> find_events(const Track& track);
 
 }  // namespace vybeg

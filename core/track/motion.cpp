@@ -107,7 +107,7 @@ void MotionMarker::judge_next() {
 
 bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) const {
     const double share = 1 / (24 * lengths_apart_ * lengths_apart_);
-    const double limit = std::max(0.25, rare * rare * second_variance_ * share * share);
+    const double limit = std::max(0.36, rare * rare * second_variance_ * share * share);
     const auto beyond = [share, limit](double second, double b, double a, double c, double scale) {
         const double bias = std::abs(second) * share;
         return bias * bias > limit * (b + a + c) / 3 && bias > rounding * scale;
@@ -169,22 +169,25 @@ bool MotionMarker::loses_branch(const Row& from, const Row& to, double hops) con
     if (std::abs(step) > quarter + 4 * std::sqrt(from.var_two_theta_A + to.var_two_theta_A)) {
         return true;
     }
+    const std::optional<double> off = phase_off(from, to, hops * hop_s_);
+    return off && std::abs(*off) > pi / 2;
+}
+
+std::optional<double> MotionMarker::phase_off(const Row& from, const Row& to, double seconds) {
     // The frequency of a window is the mean rate of u+ and u- weighted by their powers; with a
     // quadrature a turn of the angle adds to it.
-    const double seconds = hops * hop_s_;
+    const double step = to.two_theta_A - from.two_theta_A;
     const double b = std::isnan(to.a_B) ? 0 : to.a_B;
     const double share = 2 * to.a_A * b / (to.a_A * to.a_A + b * b);
     const double rate = 2 * pi * seconds;  // rad per Hz
     const double variance =
         from.var_alpha + to.var_alpha + 0.25 * rate * rate * (from.var_f + to.var_f);
     if (!(variance < foretold * foretold * pi * pi) || std::abs(share) > 0.5) {
-        return false;
+        return std::nullopt;
     }
     // In turns, of which only the fraction counts.
     const double turns = 0.5 * (from.f_hz + to.f_hz) * seconds;
-    const double missed =
-        wrap(from.alpha - to.alpha - 2 * pi * std::remainder(turns, 1.0) + step * share);
-    return std::abs(missed) > pi / 2;
+    return wrap(from.alpha - to.alpha - 2 * pi * std::remainder(turns, 1.0) + step * share);
 }
 
 std::vector<FlaggedRows> MotionMarker::finish() {

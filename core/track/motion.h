@@ -4,6 +4,7 @@
 #include "core/track/track.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace vybeg {
 //
 // Inside a window: a variable x linear in time has its mean at the centre; curvature shifts the
 // mean by x'' T^2/24. x'' follows from the windows one window length before and after. A window is
-// marked where the shift exceeds half of the standard deviation of a_A, a_B, 2theta_A or f and five
+// marked where the shift exceeds 0.6 of the standard deviation of a_A, a_B, 2theta_A or f and five
 // and a half of its own, or where 2theta_A turns by more than pi/4 within a window length. Adjacent
 // windows are marked, too, among them those between two bends, whose own x'' passes zero.
 //
@@ -39,14 +40,18 @@ public:
     // Marked rows in ascending order; ranges do not overlap.
     std::vector<FlaggedRows> finish();
 
-private:
-    // Values of a row that enter the test; variances are squared standard deviations.
+    // Values of a row that enter the test; variances are squared standard deviations, times
+    // `excess`.
     struct Row {
         double a_A, a_B, two_theta_A, alpha, f_hz, noise;
         double var_a_A, var_a_B, var_two_theta_A, var_alpha, var_f;
     };
-    static Row row_of(const Track& track, std::size_t k, double excess);
+    static Row row_of(const Track& track, std::size_t k, double excess = 1);
+    // Phase of `to` less that which the frequencies of both rows and the step of 2theta_A foretell,
+    // rad; beyond pi/2 the step is of another branch. Nothing where they foretell no phase.
+    static std::optional<double> phase_off(const Row& from, const Row& to, double seconds);
 
+private:
     void judge_next();
     bool bends(const Row& before, const Row& at, const Row& after) const;
     bool loses_branch(const Row& from, const Row& to, double hops) const;
