@@ -15,7 +15,6 @@ struct Measured {
     double time_s;
     double value;
     double sd;
-    double noise;  // of its window, from which the deviation was made
 };
 
 bool counts(Flags flags) {
@@ -31,7 +30,6 @@ std::vector<Measured> measured(const Track& track, SlowVariable variable, double
     const auto times = track.time_s();
     const auto values = track.values(variable);
     const auto sds = track.sds(variable);
-    const auto noise = track.values(SlowVariable::noise);
     const auto first =
         static_cast<std::size_t>(std::ranges::lower_bound(times, from_s) - times.begin());
     std::vector<Measured> found;
@@ -49,7 +47,7 @@ std::vector<Measured> measured(const Track& track, SlowVariable variable, double
         if (wrapped && !found.empty()) {
             value -= turn * std::round((value - found.back().value) / turn);
         }
-        found.push_back({times[k], value, sd, noise[k]});
+        found.push_back({times[k], value, sd});
         k += apart;
     }
     return found;
@@ -63,19 +61,12 @@ std::vector<TrendPoint> trend_points(const Track& track, SlowVariable variable, 
         return {};
     }
     const std::vector<Measured> windows = measured(track, variable, from_s, to_s, apart, of);
-    // The noise of a short window is known poorly, and weights that follow its scatter would favour
-    // windows with deviations that are too small: the windows share the mean square of their noise.
-    double squares = 0;
-    for (const Measured& window : windows) {
-        squares += window.noise * window.noise;
-    }
-    const double common = std::sqrt(squares / static_cast<double>(windows.size()));
+    // Each window with its own deviation: that of a short one rests on a hundred degrees of
+    // freedom, too, so that weights do not favour windows whose deviations are too small by chance.
     std::vector<TrendPoint> points;
     points.reserve(windows.size());
     for (const Measured& window : windows) {
-        const double scale = common > 0 && window.noise > 0 ? common / window.noise : 1;
-        const double sd = window.sd * scale;
-        points.push_back({window.time_s, window.value, 1 / (sd * sd)});
+        points.push_back({window.time_s, window.value, 1 / (window.sd * window.sd)});
     }
     return points;
 }
