@@ -3809,6 +3809,10 @@
         <translation>у записи %1 отличается не одно число</translation>
     </message>
     <message>
+        <source>it is no free decay</source>
+        <translation>это не свободный выбег</translation>
+    </message>
+    <message>
         <source>dry friction</source>
         <translation>сухое трение</translation>
     </message>

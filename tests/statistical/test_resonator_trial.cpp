@@ -237,7 +237,10 @@ private slots:
             const bool told_off = std::ranges::any_of(fit->warnings, [](const Diagnostic& each) {
                 return each.kind == DiagnosticKind::prior_left ||
                        each.kind == DiagnosticKind::quadrature_by_channel ||
-                       each.kind == DiagnosticKind::anisotropy_not_passive;
+                       each.kind == DiagnosticKind::anisotropy_not_passive ||
+                       each.kind == DiagnosticKind::foreign_recording ||
+                       each.kind == DiagnosticKind::foreign_among ||
+                       each.kind == DiagnosticKind::set_inconsistent;
             });
             warned += told_off ? 1 : 0;
             if (!told_off) {

@@ -80,6 +80,9 @@ Eigen::MatrixXd Posterior::covariance_of(Eigen::Index first, Eigen::Index count)
 
 Eigen::MatrixXd Posterior::root_of(const std::vector<Eigen::Index>& places) const {
     const auto count = static_cast<Eigen::Index>(places.size());
+    if (count == root.rows()) {
+        return root(places, Eigen::all);
+    }
     const Eigen::HouseholderQR<Eigen::MatrixXd> factor(
         Eigen::MatrixXd(root(places, Eigen::all).transpose()));
     return factor.matrixQR()

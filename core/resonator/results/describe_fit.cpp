@@ -67,7 +67,10 @@ public:
                 unseen_directions(problem_, set.fit, set.posterior, std::max(1.0, ratio), job_);
         }
         set.context.order = mode_order(set);
-        set.moved = moved_by(problem_, set.posterior, solved_.tolerance);
+        // The channels of the free model are any two projections.
+        const bool calibrated = solved_.model == ResonatorModel::structured;
+        set.moved = moved_by(problem_, set.posterior,
+                             calibrated ? solved_.tolerance : ChannelTolerance{.kappa = 0});
         set.variances = reported_variances(set.posterior, set.context, beside, set.moved,
                                            scattered(set.posterior));
         fit_.motion = motion_of(solved_);

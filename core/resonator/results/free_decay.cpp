@@ -35,10 +35,24 @@ bool warns_of(const ResonatorFit& fit, std::initializer_list<DiagnosticKind> kin
     });
 }
 
+// Whether the fit leaves a motion that is not that of a damping by another law.
+bool leaves_motion(const ResonatorFit& fit) {
+    return warns_of(fit, {DiagnosticKind::residual_above_noise, DiagnosticKind::residual_coloured,
+                          DiagnosticKind::motion_not_model, DiagnosticKind::misfit_settling,
+                          DiagnosticKind::misfit_neighbour, DiagnosticKind::misfit_channel,
+                          DiagnosticKind::misfit_pickoff, DiagnosticKind::misfit_springs,
+                          DiagnosticKind::mode_grows, DiagnosticKind::fit_not_converged});
+}
+
 // Whether the fit leaves noise only.
 bool explains_all(const ResonatorFit& fit) {
-    return !warns_of(fit, {DiagnosticKind::residual_above_noise, DiagnosticKind::residual_coloured,
-                           DiagnosticKind::mode_grows, DiagnosticKind::fit_not_converged});
+    return !leaves_motion(fit) && !warns_of(fit, {DiagnosticKind::misfit_damping});
+}
+
+// Whether the set holds a recording for which a verdict may be the cause.
+bool is_refused(const ResonatorFit& fit) {
+    return warns_of(fit, {DiagnosticKind::structured_refused, DiagnosticKind::foreign_among,
+                          DiagnosticKind::set_inconsistent});
 }
 
 // Whether the motion has another cause that the fit has named.
@@ -47,8 +61,17 @@ bool named_otherwise(const ResonatorFit& fit) {
                           DiagnosticKind::fitted_phase_step});
 }
 
-// Causes that another verdict replaces.
-void withdraw(ResonatorFit& fit) {
+// Causes that a verdict on a recording of the fit replaces. On one left out of the set it replaces
+// the way in which this recording differs.
+void withdraw(std::size_t recording, ResonatorFit& fit) {
+    if (fit.left_out == recording) {
+        for (Diagnostic& warning : fit.warnings) {
+            if (warning.kind == DiagnosticKind::foreign_recording) {
+                warning.args[1] = words(VYBEG_MESSAGE("Words", "it is no free decay"));
+            }
+        }
+        return;
+    }
     std::erase_if(fit.warnings, [](const Diagnostic& warning) {
         return warning.kind == DiagnosticKind::misfit_damping ||
                warning.kind == DiagnosticKind::misfit_neighbour ||
@@ -83,9 +106,10 @@ public:
         }
     }
 
-    void add() {
+    // All recordings, or that which the set leaves out.
+    void add(bool all) {
         for (std::size_t k = 0; k < runs_.size() && !job_.cancelled(); ++k) {
-            if (laws_[k].windows == 0 || driven(k)) {
+            if (!(all || fit_.left_out == k) || laws_[k].windows == 0 || driven(k)) {
                 continue;
             }
             const ResonatorFit* alone = &fit_;
@@ -110,6 +134,13 @@ private:
         fit_.warnings.push_back({kind, std::move(args)});
     }
 
+    void say_driven(std::size_t k, MessageArg how) {
+        if (fit_.left_out == k) {
+            withdraw(k, fit_);
+        }
+        say(DiagnosticKind::no_free_decay, {recording_arg(k), std::move(how)});
+    }
+
     // Growth, or an amplitude held while those of the others fall.
     bool driven(std::size_t k) {
         constexpr double least_growth = 0.01;
@@ -121,11 +152,10 @@ private:
         const double is_line = law.still_chi2 - law.line_chi2;
         if (rate < -clear * law.per_s_sd && -rate * length_s > least_growth &&
             is_line > most_of_it * (law.still_chi2 - static_cast<double>(law.windows))) {
-            say(DiagnosticKind::no_free_decay,
-                {recording_arg(k), words(VYBEG_MESSAGE("Words",
-                                                       "its amplitude grows, by %1 1/s "
-                                                       "(standard deviation %2)"),
-                                         {number_arg(-rate, 3), number_arg(law.per_s_sd, 2)})});
+            say_driven(k, words(VYBEG_MESSAGE("Words",
+                                              "its amplitude grows, by %1 1/s "
+                                              "(standard deviation %2)"),
+                                {number_arg(-rate, 3), number_arg(law.per_s_sd, 2)}));
             return true;
         }
         std::vector<double> others;
@@ -144,12 +174,10 @@ private:
             !(model - rate > std::max(most, clear * law.per_s_sd))) {
             return false;
         }
-        say(DiagnosticKind::no_free_decay,
-            {recording_arg(k),
-             words(VYBEG_MESSAGE("Words",
-                                 "its amplitude is held (decay rate %1 1/s), while that "
-                                 "of the other recordings decays (%2 1/s)"),
-                   {number_arg(rate, 2), number_arg(usual, 3)})});
+        say_driven(k, words(VYBEG_MESSAGE("Words",
+                                          "its amplitude is held (decay rate %1 1/s), while that "
+                                          "of the other recordings decays (%2 1/s)"),
+                            {number_arg(rate, 2), number_arg(usual, 3)}));
         return true;
     }
 
@@ -186,9 +214,9 @@ private:
         const bool by_law = law.departs() && (left - law.chi2 > needed || (unlike && exact));
         if (by_law && exact) {
             add_law(k);
-        } else if (!explains_all(alone) && !named_otherwise(alone)) {
+        } else if (leaves_motion(alone) && !named_otherwise(alone)) {
             if (const std::optional<Part> part = free_part(seen_windows(run))) {
-                withdraw(fit_);
+                withdraw(k, fit_);
                 say(DiagnosticKind::part_decays,
                     {recording_arg(k),
                      number_arg(std::max(run.time_s[part->first] - run.window_s / 2, 0.0), 4),
@@ -205,7 +233,7 @@ private:
         const double exponent = law.power - 1;
         fit_.runs[k].law = law;
         if (std::abs(exponent) > dominates) {
-            withdraw(fit_);
+            withdraw(k, fit_);
             say(DiagnosticKind::no_free_decay,
                 {recording_arg(k),
                  words(VYBEG_MESSAGE("Words",
@@ -213,7 +241,7 @@ private:
                                      "amplitude to the power %2 (standard deviation %3)"),
                        {friction_words(exponent), number_arg(exponent, 3),
                         number_arg(law.power_sd, 2)})});
-        } else if (!warns_of(fit_, {DiagnosticKind::misfit_damping})) {
+        } else if (fit_.left_out != k && !warns_of(fit_, {DiagnosticKind::misfit_damping})) {
             say(DiagnosticKind::misfit_damping,
                 {friction_words(exponent), number_arg(100 * std::abs(exponent), 2)});
         }
@@ -436,6 +464,10 @@ Result<ResonatorFit> fit_one_projection(std::span<const PhasorRun> runs) {
     }
     fit.chi2_per_dof = chi2 / freedom;
     fit.residual_rms = std::sqrt(squares / static_cast<double>(runs.size()));
+    if (!(fit.chi2_per_dof < noise_bound(freedom))) {
+        fit.warnings.push_back(
+            {DiagnosticKind::residual_above_noise, {number_arg(fit.chi2_per_dof, 3)}});
+    }
     for (const ModeMean& mean : means) {
         fit.modes.push_back(mean.estimate());
     }
@@ -444,10 +476,10 @@ Result<ResonatorFit> fit_one_projection(std::span<const PhasorRun> runs) {
 
 void judge_free_decay(std::span<const PhasorRun> runs, const FitOptions& options,
                       const JobControl& job, ResonatorFit& fit) {
-    if (explains_all(fit) && !warns_of(fit, {DiagnosticKind::structured_refused})) {
-        return;
+    const bool all = !explains_all(fit) || is_refused(fit);
+    if (all || fit.left_out) {
+        Judgement(runs, options, job, fit).add(all);
     }
-    Judgement(runs, options, job, fit).add();
 }
 
 }  // namespace vybeg

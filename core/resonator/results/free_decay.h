@@ -7,7 +7,8 @@
 
 namespace vybeg {
 
-// Verdicts on recordings that are no free decay, where the fit of the set leaves more than noise:
+// Verdicts on recordings that are no free decay, where the fit of the set leaves more than noise,
+// refuses the set or leaves one out of it:
 // - held or driven: the amplitude grows, or stays while those of the other recordings fall;
 // - friction: the amplitude falls by another law than the exponential one (decay_law.h), and this
 //   law leaves less of it than the fit of the recording alone;

@@ -282,13 +282,19 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
             score(problem, posterior, damping_effect(problem, posterior, exponent));
         const double share = damping.size[0] * std::pow(largest, exponent) /
                              std::max(std::abs(posterior.p[decay_at]), 1e-300);
-        consider(damping.fall, DiagnosticKind::misfit_damping,
-                 {friction_words(exponent), number_arg(100 * share, 2)});
+        // A friction takes energy; only the squared amplitude can be a term of either sign.
+        if (exponent == 2 || share > 0) {
+            consider(damping.fall, DiagnosticKind::misfit_damping,
+                     {friction_words(exponent), number_arg(100 * share, 2)});
+        }
     }
     // The gain depends on |c|^2; the largest scaled amplitude is 1.
     const Score pickoff = score(problem, posterior, pickoff_effect(problem, posterior));
-    consider(pickoff.fall, DiagnosticKind::misfit_pickoff,
-             {number_arg(100 * pickoff.size[0], 2), number_arg(100 * pickoff.size[1], 2)});
+    // A gain that changes by more than itself is that of a channel without a wave.
+    if (pickoff.size.cwiseAbs().maxCoeff() < 1) {
+        consider(pickoff.fall, DiagnosticKind::misfit_pickoff,
+                 {number_arg(100 * pickoff.size[0], 2), number_arg(100 * pickoff.size[1], 2)});
+    }
     const SettlingScore settling = settling_score(problem, posterior);
     if (settling.fall > 0) {
         consider(settling.fall, DiagnosticKind::misfit_settling,

@@ -9,6 +9,7 @@ namespace vybeg {
 namespace {
 
 constexpr double significant = 6;  // standard deviations
+constexpr double most_correlation = 0.95;
 constexpr std::size_t differences = 3;
 
 Eigen::Matrix2d whitening(const PhasorRun& run, const std::vector<Phasors>& fitted) {
@@ -40,6 +41,10 @@ Eigen::Matrix2d whitening(const PhasorRun& run, const std::vector<Phasors>& fitt
     const double correlation = covariance(0, 1) / std::sqrt(covariance(0, 0) * covariance(1, 1));
     const double unlike = std::log(covariance(1, 1) / covariance(0, 0)) / 2;
     // NaN of a silent channel is no noise to weight by.
+    // The inverse of noise that is nearly the same in both rests on their small difference.
+    if (std::abs(correlation) > most_correlation) {
+        return Eigen::Matrix2d::Identity();
+    }
     if (!(std::abs(correlation) > significant * sd || std::abs(unlike) > significant * sd) ||
         !std::isfinite(correlation + unlike)) {
         return Eigen::Matrix2d::Identity();

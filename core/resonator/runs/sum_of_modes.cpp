@@ -1,6 +1,7 @@
 #include "core/resonator/runs/sum_of_modes.h"
 
 #include "core/numerics/dense_solvers.h"
+#include "core/resonator/model/kept_windows.h"
 
 #include <Eigen/Dense>
 
@@ -144,7 +145,7 @@ public:
         ModeSum sum;
         sum.chi2 = chi2_;
         sum.freedom = 4 * static_cast<double>(data_.time_s.size()) - 6 * static_cast<double>(modes);
-        const double scale = std::max(1.0, chi2_ / sum.freedom);
+        const double scale = std::max(1.0, chi2_ / sum.freedom) * correlation_windows();
         const MatrixXcd jacobian = derivatives();
         const MatrixXcd covariance =
             (jacobian.adjoint() * jacobian)
@@ -206,6 +207,28 @@ private:
         return left;
     }
 
+    // Windows over which what is left keeps its sign: a motion that is not that of the sum misses
+    // it slowly, and tells less than its windows by as much.
+    double correlation_windows() const {
+        const VectorXcd left = residual();
+        const Index rows = left.size() / 2;
+        const double power = left.squaredNorm();
+        double sum = 1;
+        for (Index lag = 1; lag < rows / 4; ++lag) {
+            double product = 0;
+            for (const Index first : {Index{0}, rows}) {
+                product += left.segment(first, rows - lag)
+                               .dot(left.segment(first + lag, rows - lag))
+                               .real();
+            }
+            if (!(product > 0.1 * power)) {
+                break;
+            }
+            sum += 2 * product / power;
+        }
+        return sum;
+    }
+
     // By the rates, then the amplitudes in C, then those in D.
     MatrixXcd derivatives() const {
         const MatrixXcd all = waves(rates_);
@@ -263,6 +286,89 @@ double visible_s(const ModeSum& sum, std::size_t mode, const PhasorRun& run) {
     return decay * span > std::log(over) ? std::log(over) / decay : span;
 }
 
+// Angle between the channels' shapes of two modes, with its deviation. What both miss alike turns
+// no shape: the deviation is that of the amplitudes across the strongest shape, by what they leave.
+struct ShapeAngle {
+    double sine = 0;
+    double sd = 0;
+    double across = 0;  // amplitude across the strongest shape, of that along it
+};
+
+ShapeAngle shape_angle(const PhasorRun& run, const ModeSum& sum) {
+    const double sizes[] = {sum.shapes[0].norm(), sum.shapes[1].norm()};
+    const double cosine = std::abs(sum.shapes[0].dot(sum.shapes[1])) / (sizes[0] * sizes[1]);
+    const Eigen::Vector2cd& along = sum.shapes[sizes[0] > sizes[1] ? 0 : 1];
+    const Eigen::Vector2cd across =
+        Eigen::Vector2cd(-std::conj(along[1]), std::conj(along[0])) / along.norm();
+    const auto rows = static_cast<Index>(run.time_s.size());
+    MatrixXcd waves(rows, 2);
+    VectorXcd z(rows);
+    double power = 0;
+    for (Index k = 0; k < rows; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const double t = run.time_s[at] - run.time_s.front();
+        power += (std::norm(run.c[at]) + std::norm(run.d[at])) / (run.sd[at] * run.sd[at]);
+        waves(k, 0) = std::exp(sum.rates[0] * t) / run.sd[at];
+        waves(k, 1) = std::exp(sum.rates[1] * t) / run.sd[at];
+        z[k] = across.dot(Eigen::Vector2cd(run.c[at], run.d[at])) / run.sd[at];
+    }
+    const Eigen::Matrix2cd square = waves.adjoint() * waves;
+    const Eigen::Matrix2cd covariance = square.fullPivLu().inverse();
+    const double left = (z - waves * (covariance * (waves.adjoint() * z))).squaredNorm();
+    const double scale = std::max(1.0, left / (2 * static_cast<double>(rows) - 4));
+    return {std::sqrt(std::max(1 - cosine * cosine, 0.0)),
+            std::sqrt(scale * (covariance(0, 0).real() / (sizes[0] * sizes[0]) +
+                               covariance(1, 1).real() / (sizes[1] * sizes[1]))),
+            std::sqrt(std::max(z.squaredNorm() - 2 * static_cast<double>(rows), 0.0) / power)};
+}
+
+// Whether one of two modes does not decay as the other does: a line, or a drive.
+bool one_persists(const ModeSum& sum) {
+    constexpr double least_decay = 0.1;  // of the other's
+    constexpr double clear = 3;
+    const double first = -sum.rates[0].real();
+    const double second = -sum.rates[1].real();
+    return std::min(first, second) + clear * std::hypot(sum.rate_sd[0], sum.rate_sd[1]) <
+           least_decay * std::max(first, second);
+}
+
+// Whether one mode alone is the motion in a third of the time in which it is visible: before or
+// behind a drive, a knock or a hand. A beat shows in every third.
+bool one_mode_in_a_third(const PhasorRun& run) {
+    constexpr double little = 1e-3;  // of the power
+    std::size_t end = 0;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
+        end = power > 100 * run.sd[k] * run.sd[k] ? k + 1 : end;
+    }
+    for (std::size_t sixth = 0; sixth < 5; ++sixth) {
+        const std::size_t from = end * sixth / 6;
+        const std::size_t to = end * (sixth + 2) / 6;
+        PhasorRun part =
+            kept_windows(run, [from, to](std::size_t k) { return k >= from && k < to; });
+        double power = 0;
+        double noise = 0;
+        for (std::size_t k = 0; k < part.time_s.size(); ++k) {
+            power += std::norm(part.c[k]) + std::norm(part.d[k]);
+            noise += 4 * part.sd[k] * part.sd[k];
+            part.sd[k] = 1;
+        }
+        const std::optional<ModeSum> one = sum_of_modes(part, 1);
+        if (!one || !(one->chi2 - noise > little * power)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Whether both channels show the sum.
+bool in_both_channels(const ModeSum& sum) {
+    constexpr double least_channel = 0.1;  // of the other channel's amplitude
+    const double c = std::hypot(std::abs(sum.shapes[0][0]), std::abs(sum.shapes[1][0]));
+    const double d = std::hypot(std::abs(sum.shapes[0][1]), std::abs(sum.shapes[1][1]));
+    return std::min(c, d) > least_channel * std::max(c, d);
+}
+
 }  // namespace
 
 std::optional<ModeSum> sum_of_modes(const PhasorRun& run, std::size_t count) {
@@ -291,6 +397,8 @@ std::optional<ModeSum> sum_of_modes(const PhasorRun& run, std::size_t count) {
 bool shares_projection(const PhasorRun& run) {
     constexpr double most_sine = 0.1;
     constexpr double most_sine_sd = 0.03;
+    constexpr double most_across = 0.03;
+    constexpr double exact = 0.03;        // relative deviation of the shapes
     constexpr double least_share = 0.05;  // of the weaker mode
     constexpr double least_fall = 100;
     constexpr double most_of_it = 0.7;
@@ -308,12 +416,19 @@ bool shares_projection(const PhasorRun& run) {
     const double seen_s = std::min(visible_s(*two, 0, run), visible_s(*two, 1, run));
     const double beat = std::abs(two->rates[0].imag() - two->rates[1].imag()) * seen_s;
     const bool beats = fall > needed && fall > most_of_it * (one->chi2 - one->freedom) &&
-                       beat > pi &&
+                       beat > pi && !one_persists(*two) &&
                        std::min(sizes[0], sizes[1]) > least_share * std::max(sizes[0], sizes[1]);
-    const double cosine = std::abs(two->shapes[0].dot(two->shapes[1])) / (sizes[0] * sizes[1]);
-    const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
-    return beats && sine < most_sine &&
-           std::hypot(two->shape_sd[0], two->shape_sd[1]) < most_sine_sd;
+    if (!beats || !in_both_channels(*two)) {
+        return false;
+    }
+    const ShapeAngle angle = shape_angle(run, *two);
+    if (!(angle.sine < most_sine && angle.sd < most_sine_sd)) {
+        return false;
+    }
+    // The two modes of a bell are part of its motion only: a strike and other partials are in it.
+    // A drive that ends looks like half a beat, too; then more has to tell them apart.
+    const bool explained = std::hypot(two->shape_sd[0], two->shape_sd[1]) < exact;
+    return explained || (beat > 2 * pi && angle.across < most_across && !one_mode_in_a_third(run));
 }
 
 }  // namespace vybeg

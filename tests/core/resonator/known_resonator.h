@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -50,6 +51,12 @@ inline FreeDecay reference() {
 inline bool warns(const ResonatorFit& fit, DiagnosticKind kind) {
     return std::ranges::any_of(fit.warnings,
                                [kind](const Diagnostic& known) { return known.kind == kind; });
+}
+
+// The estimate without what u holds besides, such as the spread assumed between two recordings.
+inline Estimate statistical(Estimate estimate) {
+    estimate.u = std::numeric_limits<double>::quiet_NaN();
+    return estimate;
 }
 
 // What is wrong with an estimate: empty where it is given, lies within `k` of its combined
