@@ -74,7 +74,7 @@ private slots:
                     QVERIFY(!fit.resonator.frequency_per_power.given());
                     if (angles.size() > 1) {
                         // The assumed spread between three recordings lies in u.
-                        const double wider = angles.size() < 4 ? 10 : 1;
+                        const double wider = angles.size() < 4 ? 20 : 1;
                         VYBEG_NEAR(fit.resonator.tau_s, 400, 5, wider);
                         VYBEG_LESS(fit.resonator.tau_s.sd, 1);
                         VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 5, 1e-6 * wider);
