@@ -43,14 +43,14 @@ std::string rate_sd_text(const Recording& recording) {
 // The worst findings, each kind once; `verbose`: all of them, each place by itself.
 std::string check_text(const std::vector<Diagnostic>& diagnostics, bool verbose) {
     const auto line = [](const Diagnostic& of, const std::string& sentence) {
-        return (severity(of.kind) == Severity::note ? "note      " : "check     ") + sentence + "\n";
+        return (severity(of.kind) == Severity::note ? "note      " : "check     ") + sentence +
+               "\n";
     };
     std::string text;
     const std::vector<Finding> findings = findings_of(diagnostics);
     for (std::size_t k = 0; k < findings.size() && (verbose || k < most_shown); ++k) {
         const Finding& finding = findings[k];
-        text += line(finding.diagnostic,
-                     verbose ? english(finding.diagnostic) : english(finding));
+        text += line(finding.diagnostic, verbose ? english(finding.diagnostic) : english(finding));
         for (std::size_t i = 0; verbose && i < finding.more.size(); ++i) {
             text += line(finding.more[i], english(finding.more[i]));
         }

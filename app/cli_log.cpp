@@ -75,7 +75,8 @@ void Log::each_warning(std::span<const NamedWarnings> all, const std::string& se
     for (const auto& [about, diagnostic, severity] : each) {
         const std::string text = english(*diagnostic);
         if (!json_) {
-            line(std::string("vybeg-cli: ") + (severity == Severity::note ? "note: " : "warning: ") +
+            line(std::string("vybeg-cli: ") +
+                 (severity == Severity::note ? "note: " : "warning: ") +
                  (about.empty() ? "" : plain_text(about) + ": ") + text);
             continue;
         }

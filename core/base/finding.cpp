@@ -36,7 +36,8 @@ std::string rest_text(const Finding& finding) {
         return " (And " + others + " more of the kind.)";
     }
     return " (And " + others + (finding.more.size() == 1 ? " more place" : " more places") +
-           (finding.frames > 0 ? "; " + std::to_string(finding.frames) + " samples in all.)" : ".)");
+           (finding.frames > 0 ? "; " + std::to_string(finding.frames) + " samples in all.)"
+                               : ".)");
 }
 
 }  // namespace
@@ -51,9 +52,8 @@ std::vector<Finding> findings_of(std::span<const NamedWarnings> all) {
             add(about, diagnostic, same != findings.end() ? *same : findings.emplace_back());
         }
     }
-    std::ranges::stable_sort(findings, std::ranges::greater(), [](const Finding& each) {
-        return severity(each.diagnostic.kind);
-    });
+    std::ranges::stable_sort(findings, std::ranges::greater(),
+                             [](const Finding& each) { return severity(each.diagnostic.kind); });
     return findings;
 }
 

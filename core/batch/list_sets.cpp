@@ -100,8 +100,7 @@ Result<std::string> row_key(const std::string& program, const MeasurementSet& se
               told.bias_v ? round_trip_text(*told.bias_v) : std::string(),
               told.temperature_c ? round_trip_text(*told.temperature_c) : std::string(),
               std::string(told.exchanged ? "yes" : "no"), told.operator_name, told.comment,
-              options_text(open),
-              open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
+              options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
               integer_text(open.channel_c), integer_text(open.channel_d)}) {
             add(part);
         }

@@ -24,7 +24,8 @@ std::filesystem::path json_in(const std::filesystem::path& folder, const std::st
 std::string passport_in(const std::string& folder, const MeasurementSet& set);
 
 // All that the row of a set depends on, as a hash: program, columns of the table, set, conditions,
-// settings, the files by size and time of change, and `beside`, what else its result went into. Errors: file_read_failed.
+// settings, the files by size and time of change, and `beside`, what else its result went into.
+// Errors: file_read_failed.
 Result<std::string> row_key(const std::string& program, const MeasurementSet& set,
                             const std::string& passport, const std::vector<std::string>& beside,
                             double f_limit_ppm);

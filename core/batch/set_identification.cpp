@@ -1,8 +1,8 @@
 #include "core/batch/set_identification.h"
 
 #include "core/analysis/idle_options.h"
-#include "core/batch/hash_beside.h"
 #include "core/analysis/set_conditions.h"
+#include "core/batch/hash_beside.h"
 #include "core/output/passport_json.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"

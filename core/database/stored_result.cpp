@@ -1,9 +1,9 @@
 #include "core/database/stored_result.h"
 
 #include "core/analysis/list_fields.h"
+#include "core/analysis/set_conditions.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
-#include "core/analysis/set_conditions.h"
 #include "core/output/identify_json.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"

@@ -45,8 +45,8 @@ struct StoredResult {
     std::string set;   // name in its list
     std::string gyro;  // empty: not told
     StoredDate date;
-    std::string program;  // name and version
-    std::string model;    // "structured" or "free"
+    std::string program;   // name and version
+    std::string model;     // "structured" or "free"
     std::string warnings;  // warning_kinds()
     std::vector<StoredRecording> recordings;
     std::vector<StoredParameter> parameters;

@@ -212,7 +212,8 @@ ControlCharts control_charts(std::span<const double> values, std::span<const dou
                              std::size_t baseline, const ChartOptions& options) {
     ControlCharts charts;
     Scatter scatter{none, none};
-    const Factors factors = set_baseline(baseline_of(values, u, baseline), options, scatter, charts);
+    const Factors factors =
+        set_baseline(baseline_of(values, u, baseline), options, scatter, charts);
     double average = 0;
     double rest = 1;  // share of the start in the average, squared
     double before = none;
@@ -229,9 +230,8 @@ ControlCharts control_charts(std::span<const double> values, std::span<const dou
             average = options.lambda * z + (1 - options.lambda) * average;
             rest *= (1 - options.lambda) * (1 - options.lambda);
         }
-        add_point(
-            charts.average, std::isfinite(z) ? average : none,
-            factors.average * std::sqrt(options.lambda / (2 - options.lambda) * (1 - rest)));
+        add_point(charts.average, std::isfinite(z) ? average : none,
+                  factors.average * std::sqrt(options.lambda / (2 - options.lambda) * (1 - rest)));
         if (std::isfinite(values[k])) {
             before = values[k];
             deviation_before = deviation;

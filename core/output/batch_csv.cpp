@@ -161,8 +161,8 @@ std::string batch_row(const MeasurementSet& set, const Identification& found,
     }
     const std::vector<Finding> findings = findings_of(found);
     // Numbers that may be wrong are compared with nothing: the message says why.
-    const bool doubtful = !findings.empty() &&
-                          severity(findings.front().diagnostic.kind) == Severity::serious;
+    const bool doubtful =
+        !findings.empty() && severity(findings.front().diagnostic.kind) == Severity::serious;
     const auto [judged, changed] = verdict(doubtful ? nullptr : comparison);
     results.insert(results.end(), {fit.noise.white() ? "white" : "coloured",
                                    number(fit.chi2_per_dof), judged, changed});

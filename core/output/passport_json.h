@@ -11,8 +11,8 @@ namespace vybeg {
 
 // Passport as JSON text: "vybeg": "passport" and "schema": its number first, then program, gyro,
 // date, conditions, inputs, settings, model, resonator, modes, modes_by, runs, parameters with
-// covariance, tracks. Quantities as in identify JSON, with the reason's code and arguments beside its sentence, so that they read
-// back. Numbers round-trip.
+// covariance, tracks. Quantities as in identify JSON, with the reason's code and arguments beside
+// its sentence, so that they read back. Numbers round-trip.
 std::string passport_json(const Passport& passport);
 
 // Reads such a text, also of older schemas. Errors, with `where` as given: passport_damaged with

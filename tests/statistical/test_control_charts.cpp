@@ -43,8 +43,7 @@ int alarms_of(const ControlCharts& charts, std::size_t from, double lambda) {
         rest *= (1 - lambda) * (1 - lambda);
         const double limit = charts.average.limits.back() * std::sqrt(1 - rest);
         const bool out = charts.individuals.out[k] ||
-                         (compare_with_before && charts.ranges.out[k]) ||
-                         std::abs(average) > limit;
+                         (compare_with_before && charts.ranges.out[k]) || std::abs(average) > limit;
         compare_with_before = !out;
         if (out) {
             ++alarms;

@@ -83,9 +83,8 @@ void TestDemonstration::everyWindowAgreesWithTheTruth() {
             variances += 1;
             farthest = test::largest_of({farthest, std::abs(error) / sd});
         }
-        // sigma is estimated from 2n - 5 = 7 degrees of freedom: pulls follow Student's t, of
-        // variance 7/5.
-        const double scatter = std::sqrt(squares / variances / (7.0 / 5));
+        // sigma is that of the window's block, so that pulls are normal.
+        const double scatter = std::sqrt(squares / variances);
         const QString where = QString("%1: pulls %2, farthest %3")
                                   .arg(info(variable).column)
                                   .arg(scatter)

@@ -74,9 +74,8 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
             .arg(least_baseline)
             .arg(charts.control.used);
     }
-    QString text = counted(
-        QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."),
-        std::min(valuesIn(charts), baseline));
+    QString text = counted(QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."),
+                           std::min(valuesIn(charts), baseline));
     if (charts.control.fault == BaselineFault::trend) {
         text += QLatin1Char(' ') +
                 historyText(QT_TRANSLATE_NOOP(
@@ -121,10 +120,10 @@ QString pointText(const StoredHistory& history, const HistoryCharts& charts,
         text += numbered(QT_TRANSLATE_NOOP("History", "%1 V"), at.bias_v, 4);
     }
     if (!at.warnings.empty()) {
-        text += QStringLiteral("; ") +
-                historyText(QT_TRANSLATE_NOOP("History", "warnings: %1"))
-                    .arg(QString::fromStdString(at.warnings)
-                             .replace(QLatin1Char(';'), QStringLiteral(", ")));
+        text +=
+            QStringLiteral("; ") + historyText(QT_TRANSLATE_NOOP("History", "warnings: %1"))
+                                       .arg(QString::fromStdString(at.warnings)
+                                                .replace(QLatin1Char(';'), QStringLiteral(", ")));
     }
     if (const QString outside = outsideText(charts, point); !outside.isEmpty()) {
         text += QStringLiteral("; ") + outside;

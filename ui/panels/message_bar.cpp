@@ -48,7 +48,7 @@ void MessageBar::add(const Message& message) {
     auto* icon = new QLabel(frame);
     const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
     const auto sign = message.severity == MessageLevel::error ? QStyle::SP_MessageBoxCritical
-                                                          : QStyle::SP_MessageBoxWarning;
+                                                              : QStyle::SP_MessageBoxWarning;
     icon->setPixmap(style()->standardIcon(sign).pixmap(size));
     line->addWidget(icon);
     Row row{message, frame, new QLabel(frame), new QToolButton(frame), nullptr};

@@ -13,7 +13,10 @@ using namespace vybeg;
 namespace {
 
 Diagnostic gap(std::int64_t first, std::int64_t count) {
-    return {DiagnosticKind::time_gap, {count_arg(count), number_arg(1e-3 * static_cast<double>(first))}, first, count};
+    return {DiagnosticKind::time_gap,
+            {count_arg(count), number_arg(1e-3 * static_cast<double>(first))},
+            first,
+            count};
 }
 
 const Diagnostic note{DiagnosticKind::text_lines_ignored, {count_arg(3)}};

@@ -32,18 +32,19 @@ class TestSessionWriter : public QObject {
 
     // A disk that takes so long for each file.
     void useDisk(unsigned long ms, bool works = true) {
-        SessionWriter::setDisk([this, ms, works](const QString& path, const QByteArray& bytes) -> Status {
-            QThread::msleep(ms);
-            if (!works) {
-                return Error{ErrorCode::output_failed, path.toStdString(), {"no space"}};
-            }
-            {
-                const QMutexLocker locker(&lock_);
-                const int state = QJsonDocument::fromJson(bytes).object()["state"].toInt();
-                written_ << QStringLiteral("%1: %2").arg(path).arg(state);
-            }
-            return write_file(path.toStdU16String(), bytes.toStdString(), JobControl());
-        });
+        SessionWriter::setDisk(
+            [this, ms, works](const QString& path, const QByteArray& bytes) -> Status {
+                QThread::msleep(ms);
+                if (!works) {
+                    return Error{ErrorCode::output_failed, path.toStdString(), {"no space"}};
+                }
+                {
+                    const QMutexLocker locker(&lock_);
+                    const int state = QJsonDocument::fromJson(bytes).object()["state"].toInt();
+                    written_ << QStringLiteral("%1: %2").arg(path).arg(state);
+                }
+                return write_file(path.toStdU16String(), bytes.toStdString(), JobControl());
+            });
     }
 
     static bool isSession(const QString& path) {
