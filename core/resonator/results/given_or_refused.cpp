@@ -30,7 +30,7 @@ constexpr double modes_need = 5;  // of the modes' difference
 constexpr double grows_by = 3;    // of a mode that refuses all
 constexpr double narrowed = 0.1;  // of a channel's tolerance
 constexpr double limit_sd = 2;
-constexpr double vector_needs_in_u = 3;  // of its errors by the tolerances
+constexpr double vector_needs_in_u = 5;  // of its errors by the tolerances
 constexpr double any_axis_rad =
     pi / 4 / std::numbers::sqrt3;  // deviation of any axis in 90 degrees
 constexpr double much_turned_deg = 22.5;

@@ -5,7 +5,7 @@
 #include "core/resonator/fit/fitted_break.h"
 #include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"
-#include "core/resonator/noise/residual_noise.h"
+#include "core/resonator/noise/noise_claim.h"
 #include "core/resonator/results/describe_fit.h"
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
@@ -228,6 +228,12 @@ private:
     // instead; nearly so where no single run makes the difference.
     void examine() {
         examination_ = examine_set(problem_, main_, job_);
+        if (examination_.verdict != SetVerdict::fits && is_noise()) {
+            examination_ = {};
+        }
+        if (examination_.verdict == SetVerdict::fits && !options_.assume_spread) {
+            examination_.spread = {};
+        }
         if (examination_.verdict == SetVerdict::spread) {
             for (std::size_t k = 0; k < scaled_.size(); ++k) {
                 scaled_[k].deviation = examination_.deviation[k];
@@ -247,6 +253,14 @@ private:
                                               left - dof < nearly_all * (main_.chi2 - dof))) {
             examination_ = {};
         }
+    }
+
+    // Whether the residual is a coloured noise, the same in both halves of all runs: slow noise
+    // moves the runs apart more than white noise of their windows.
+    bool is_noise() const {
+        const Posterior at = posterior(problem_, main_);
+        const NoiseEstimate noise(problem_, at, job_);
+        return !noise.noise().white() && noise_claim(noise, at, job_).holds();
     }
 
     void find_main() {

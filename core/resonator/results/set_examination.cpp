@@ -68,12 +68,9 @@ std::vector<std::size_t> all_but(std::size_t count, std::size_t out) {
 // The variance of a run's noise in units of that of its windows, by its own fit: what it misses
 // itself is a matter of its model and noise, not of the set.
 double own_noise(const PartFit& alone, const JobControl& job) {
-    const double dof = degrees_of_freedom(alone.problem);
-    const double ratio = alone.fit.chi2 / dof;
-    if (!(ratio > noise_bound(dof))) {
-        return std::max(1.0, std::isfinite(ratio) ? ratio : 1.0);
-    }
-    return std::max(ratio, widening(alone.problem, posterior(alone.problem, alone.fit), job));
+    const double ratio = alone.fit.chi2 / degrees_of_freedom(alone.problem);
+    return std::max(std::isfinite(ratio) ? ratio : 1.0,
+                    widening(alone.problem, posterior(alone.problem, alone.fit), job));
 }
 
 // What a run alone shows of the rates: the logarithm of their volume under the priors over that
