@@ -85,8 +85,8 @@ private slots:
             which += found;
             comparable += has_comparable(differences, compared.toStdString()) ? 1 : 0;
         }
-        // One of a hundred comparisons by chance (that of pair 45: -2.5 against 2.7 deviations); none of
-        // the modes, which were exchanged once.
+        // One of a hundred comparisons by chance (that of pair 45: -2.5 against 2.7 deviations);
+        // none of the modes, which were exchanged once.
         VYBEG_AT_MOST(changed, 1, qPrintable(which));
         QVERIFY2(!which.contains("modes"), qPrintable(which));
         VYBEG_AT_LEAST(comparable, 95);
