@@ -230,8 +230,13 @@ private:
             const std::size_t row = static_cast<std::size_t>(first) + k;
             const double centre_s =
                 plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_);
-            chunk.judged[row] = {estimates[k].steady_noise * estimates[k].steady_noise,
-                                 level_->apart(estimates[k], centre_s)};
+            // Rounding of a signal without noise is no event.
+            constexpr double rounding = 1e-12;  // of the wave
+            const WaveEstimate& of = estimates[k];
+            if (!(of.steady_noise < rounding * of.state.a_A)) {
+                chunk.judged[row] = {of.steady_noise * of.steady_noise,
+                                     level_->apart(of, centre_s)};
+            }
             name_transient(estimates[k], first_window + static_cast<std::int64_t>(k));
             fill_row(chunk.rows, row, centre_s, estimates[k], prepared_.rate_relative_sd);
         }

@@ -240,4 +240,23 @@ ResonatorFit describe(const SolvedSet& set, const JobControl& job) {
     return Description(set, job).made();
 }
 
+Diagnostic break_finding(const FittedBreak& found) {
+    const MessageArg recording = recording_arg(found.run);
+    const MessageArg at = number_arg(found.time_s, 4);
+    switch (found.kind) {
+        case BreakKind::phase:
+            return {DiagnosticKind::fitted_phase_step,
+                    {recording, number_arg(found.size[0], 3), at}};
+        case BreakKind::gain:
+            return {DiagnosticKind::fitted_gain_step,
+                    {recording, number_arg(100 * found.size[0], 2),
+                     number_arg(100 * found.size[1], 2), at}};
+        case BreakKind::start:
+            return {DiagnosticKind::fitted_knock,
+                    {recording, number_arg(100 * found.size[0], 2), at}};
+        case BreakKind::event: break;
+    }
+    return {DiagnosticKind::event_left_out, {recording, at, number_arg(2 * found.reach_s, 2)}};
+}
+
 }  // namespace vybeg

@@ -494,26 +494,6 @@ OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& close
     return most || opened.set->is_white() ? std::move(opened) : OpenedBreaks{};
 }
 
-// The warning that names a break.
-Diagnostic diagnostic_of(const FittedBreak& found) {
-    const MessageArg recording = recording_arg(found.run);
-    const MessageArg at = number_arg(found.time_s, 4);
-    switch (found.kind) {
-        case BreakKind::phase:
-            return {DiagnosticKind::fitted_phase_step,
-                    {recording, number_arg(found.size[0], 3), at}};
-        case BreakKind::gain:
-            return {DiagnosticKind::fitted_gain_step,
-                    {recording, number_arg(100 * found.size[0], 2),
-                     number_arg(100 * found.size[1], 2), at}};
-        case BreakKind::start:
-            return {DiagnosticKind::fitted_knock,
-                    {recording, number_arg(100 * found.size[0], 2), at}};
-        case BreakKind::event: break;
-    }
-    return {DiagnosticKind::event_left_out, {recording, at, number_arg(2 * found.reach_s, 2)}};
-}
-
 // Leaves out the run that does not belong to the set, if the others agree; returns the set with it,
 // else null.
 std::unique_ptr<SetFit> without_foreign(std::vector<PhasorRun>& runs, std::unique_ptr<SetFit>& set,
@@ -596,7 +576,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     ResonatorFit fit = set->described();
     for (FittedBreak& each : opened.breaks) {
         each.size = set->size_of(each);
-        fit.warnings.push_back(diagnostic_of(each));
+        fit.warnings.push_back(break_finding(each));
     }
     fit.breaks = std::move(opened.breaks);
     if (whole) {
