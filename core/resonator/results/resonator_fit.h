@@ -16,7 +16,7 @@ struct FitOptions {
     ChannelTolerance tolerance{};  // priors of the fit
     // Of errors without a tolerance, which the fit holds at zero: their part of u.
     ChannelTolerance assumed{.kappa = 0};
-    bool assume_spread = true;  // between two or three runs, in u
+    bool assume_spread = false;  // between two or three runs, in u
 };
 
 // Fits one resonator to all runs together (METHOD section 8): one M, and a start, frequency and

@@ -143,7 +143,9 @@ void TestFitDrift::aStrangePhaseLeavesTheEnvelopeAlone() {
         runs[0].d[k] *= turn;
     }
     const ResonatorFit fit = fitted(runs);
-    QVERIFY(warns(fit, DiagnosticKind::residual_coloured));
+    // A phase that wanders in one half alone is no stationary noise.
+    QVERIFY(warns(fit, DiagnosticKind::residual_coloured) ||
+            warns(fit, DiagnosticKind::motion_not_model));
     const double q = pi * 5300 * 400;
     VYBEG_CLOSE_RATIO(fit.runs[0].q_envelope.value, q, 0.01);
     // What a fit stops at has no deviation.

@@ -77,8 +77,7 @@ private slots:
                 QCOMPARE(row.expanded, 2 * u);
             }
             QVERIFY(any_share);
-            // Two recordings hold a spread assumed between them, too.
-            QCOMPARE(std::ssize(sources_of(budget)), angles.size() == 2 ? 7 : 6);
+            QCOMPARE(std::ssize(sources_of(budget)), 6);
         }
     }
 
