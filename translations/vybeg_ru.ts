@@ -1760,34 +1760,6 @@
         <translation>О записях в подгонке</translation>
     </message>
     <message>
-        <source>Gain ratio</source>
-        <translation>Отнош. усиления</translation>
-    </message>
-    <message>
-        <source>Skew</source>
-        <translation>Неортог.</translation>
-    </message>
-    <message>
-        <source>Delay</source>
-        <translation>Задержка</translation>
-    </message>
-    <message>
-        <source>Crosstalk</source>
-        <translation>Перекр. помеха</translation>
-    </message>
-    <message>
-        <source>Phase drift</source>
-        <translation>Уход фазы</translation>
-    </message>
-    <message>
-        <source>Gain drift</source>
-        <translation>Уход усиления</translation>
-    </message>
-    <message>
-        <source>Sample rate</source>
-        <translation>Частота дискр.</translation>
-    </message>
-    <message>
         <source>Statistical</source>
         <translation>Статист.</translation>
     </message>

@@ -8,7 +8,7 @@
 
 namespace vybeg {
 
-// What a measurement list tells of a set as a whole, for tables, passports and databases.
+// Conditions of a set as a whole in a measurement list, for tables, passports and databases.
 
 // The first gyro that a recording of the set names, and the first date, ISO 8601; empty: none.
 std::string gyro_of(const MeasurementSet& set);

@@ -49,7 +49,7 @@ inline constexpr std::array<ToleranceParameter, 7> tolerance_parameters{{
     {rate_error, "ppm", &Tolerance::rate_ppm},
 }};
 
-// Tolerance where none is told: the usual size of the error; kappa 0.01, or zero where the
+// Tolerance where none is stated: the usual size of the error; kappa 0.01, or zero where the
 // calibration gives a ratio other than 1; of the clock zero, as its frequencies are those of the
 // recorder.
 double assumed_tolerance(ErrorSource source, double calibrated_kappa);

@@ -68,7 +68,7 @@ bool is_new(const Found& found) {
     return found.empty && found.application == 0 && found.schema == 0;
 }
 
-// A row for each result, for programs that read tables: what the list tells of it, and of each
+// A row for each result, for programs that read tables: its conditions in the list, and of each
 // parameter the value, sd and u.
 std::string history_view() {
     std::string columns;

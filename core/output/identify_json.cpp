@@ -104,7 +104,7 @@ Json sensitivity_json(const BySource& sensitivity) {
     return object;
 }
 
-// The tolerances in u, and whether they are told or assumed.
+// The tolerances in u, and whether they are stated or assumed.
 Json tolerances_json(const IdentifySettings& settings) {
     Json object = Json::object();
     for (const ToleranceInUse& each :

@@ -37,7 +37,7 @@ QString toleranceName(ErrorSource source, const IdentifySettings& settings);
 // The tolerances in u, a text for each, e.g. "Delay (assumed): 10 ns".
 QStringList toleranceTexts(const IdentifySettings& settings);
 bool anyAssumed(const IdentifySettings& settings);
-// Whose clock the frequencies follow, where no tolerance of it is told; or empty.
+// The clock that the frequencies follow, where its tolerance is not stated; or empty.
 QString clockText(const IdentifySettings& settings);
 // What ± and u hold, and whose clock the frequencies follow.
 QString uncertaintyText(const Identification& found);

@@ -210,7 +210,8 @@ void FileCommands::openImport(const QString& path, const OpenOptions& options) {
 
 void FileCommands::reportSaved(const Status& status, const QString& path) {
     if (status) {
-        document_.report({MessageLevel::info, [path] { return tr("Written: %1").arg(path); }, {}, {}});
+        document_.report(
+            {MessageLevel::info, [path] { return tr("Written: %1").arg(path); }, {}, {}});
     } else {
         document_.report(errorMessage(status.error()));
     }

@@ -74,14 +74,7 @@ RunInformation reduced(const FitProblem& problem, std::size_t k, const VectorXd&
     for (Index j = 0; j < shared; ++j) {
         rest.col(j).head(rows) = at.by_parameter.col(active[static_cast<std::size_t>(j)]);
     }
-    // linearised() is by the set's parameters; by a deviation it is the parameter times that, up to
-    // the factor 1 + deviation.
-    rest.col(shared).head(rows) =
-        at.by_parameter.col(decay_at) * (p[decay_at] / (1 + run.deviation.decay));
-    rest.col(shared + 1).head(rows) = at.by_parameter.middleCols<2>(split_cos_at) *
-                                      p.segment<2>(split_cos_at) / (1 + run.deviation.split);
-    rest.col(shared + 2).head(rows) =
-        at.by_parameter.col(kappa_at) * (p[kappa_at] / (1 + run.deviation.kappa));
+    rest.rightCols<deviation_count>().topRows(rows) = by_deviation(run, at, p);
     const VectorXd unit =
         mine.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
     const Eigen::HouseholderQR<MatrixXd> qr(mine * unit.asDiagonal());
@@ -129,10 +122,10 @@ SharedNormal shared_normal(const FitProblem& problem, const VectorXd& p,
     return sum;
 }
 
-// The deviate and the ratio of T for the gradients b of the runs, their information A on the shared
+// T as a normal deviate for the gradients b of the runs, their information A on the shared
 // parameters, and the part B S B^T of the covariance of all b that the fit has taken.
-Disagreement disagreement_of(const std::vector<VectorXd>& b, const std::vector<MatrixXd>& a,
-                             const VectorXd& precision, const MatrixXd& taken) {
+double disagreement_of(const std::vector<VectorXd>& b, const std::vector<MatrixXd>& a,
+                       const VectorXd& precision, const MatrixXd& taken) {
     const Index n = precision.size();
     const auto count = static_cast<Index>(b.size());
     MatrixXd covariance = -taken;
@@ -148,16 +141,13 @@ Disagreement disagreement_of(const std::vector<VectorXd>& b, const std::vector<M
     const double mean = product.trace();
     const double variance = 2 * product.cwiseProduct(product.transpose()).sum();
     constexpr double least_mean = 0.1;
-    Disagreement found;
     // Also for NaN: runs that say nothing of each other do not disagree.
     if (!(mean > least_mean) || !(variance > 0) || !std::isfinite(t)) {
-        return found;
+        return 0;
     }
     const double freedom = 2 * mean * mean / variance;
     const double scatter = 2 / (9 * freedom);
-    found.ratio = t / mean;
-    found.deviate = (std::cbrt(found.ratio) - 1 + scatter) / std::sqrt(scatter);
-    return found;
+    return (std::cbrt(t / mean) - 1 + scatter) / std::sqrt(scatter);
 }
 
 std::vector<Eigen::Vector3d> deviations_of(std::span<const ScaledRun> runs) {
@@ -180,6 +170,17 @@ std::vector<Index> active_shared(const FitProblem& problem) {
     return active;
 }
 
+MatrixXd by_deviation(const ScaledRun& run, const Linearised& at, const VectorXd& p) {
+    // linearised() is by the set's parameters; by a deviation it is the parameter times that, up to
+    // the factor 1 + deviation.
+    MatrixXd by(at.by_parameter.rows(), deviation_count);
+    by << at.by_parameter.col(decay_at) * (p[decay_at] / (1 + run.deviation.decay)),
+        at.by_parameter.middleCols<2>(split_cos_at) *
+            (p.segment<2>(split_cos_at) / (1 + run.deviation.split)),
+        at.by_parameter.col(kappa_at) * (p[kappa_at] / (1 + run.deviation.kappa));
+    return by;
+}
+
 std::vector<RunInformation> run_information(const FitProblem& problem, const VectorXd& p,
                                             std::span<const double> noise) {
     const std::vector<Index> active = active_shared(problem);
@@ -190,8 +191,8 @@ std::vector<RunInformation> run_information(const FitProblem& problem, const Vec
     return all;
 }
 
-Disagreement disagreement(const FitProblem& problem, const VectorXd& p,
-                          std::span<const RunInformation> runs) {
+double disagreement(const FitProblem& problem, const VectorXd& p,
+                    std::span<const RunInformation> runs) {
     const std::vector<Index> active = active_shared(problem);
     const VectorXd precision = shared_precision(problem, active);
     const SharedNormal sum = shared_normal(problem, p, active, runs, {}, nullptr);
@@ -320,10 +321,10 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
                 b.emplace_back(run.toward.head(shared) - a.back() * move -
                                cross * (to[at] - deviation[at]));
             }
-            const Disagreement left =
+            const double left =
                 disagreement_of(b, a, shared_precision(problem, active),
                                 by * positive_inverse(whole, 1e-15) * by.transpose());
-            found.explains = left.deviate < most_disagreement;
+            found.explains = left < most_disagreement;
         }
         bool bounded = move.allFinite();
         for (std::size_t k = 0; k < to.size(); ++k) {

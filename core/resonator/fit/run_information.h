@@ -30,22 +30,20 @@ struct RunInformation {
 // The active ones among the shared parameters.
 std::vector<Eigen::Index> active_shared(const FitProblem& problem);
 
+// Derivatives of a run's weighted phasors by its deviations, at the set's parameters p.
+Eigen::MatrixXd by_deviation(const ScaledRun& run, const Linearised& at, const Eigen::VectorXd& p);
+
 // `noise`: variance of each run's noise in units of that of its windows.
 std::vector<RunInformation> run_information(const FitProblem& problem, const Eigen::VectorXd& p,
                                             std::span<const double> noise);
 
-// Gain of all runs by shared parameters of their own, T = sum b^T (A + L)^-1 b, against what noise
-// makes of it. Small sets and unseen parameters leave no gain: deviate 0.
-struct Disagreement {
-    double deviate = 0;  // T as a deviate of the normal distribution (Wilson and Hilferty)
-    double ratio = 1;    // T over its expectation
-};
-
-// The limit of the deviate for runs that agree: exceeded by chance in one of 1500 sets.
+// The limit of disagreement() for runs that agree: exceeded by chance in one of 1500 sets.
 inline constexpr double most_disagreement = 3.2;
 
-Disagreement disagreement(const FitProblem& problem, const Eigen::VectorXd& p,
-                          std::span<const RunInformation> runs);
+// Gain of all runs by shared parameters of their own, T = sum b^T (A + L)^-1 b, as a deviate of the
+// normal distribution (Wilson and Hilferty). Small sets and unseen parameters leave no gain: zero.
+double disagreement(const FitProblem& problem, const Eigen::VectorXd& p,
+                    std::span<const RunInformation> runs);
 
 // By how much chi^2 falls if one run has shared parameters of its own, for small differences; of
 // each run.

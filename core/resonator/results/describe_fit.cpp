@@ -102,7 +102,6 @@ private:
         const NoiseEstimate noise(problem_, set.posterior, job_);
         fit_.noise = noise.noise();
         const NoiseClaim claim = noise_claim(noise, set.posterior, job_);
-        const Eigen::MatrixXd disagreement = claim.difference * claim.difference.transpose();
         if (!noise.noise().white()) {
             set.posterior.data = noise.covariance(set.posterior);
             set.split_needs = vector_needs_coloured;
@@ -110,7 +109,7 @@ private:
             set.posterior.data *= ratio;
         }
         if (!claim.holds()) {
-            set.posterior.data += disagreement;
+            set.posterior.data += claim.difference * claim.difference.transpose();
             if (!cause) {
                 fit_.warnings.push_back({DiagnosticKind::motion_not_model, {}});
             }
@@ -133,17 +132,15 @@ private:
 
     // Changes of the active parameters by one deviation of each run from the set.
     Eigen::MatrixXd scattered(const Posterior& at) const {
-        const std::array<double, deviation_count> sizes{solved_.spread.decay, solved_.spread.split,
-                                                        solved_.spread.kappa};
+        const RunDeviation& sd = solved_.spread;
+        const Eigen::Vector3d sizes(sd.decay, sd.split, sd.kappa);
         Eigen::MatrixXd along = Eigen::MatrixXd::Zero(
             at.p.size(), deviation_count * static_cast<Eigen::Index>(at.runs.size()));
         for (std::size_t k = 0; k < at.runs.size(); ++k) {
             const RowMajor& by = at.runs[k].by_parameter;
-            Eigen::MatrixXd effect(by.rows(), deviation_count);
-            effect << sizes[0] * at.p[decay_at] * by.col(decay_at),
-                sizes[1] * (by.middleCols<2>(split_cos_at) * at.p.segment<2>(split_cos_at)),
-                sizes[2] * at.p[kappa_at] * by.col(kappa_at);
-            const Eigen::MatrixXd cross = by.transpose() * effect;
+            const Eigen::MatrixXd cross = by.transpose() *
+                                          by_deviation(problem_.runs[k], at.runs[k], at.p) *
+                                          sizes.asDiagonal();
             const auto first = deviation_count * static_cast<Eigen::Index>(k);
             along.block(0, first, shared_count, deviation_count) = cross.topRows(shared_count);
             along.block(problem_.layout.at(k, 0), first, problem_.layout.own_size(k),

@@ -227,12 +227,9 @@ private:
     // Whether the set is one at all. A cause common to all runs that leaves only noise is named
     // instead; nearly so where no single run makes the difference.
     void examine() {
-        examination_ = examine_set(problem_, main_, job_);
+        examination_ = examine_set(problem_, main_, options_.assume_spread, job_);
         if (examination_.verdict != SetVerdict::fits && is_noise()) {
             examination_ = {};
-        }
-        if (examination_.verdict == SetVerdict::fits && !options_.assume_spread) {
-            examination_.spread = {};
         }
         if (examination_.verdict == SetVerdict::spread) {
             for (std::size_t k = 0; k < scaled_.size(); ++k) {

@@ -107,14 +107,19 @@ ScaledRun with_sign(const ScaledRun& run) {
 
 class Examination {
 public:
-    Examination(const FitProblem& problem, const MapFit& joint, const JobControl& job)
-        : problem_(problem), joint_(joint), job_(job), count_(problem.runs.size()) {}
+    Examination(const FitProblem& problem, const MapFit& joint, bool assume_spread,
+                const JobControl& job)
+        : problem_(problem),
+          joint_(joint),
+          assume_spread_(assume_spread),
+          job_(job),
+          count_(problem.runs.size()) {}
 
     SetExamination made() {
         SetExamination out;
         noise_.assign(count_, 1);
         const bool structured = problem_.priors.sd[free_rotation_at] == 0;
-        if (disagree(problem_, joint_.p, noise_).deviate < most_disagreement) {
+        if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
             return with_small_spread(std::move(out), structured);
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
@@ -125,7 +130,7 @@ public:
         if (job_.cancelled()) {
             return out;
         }
-        if (disagree(problem_, joint_.p, noise_).deviate < most_disagreement) {
+        if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
             return with_small_spread(std::move(out), structured);
         }
         if (structured) {
@@ -146,14 +151,14 @@ public:
     }
 
 private:
-    Disagreement disagree(const FitProblem& problem, const VectorXd& p,
-                          const std::vector<double>& noise) const {
+    double disagree(const FitProblem& problem, const VectorXd& p,
+                    const std::vector<double>& noise) const {
         return disagreement(problem, p, run_information(problem, p, noise));
     }
 
     // What two or three runs cannot show is assumed.
     SetExamination with_small_spread(SetExamination out, bool structured) const {
-        if (structured && count_ < least_to_show) {
+        if (assume_spread_ && structured && count_ < least_to_show) {
             out.spread = spread_of(problem_, joint_.p, noise_, false, job_).sd;
         }
         return out;
@@ -175,10 +180,9 @@ private:
                 const PartFit turned = part_fit(problem_, joint_, which, std::move(runs), job_);
                 const double fall = joint_.cost - turned.fit.cost;
                 if (fall > margin &&
-                    disagree(turned.problem, turned.fit.p, noise_).deviate < most_disagreement) {
+                    disagree(turned.problem, turned.fit.p, noise_) < most_disagreement) {
                     out.foreign.push_back(k);
                     out.cause = cause;
-                    out.fall = fall;
                 }
             }
         }
@@ -253,8 +257,7 @@ private:
             std::vector<double> noise = noise_;
             noise.erase(noise.begin() + static_cast<std::ptrdiff_t>(k));
             const PartFit& rest = rest_.emplace(k, without(k)).first->second;
-            if (count_ == 2 ||
-                disagree(rest.problem, rest.fit.p, noise).deviate < most_disagreement) {
+            if (count_ == 2 || disagree(rest.problem, rest.fit.p, noise) < most_disagreement) {
                 fitting.push_back({k, (rest.fit.cost + alone_[k].fit.cost) / mean_noise});
             }
         }
@@ -268,7 +271,6 @@ private:
                 out.foreign.push_back(trial.run);
             }
         }
-        out.fall = joint_.cost - mean_noise * fitting.front().apart;
         out.verdict = out.foreign.size() > 1 ? SetVerdict::several : SetVerdict::foreign;
         name_cause(out);
     }
@@ -368,6 +370,7 @@ private:
 
     const FitProblem& problem_;
     const MapFit& joint_;
+    bool assume_spread_;
     const JobControl& job_;
     std::size_t count_;
     std::vector<double> noise_;
@@ -418,11 +421,12 @@ MessageArg cause_words(const SetExamination& examination) {
 
 }  // namespace
 
-SetExamination examine_set(const FitProblem& problem, const MapFit& joint, const JobControl& job) {
+SetExamination examine_set(const FitProblem& problem, const MapFit& joint, bool assume_spread,
+                           const JobControl& job) {
     if (problem.runs.size() < 2 || !joint.p.allFinite()) {
         return {};
     }
-    return Examination(problem, joint, job).made();
+    return Examination(problem, joint, assume_spread, job).made();
 }
 
 std::vector<Diagnostic> set_findings(const SetExamination& examination, std::size_t runs) {

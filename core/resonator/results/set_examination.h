@@ -28,7 +28,6 @@ struct SetExamination {
     ForeignCause cause = ForeignCause::unknown;  // of the likeliest
     double its_value = 0;                        // of kappa (over that of the set) or of 1/tau
     double their_value = 0;
-    double fall = 0;                      // of chi^2 where the likeliest has parameters of its own
     std::vector<RunDeviation> deviation;  // of each run; of verdict `spread`
     Eigen::VectorXd p;                    // likewise: the set's parameters
     RunDeviation spread;                  // sd of the deviations; of small sets, too
@@ -39,7 +38,9 @@ inline constexpr std::size_t least_to_show = 4;
 
 // `joint`: the fit of `problem`. A set whose runs agree takes one look at the information of each;
 // otherwise each run is fitted alone, and the set without each of the four that disagree most.
-SetExamination examine_set(const FitProblem& problem, const MapFit& joint, const JobControl& job);
+// `assume_spread`: in small sets that agree.
+SetExamination examine_set(const FitProblem& problem, const MapFit& joint, bool assume_spread,
+                           const JobControl& job);
 
 // What is said of it; `runs`: their number.
 std::vector<Diagnostic> set_findings(const SetExamination& examination, std::size_t runs);

@@ -208,7 +208,7 @@ private:
     }
 
     // Windows over which what is left keeps its sign: a motion that is not that of the sum misses
-    // it slowly, and tells less than its windows by as much.
+    // it slowly, and holds less information than its windows by as much.
     double correlation_windows() const {
         const VectorXcd left = residual();
         const Index rows = left.size() / 2;
