@@ -177,7 +177,7 @@ std::string run_text(const IdentifiedInput& input, const IdentifiedRun& run,
            line("split_sin", text_of(estimate.split_sin_hz, "Hz")) +
            line("f of this direction", text_of(estimate.direction_f_hz, "Hz")) +
            line("tau of this direction", text_of(estimate.direction_tau_s, "s")) +
-           line("q_envelope", q_envelope_text(estimate)) +
+           line("q of this wave", q_envelope_text(estimate)) +
            line("drift", text_of(estimate.drift_hz_per_s, "Hz/s"));
 }
 

@@ -196,6 +196,7 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
 
 std::vector<std::pair<std::string, std::string>> decay_list(const FreeDecay& decay) {
     std::vector<std::pair<std::string, std::string>> list;
+    list.reserve(decay_options.size());
     for (const DecayOption& option : decay_options) {
         list.emplace_back(option.name, round_trip_text(decay.*option.member));
     }

@@ -2390,12 +2390,12 @@
         <translation>Та часть разночастотности, от которой растёт квадратура этого пуска</translation>
     </message>
     <message>
-        <source>Q from the envelope</source>
-        <translation>Q по огибающей</translation>
+        <source>Q of this wave</source>
+        <translation>Q этой волны</translation>
     </message>
     <message>
-        <source>Quality factor from the power of the waves alone</source>
-        <translation>Добротность только по мощности волн</translation>
+        <source>Of its envelope alone: the power of this recording. Q of the resonator is the mean of all directions</source>
+        <translation>Только по огибающей, то есть по мощности этой записи. Q резонатора — среднее по всем направлениям</translation>
     </message>
     <message>
         <source>Q coherent</source>
@@ -2682,8 +2682,8 @@
         <translation>Q по амплитуде</translation>
     </message>
     <message>
-        <source>Amplitude at which Q from the envelope holds; Q at the largest and at the smallest amplitude</source>
-        <translation>Амплитуда, к которой относится Q по огибающей; Q при наибольшей и при наименьшей амплитуде</translation>
+        <source>Amplitude at which Q of this wave holds; Q at the largest and at the smallest amplitude</source>
+        <translation>Амплитуда, к которой относится Q этой волны; Q при наибольшей и при наименьшей амплитуде</translation>
     </message>
     <message>
         <source>at %1; %2 at %3, %4 at %5</source>
@@ -4272,6 +4272,18 @@
     <message>
         <source>Tolerance of the sample rate</source>
         <translation>Допуск частоты дискретизации</translation>
+    </message>
+    <message>
+        <source>Spread ±</source>
+        <translation>Разброс ±</translation>
+    </message>
+    <message>
+        <source>Of the decay rate between the recordings of a set, relative; of the split 2.5 times it, of the gain ratio a tenth of it. Empty: what two or three recordings cannot show.</source>
+        <translation>Скорости затухания между записями набора, относительный; расщепления — в 2,5 раза больше, отношения усилений — в десять раз меньше. Пусто: то, чего не показывают две или три записи.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the spread between recordings</source>
+        <translation>Допуск разброса между записями</translation>
     </message>
     <message>
         <source>Of the recorder&apos;s sample rate, for absolute frequencies and decay times.</source>

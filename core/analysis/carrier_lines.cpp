@@ -7,6 +7,7 @@
 #include "core/recording/checks/start_check.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <complex>
@@ -27,12 +28,12 @@ constexpr std::ptrdiff_t skirt = 8;
 // Side lobes of -150 dB: those of -92 dB hold as much as noise 60 dB below the carrier.
 constexpr double kaiser_beta = 20;
 
-// Power of both channels in the bins [first, first + size), in units of the variance per sample and
-// channel of white noise.
+// Power in the bins [first, first + size), in units of the variance per sample of white noise: of C
+// and D in each segment, and the mean of both and of all segments.
 struct Spectrum {
     double bin_hz = 0;
     std::ptrdiff_t first = 0;
-    std::vector<std::vector<double>> segments;
+    std::vector<std::array<std::vector<double>, 2>> segments;
     std::vector<double> mean;
 
     double hz(std::ptrdiff_t k) const { return static_cast<double>(first + k) * bin_hz; }
@@ -92,11 +93,17 @@ Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t s
             continue;
         }
         transform.forward(data);
-        std::vector<double>& power = spectrum.segments.emplace_back(bins);
+        auto& [of_c, of_d] = spectrum.segments.emplace_back();
+        of_c.resize(bins);
+        of_d.resize(bins);
         for (std::size_t k = 0; k < bins; ++k) {
             const std::size_t bin = static_cast<std::size_t>(spectrum.first) + k;
-            power[k] = 0.25 * (std::norm(data[bin]) + std::norm(data[size - bin])) / squares;
-            spectrum.mean[k] += power[k];
+            // The transform of C + iD.
+            const std::complex<double> above = data[bin];
+            const std::complex<double> below = std::conj(data[size - bin]);
+            of_c[k] = 0.25 * std::norm(above + below) / squares;
+            of_d[k] = 0.25 * std::norm(above - below) / squares;
+            spectrum.mean[k] += (of_c[k] + of_d[k]) / 2;
         }
     }
     for (double& power : spectrum.mean) {
@@ -159,32 +166,38 @@ std::vector<Line> lines_of(const Spectrum& spectrum) {
 // one of them does not count.
 void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const Reach& reach,
                 CarrierLines& found) {
-    // Median over mean of the sum of two exponential distributions (both channels).
-    constexpr double median_over_mean = 0.83917;
-    std::vector<double> densities;
-    std::size_t bins = 0;
-    for (const std::vector<double>& power : spectrum.segments) {
-        std::vector<double> between;
-        for (std::ptrdiff_t k = 0; k < std::ssize(power); ++k) {
-            const bool near = std::ranges::any_of(
-                lines, [k](const Line& line) { return std::abs(k - line.bin) <= skirt; });
-            if (!near && spectrum.hz(k) >= reach.low_hz && spectrum.hz(k) <= reach.high_hz) {
-                between.push_back(power[static_cast<std::size_t>(k)]);
-            }
-        }
-        if (between.size() >= 8) {
-            bins += between.size();
-            densities.push_back(median(std::move(between)) / median_over_mean);
+    std::vector<std::ptrdiff_t> between;
+    for (std::ptrdiff_t k = 0; k < std::ssize(spectrum.mean); ++k) {
+        const bool near = std::ranges::any_of(
+            lines, [k](const Line& line) { return std::abs(k - line.bin) <= skirt; });
+        if (!near && spectrum.hz(k) >= reach.low_hz && spectrum.hz(k) <= reach.high_hz) {
+            between.push_back(k);
         }
     }
-    if (densities.empty()) {
+    if (between.size() < 8 || spectrum.segments.empty()) {
         return;
     }
-    found.segments = static_cast<int>(densities.size());
-    found.noise_power = median(densities);
-    // Two channels; 2.5 bins of this window to an independent one; a median, twice over, has 1.25
-    // times the deviation of a mean each time.
-    found.relative_sd = 1.8 / std::sqrt(static_cast<double>(bins));
+    // Each channel by itself: the median of a sum depends on how alike the channels' noises are.
+    std::array<double, 2> density{};
+    for (std::size_t channel = 0; channel < density.size(); ++channel) {
+        std::vector<double> densities;
+        for (const std::array<std::vector<double>, 2>& segment : spectrum.segments) {
+            std::vector<double> powers;
+            powers.reserve(between.size());
+            for (const std::ptrdiff_t k : between) {
+                powers.push_back(segment[channel][static_cast<std::size_t>(k)]);
+            }
+            densities.push_back(median(std::move(powers)) / std::numbers::ln2);
+        }
+        density[channel] = median(std::move(densities));
+    }
+    found.segments = static_cast<int>(spectrum.segments.size());
+    found.noise_power = (density[0] + density[1]) / 2;
+    // 2.5 bins of this window to an independent one; a median has 1.44 times the deviation of a
+    // mean, that of the segments 1.25 times.
+    const auto bins = static_cast<double>(between.size() * spectrum.segments.size());
+    found.relative_sd = 1.44 * 1.25 * std::sqrt(2.5 / bins) * std::hypot(density[0], density[1]) /
+                        (density[0] + density[1]);
 }
 
 std::size_t segment_size(const ConditionedRecording& prepared, const SignalSettings& settings,

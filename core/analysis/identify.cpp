@@ -326,7 +326,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
     const double f_hz = phasors.front().f_ref_hz;
     options.tolerance = tolerance_of(settings, f_hz, Taken::by_fit);
     options.assumed = tolerance_of(settings, f_hz, Taken::all);
-    options.assume_spread = true;
+    options.spread = settings.tolerance.spread;
     Result<ResonatorFit> fit = fit_of(phasors, options, job.silent());
     if (!fit) {
         return named(fit.error(), phasors, recordings);

@@ -22,6 +22,7 @@ struct Tolerance {
     std::optional<double> phase_drift_rad;  // over a run
     std::optional<double> gain_drift;       // over a run
     std::optional<double> rate_ppm;         // of the recorder's sample rate
+    std::optional<double> spread;           // of 1/tau between the recordings of a set, relative
 
     friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
@@ -39,7 +40,7 @@ struct ToleranceParameter {
     const char* name() const { return tolerance_names[source]; }
 };
 
-inline constexpr std::array<ToleranceParameter, 7> tolerance_parameters{{
+inline constexpr std::array<ToleranceParameter, 8> tolerance_parameters{{
     {kappa_error, "", &Tolerance::kappa},
     {skew_error, "deg", &Tolerance::skew_deg},
     {delay_error, "s", &Tolerance::delay_s},
@@ -47,11 +48,12 @@ inline constexpr std::array<ToleranceParameter, 7> tolerance_parameters{{
     {phase_drift_error, "rad", &Tolerance::phase_drift_rad},
     {gain_drift_error, "", &Tolerance::gain_drift},
     {rate_error, "ppm", &Tolerance::rate_ppm},
+    {spread_error, "", &Tolerance::spread},
 }};
 
 // Tolerance where none is stated: the usual size of the error; kappa 0.01, or zero where the
 // calibration gives a ratio other than 1; of the clock zero, as its frequencies are those of the
-// recorder.
+// recorder; of the spread zero, as the fit assumes it where two or three recordings cannot show it.
 double assumed_tolerance(ErrorSource source, double calibrated_kappa);
 
 // The tolerances that an identification takes, those of zero left out.

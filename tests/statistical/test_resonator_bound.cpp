@@ -180,7 +180,7 @@ class TestResonatorBound : public QObject {
 
 private slots:
     void uncertainties_are_those_of_the_bound() {
-        constexpr int sets = 400;
+        constexpr int sets = 200;
         std::map<std::string, std::vector<double>> ratios;
         std::mutex mutex;
         for_each_seed(sets, [&](int seed) {

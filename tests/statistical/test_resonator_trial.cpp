@@ -137,7 +137,7 @@ private slots:
         std::mutex mutex;
         for_each_seed(sets, [&](int seed) {
             const RandomSet set = random_set(static_cast<std::uint64_t>(seed) + 1);
-            const Result<ResonatorFit> fit = fit_resonator(set.runs, {.assume_spread = false}, {});
+            const Result<ResonatorFit> fit = fit_resonator(set.runs, {}, {});
             const std::lock_guard lock(mutex);
             if (!fit || fit->model != ResonatorModel::structured) {
                 ++free;
@@ -184,7 +184,7 @@ private slots:
             }
             set.resonator.kappa = 1;
             const Result<ResonatorFit> fit =
-                fit_resonator(set.runs, {.tolerance = {.kappa = 0}, .assume_spread = false}, {});
+                fit_resonator(set.runs, {.tolerance = {.kappa = 0}}, {});
             const std::lock_guard lock(mutex);
             if (fit && fit->model == ResonatorModel::structured) {
                 add(set, *fit, tally);
@@ -226,8 +226,7 @@ private slots:
             std::mt19937_64 random(static_cast<std::uint64_t>(seed) + 9001);
             spoil(set, random, tolerance);
             const FitOptions options =
-                told ? FitOptions{.tolerance = tolerance, .assume_spread = false}
-                     : FitOptions{.assumed = tolerance, .assume_spread = false};
+                told ? FitOptions{.tolerance = tolerance} : FitOptions{.assumed = tolerance};
             const Result<ResonatorFit> fit = fit_resonator(set.runs, options, {});
             const std::lock_guard lock(mutex);
             if (!fit || fit->model != ResonatorModel::structured) {

@@ -43,7 +43,7 @@ Tally tally(SetKind kind, int count, std::size_t runs, double least, double most
         const double size = least * std::pow(most / least, share);
         const auto seed = static_cast<std::uint64_t>(k) + 1;
         const test::ViolatedSet set = test::violated_set(kind, seed, size, runs);
-        const Result<ResonatorFit> fit = fit_resonator(set.runs, {.assume_spread = true}, {});
+        const Result<ResonatorFit> fit = fit_resonator(set.runs, {.spread = {}}, {});
         if (!fit) {
             qFatal("the fit failed");
         }

@@ -230,15 +230,18 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
                           "Of a wave that stays in the direction in which this one "
                           "starts"),
         estimate(&RunEstimate::direction_tau_s, 1));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q from the envelope")), {},
-        QT_TRANSLATE_NOOP("Resonator", "Quality factor from the power of the waves alone"),
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q of this wave")), {},
+        QT_TRANSLATE_NOOP(
+            "Resonator",
+            "Of its envelope alone: the power of this recording. Q of the resonator is "
+            "the mean of all directions"),
         estimate(&RunEstimate::q_envelope, 1));
     const bool varies = std::ranges::any_of(
         found.fit.runs, [](const RunEstimate& run) { return run.law && run.q_envelope.given(); });
     if (varies) {
         add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q over the amplitude")), {},
             QT_TRANSLATE_NOOP("Resonator",
-                              "Amplitude at which Q from the envelope holds; Q at the largest and "
+                              "Amplitude at which Q of this wave holds; Q at the largest and "
                               "at the smallest amplitude"),
             [&found](std::size_t k) {
                 const RunEstimate& run = found.fit.runs[k];

@@ -262,6 +262,13 @@ void CalibrationFields::addTolerances() {
          QT_TR_NOOP("Of the recorder's sample rate, for absolute frequencies and decay times."),
          QT_TR_NOOP("Tolerance of the sample rate")},
         &Tolerance::rate_ppm, 1, 1);
+    add({QT_TR_NOOP("Spread ±"), "",
+         QT_TR_NOOP(
+             "Of the decay rate between the recordings of a set, relative; of the split 2.5 times "
+             "it, of the gain ratio a tenth of it. Empty: what two or three recordings cannot "
+             "show."),
+         QT_TR_NOOP("Tolerance of the spread between recordings")},
+        &Tolerance::spread, 1, 1e-3);
 }
 
 void CalibrationFields::showTolerances() {
@@ -273,8 +280,8 @@ void CalibrationFields::showTolerances() {
         const auto row =
             std::ranges::find(tolerance_parameters, each.member, &ToleranceParameter::member);
         const double assumed = assumed_tolerance(row->source, kappa) / each.scale;
-        each.field->setPlaceholderText(row->source == rate_error ? QString()
-                                                                 : QLocale().toString(assumed));
+        const bool none = row->source == rate_error || row->source == spread_error;
+        each.field->setPlaceholderText(none ? QString() : QLocale().toString(assumed));
     }
 }
 

@@ -33,7 +33,7 @@ MatrixXd positive_inverse(const MatrixXd& matrix, double least) {
     const VectorXd unit = unit_of(matrix);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
         MatrixXd(unit.asDiagonal() * matrix * unit.asDiagonal()));
-    const VectorXd values = eigen.eigenvalues();
+    const VectorXd& values = eigen.eigenvalues();
     const double limit = least * values.cwiseAbs().maxCoeff();
     VectorXd inverse(values.size());
     for (Index k = 0; k < values.size(); ++k) {
@@ -233,7 +233,7 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
     const Eigen::Vector3d largest(largest_spread.decay, largest_spread.split, largest_spread.kappa);
     std::vector<Eigen::Vector3d> grid;
     for (int k = 0; k < 64; ++k) {
-        const Eigen::Vector3d place(k / 16, k / 4 % 4, k % 4);
+        const Eigen::Vector3d place = Eigen::Vector3i(k / 16, k / 4 % 4, k % 4).cast<double>();
         grid.emplace_back((place.array() == 0)
                               .select(1e-6, largest.array() * Eigen::pow(4.0, place.array() - 3)));
     }

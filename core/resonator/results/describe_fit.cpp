@@ -67,10 +67,14 @@ public:
                 unseen_directions(problem_, set.fit, set.posterior, std::max(1.0, ratio), job_);
         }
         set.context.order = mode_order(set);
-        // The channels of the free model are any two projections.
-        const bool calibrated = solved_.model == ResonatorModel::structured;
-        set.moved = moved_by(problem_, set.posterior,
-                             calibrated ? solved_.tolerance : ChannelTolerance{.kappa = 0});
+        // The channels of the free model are any two projections; only their drifts falsify it.
+        ChannelTolerance tolerance = solved_.tolerance;
+        if (solved_.model == ResonatorModel::free) {
+            tolerance = {.kappa = 0,
+                         .phase_drift = tolerance.phase_drift,
+                         .gain_drift = tolerance.gain_drift};
+        }
+        set.moved = moved_by(problem_, set.posterior, tolerance);
         set.variances = reported_variances(set.posterior, set.context, beside, set.moved,
                                            scattered(set.posterior));
         fit_.motion = motion_of(solved_);

@@ -192,7 +192,7 @@ public:
             refuse_all({ReasonCode::set_refused, {}}, fit);
             told.verdict = told.verdict == SetVerdict::foreign ? SetVerdict::several : told.verdict;
         }
-        const std::vector<Diagnostic> findings = set_findings(told, runs_.size());
+        const std::vector<Diagnostic> findings = set_findings(told, !options_.spread);
         fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
         return fit;
     }
@@ -200,6 +200,7 @@ public:
 private:
     static ParameterLayout layout_of(const std::vector<ScaledRun>& runs) {
         std::vector<std::size_t> breaks;
+        breaks.reserve(runs.size());
         for (const ScaledRun& run : runs) {
             breaks.push_back(run.break_parameters());
         }
@@ -227,7 +228,7 @@ private:
     // Whether the set is one at all. A cause common to all runs that leaves only noise is named
     // instead; nearly so where no single run makes the difference.
     void examine() {
-        examination_ = examine_set(problem_, main_, options_.assume_spread, job_);
+        examination_ = examine_set(problem_, main_, options_.spread, job_);
         if (examination_.verdict != SetVerdict::fits && is_noise()) {
             examination_ = {};
         }
@@ -527,7 +528,7 @@ void add_foreign(const SetFit& whole, std::size_t count, ResonatorFit& fit) {
     for (FittedBreak& each : fit.breaks) {
         each.run += each.run >= out ? 1 : 0;
     }
-    const std::vector<Diagnostic> findings = set_findings(examination, count);
+    const std::vector<Diagnostic> findings = set_findings(examination, false);
     fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
     const auto at = static_cast<std::ptrdiff_t>(out);
     RunEstimate none;

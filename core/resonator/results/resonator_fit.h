@@ -6,6 +6,7 @@
 #include "core/resonator/model/phasor_run.h"
 #include "core/resonator/results/resonator_result.h"
 
+#include <optional>
 #include <span>
 
 namespace vybeg {
@@ -16,7 +17,9 @@ struct FitOptions {
     ChannelTolerance tolerance{};  // priors of the fit
     // Of errors without a tolerance, which the fit holds at zero: their part of u.
     ChannelTolerance assumed{.kappa = 0};
-    bool assume_spread = false;  // between two or three runs, in u
+    // Between the runs of a set, in u: relative sd of 1/tau (that of the split and of the gain
+    // ratio follow, `largest_spread`). None: what two or three runs cannot show is assumed.
+    std::optional<double> spread = 0;
 };
 
 // Fits one resonator to all runs together (METHOD section 8): one M, and a start, frequency and

@@ -107,11 +107,11 @@ ScaledRun with_sign(const ScaledRun& run) {
 
 class Examination {
 public:
-    Examination(const FitProblem& problem, const MapFit& joint, bool assume_spread,
+    Examination(const FitProblem& problem, const MapFit& joint, std::optional<double> spread,
                 const JobControl& job)
         : problem_(problem),
           joint_(joint),
-          assume_spread_(assume_spread),
+          told_spread_(spread),
           job_(job),
           count_(problem.runs.size()) {}
 
@@ -156,9 +156,16 @@ private:
         return disagreement(problem, p, run_information(problem, p, noise));
     }
 
-    // What two or three runs cannot show is assumed.
+    // What two or three runs cannot show is told or assumed.
     SetExamination with_small_spread(SetExamination out, bool structured) const {
-        if (assume_spread_ && structured && count_ < least_to_show) {
+        if (!structured) {
+            return out;
+        }
+        if (told_spread_) {
+            const double of_decay = *told_spread_ / largest_spread.decay;
+            out.spread = {*told_spread_, of_decay * largest_spread.split,
+                          of_decay * largest_spread.kappa};
+        } else if (count_ < least_to_show) {
             out.spread = spread_of(problem_, joint_.p, noise_, false, job_).sd;
         }
         return out;
@@ -370,7 +377,7 @@ private:
 
     const FitProblem& problem_;
     const MapFit& joint_;
-    bool assume_spread_;
+    std::optional<double> told_spread_;
     const JobControl& job_;
     std::size_t count_;
     std::vector<double> noise_;
@@ -421,15 +428,15 @@ MessageArg cause_words(const SetExamination& examination) {
 
 }  // namespace
 
-SetExamination examine_set(const FitProblem& problem, const MapFit& joint, bool assume_spread,
-                           const JobControl& job) {
+SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
+                           std::optional<double> spread, const JobControl& job) {
     if (problem.runs.size() < 2 || !joint.p.allFinite()) {
         return {};
     }
-    return Examination(problem, joint, assume_spread, job).made();
+    return Examination(problem, joint, spread, job).made();
 }
 
-std::vector<Diagnostic> set_findings(const SetExamination& examination, std::size_t runs) {
+std::vector<Diagnostic> set_findings(const SetExamination& examination, bool assumed) {
     const auto sizes = [&]() -> std::vector<MessageArg> {
         const RunDeviation& sd = examination.spread;
         return {number_arg(100 * sd.decay, 2), number_arg(100 * sd.split, 2),
@@ -437,7 +444,7 @@ std::vector<Diagnostic> set_findings(const SetExamination& examination, std::siz
     };
     switch (examination.verdict) {
         case SetVerdict::fits:
-            if (runs > 1 && runs < least_to_show && examination.spread.decay > 0) {
+            if (assumed && examination.spread.decay > 0) {
                 return {{DiagnosticKind::set_too_small, sizes()}};
             }
             return {};

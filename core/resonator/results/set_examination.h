@@ -5,6 +5,7 @@
 #include "core/resonator/fit/run_information.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace vybeg {
@@ -38,11 +39,11 @@ inline constexpr std::size_t least_to_show = 4;
 
 // `joint`: the fit of `problem`. A set whose runs agree takes one look at the information of each;
 // otherwise each run is fitted alone, and the set without each of the four that disagree most.
-// `assume_spread`: in small sets that agree.
-SetExamination examine_set(const FitProblem& problem, const MapFit& joint, bool assume_spread,
-                           const JobControl& job);
+// `spread`: of FitOptions, for sets that agree.
+SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
+                           std::optional<double> spread, const JobControl& job);
 
-// What is said of it; `runs`: their number.
-std::vector<Diagnostic> set_findings(const SetExamination& examination, std::size_t runs);
+// What is said of it; `assumed`: its spread is, where the runs agree.
+std::vector<Diagnostic> set_findings(const SetExamination& examination, bool assumed);
 
 }  // namespace vybeg

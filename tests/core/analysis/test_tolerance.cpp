@@ -96,7 +96,7 @@ private slots:
         Tolerance tolerance;
         QCOMPARE(tolerance_text(tolerance), std::string("none"));
         QVERIFY(*read_tolerance("none") == tolerance);
-        tolerance = {0.003, 1.0 / 3, 1e-9 / 7, 1e-4, 2e-5, 3e-6, 0.5};
+        tolerance = {0.003, 1.0 / 3, 1e-9 / 7, 1e-4, 2e-5, 3e-6, 0.5, 0.004};
         QVERIFY(*read_tolerance(tolerance_text(tolerance)) == tolerance);
         tolerance = {};
         tolerance.kappa = 0.0;

@@ -49,6 +49,20 @@ class TestUncertaintyBudget : public QObject {
     Q_OBJECT
 
 private slots:
+    // Four runs tell 1/tau by their mean, so that a spread of 1 % leaves half of it.
+    void a_told_spread_between_runs_is_in_u() {
+        const std::vector<PhasorRun> four = set_of(resonator(), four_angles, 1000, 1);
+        const Estimate tau = fitted(four, {.spread = 0.01}).resonator.tau_s;
+        VYBEG_CLOSE_RATIO(tau.u, 0.005 * tau.value, 0.2);
+        VYBEG_LESS(fitted(four, {.spread = {}}).resonator.tau_s.uncertainty(), 1e-3 * tau.value);
+        const std::vector<PhasorRun> two = set_of(resonator(), {10, 40}, 1000, 1);
+        const ResonatorFit told = fitted(two, {.spread = 0.01});
+        VYBEG_MORE(told.resonator.tau_s.u, 0.005 * tau.value);
+        QVERIFY(!warns(told, DiagnosticKind::set_too_small));
+        QVERIFY(warns(fitted(two, {.spread = {}}), DiagnosticKind::set_too_small));
+        QVERIFY(!warns(fitted(two), DiagnosticKind::set_too_small));
+    }
+
     void the_shares_combine_to_u_data() {
         QTest::addColumn<std::vector<double>>("angles");
         QTest::addColumn<int>("least");

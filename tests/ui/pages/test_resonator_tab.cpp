@@ -273,10 +273,11 @@ private slots:
                                        {"phase drift", "0.001"},
                                        {"crosstalk", "0.0001"},
                                        {"sample rate", "2"},
+                                       {"spread between recordings", "0.004"},
                                        {"gain ratio", "0.002"}}) {
             type(QStringLiteral("Tolerance of the ") + of, text);
         }
-        const Tolerance wanted{0.002, 0.5, 10e-9, 1e-4, 1e-3, 0.01, 2};
+        const Tolerance wanted{0.002, 0.5, 10e-9, 1e-4, 1e-3, 0.01, 2, 0.004};
         QCOMPARE(QString::fromStdString(tolerance_text(document().tolerance())),
                  QString::fromStdString(tolerance_text(wanted)));
         QVERIFY(the<QLabel>("state").text().contains("Out of date"));

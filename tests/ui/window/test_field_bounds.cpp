@@ -134,7 +134,8 @@ private slots:
               std::tuple{"Tolerance of the crosstalk", "crosstalk", 1.0},
               std::tuple{"Tolerance of the phase drift", "phase-drift", 1.0},
               std::tuple{"Tolerance of the gain drift", "gain-drift", 1.0},
-              std::tuple{"Tolerance of the sample rate", "rate", 1.0}}) {
+              std::tuple{"Tolerance of the sample rate", "rate", 1.0},
+              std::tuple{"Tolerance of the spread between recordings", "spread", 1.0}}) {
             for (const double number : {-1e-9, 0.0, 1e-12, 0.5, 2.0, 100.0}) {
                 QVERIFY2(takes(fieldOf(fields, field), typed(number / unit, false)) ==
                              coreTakesTolerance(name, number),
