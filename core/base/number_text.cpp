@@ -42,6 +42,13 @@ char* write_round_trip(char* to, double value) {
 std::string short_text(double value, int digits) {
     std::string text;
     append(text, value, std::chars_format::general, digits);
+    // "100" rather than "1e+02".
+    constexpr double most_plain = 1e6;
+    if (text.find("e+") != std::string::npos && std::abs(value) < most_plain) {
+        const double rounded = parse_number(text).value_or(value);
+        text.clear();
+        append(text, rounded, std::chars_format::fixed, 0);
+    }
     return text;
 }
 

@@ -19,7 +19,7 @@ void append_round_trip(std::string& text, double value);
 // files of millions of numbers.
 inline constexpr std::size_t longest_round_trip = 32;
 char* write_round_trip(char* to, double value);
-// `digits` significant digits.
+// `digits` significant digits; numbers below a million have no power of ten for their size.
 std::string short_text(double value, int digits = 6);
 std::string integer_text(std::int64_t value);
 // The whole of `text` as a number (no spaces, no sign but '-', "nan" and "inf" understood), or

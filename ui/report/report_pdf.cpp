@@ -10,6 +10,7 @@
 #include <QPdfWriter>
 #include <QTextBlock>
 #include <QTextDocument>
+#include <QTextFrame>
 #include <QTextObjectInterface>
 
 #include <algorithm>
@@ -84,6 +85,35 @@ int pageOf(const QTextDocument& document, const QTextBlock& block) {
     return static_cast<int>(std::floor(place.bottom() / document.pageSize().height()));
 }
 
+// A table that a page has room for starts on a new one, with the headings above it, rather than go
+// over its end: Qt breaks the cells of a row one by one.
+void keepTablesWhole(QTextDocument& document) {
+    const double page = document.pageSize().height();
+    for (QTextFrame* frame : document.rootFrame()->childFrames()) {
+        const QRectF place = document.documentLayout()->frameBoundingRect(frame);
+        const bool whole =
+            std::floor(place.top() / page) == std::floor((place.bottom() - 1) / page);
+        QTextBlock top = document.findBlock(frame->firstPosition());
+        while (top.previous().isValid() && top.previous().blockFormat().headingLevel() > 0) {
+            top = top.previous();
+        }
+        const double height =
+            place.bottom() - document.documentLayout()->blockBoundingRect(top).top();
+        if (whole || height > page) {
+            continue;
+        }
+        if (top.blockFormat().headingLevel() > 0) {
+            QTextBlockFormat format = top.blockFormat();
+            format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+            QTextCursor(top).setBlockFormat(format);
+        } else {
+            QTextFrameFormat format = frame->frameFormat();
+            format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+            frame->setFrameFormat(format);
+        }
+    }
+}
+
 // A heading goes with what stands below it. Each break moves all that follows, so that headings
 // are looked at one after the other.
 void keepHeadingsWithTheirText(QTextDocument& document) {
@@ -119,6 +149,7 @@ void layOut(QTextDocument& document, const QString& html) {
     // Qt lays out step by step, and a change before the last step leaves out the blocks of the
     // rest: counting the pages finishes it.
     (void)document.pageCount();
+    keepTablesWhole(document);
     keepHeadingsWithTheirText(document);
 }
 

@@ -18,7 +18,7 @@ namespace vybeg::ui {
 namespace {
 
 QString madeText(const QString& program, const QDateTime& made) {
-    return QStringLiteral("%1, %2").arg(QLocale().toString(made, QLocale::ShortFormat), program);
+    return QStringLiteral("%1, %2").arg(made.toString("yyyy-MM-dd HH:mm"), program);
 }
 
 ReportText framed(const QString& report, const QString& about, const QString& program) {

@@ -364,7 +364,7 @@ void SessionKeeper::offerAbandoned() {
         const QDateTime written = QFileInfo(copy).lastModified();
         Message message = warningMessage([written] {
             return tr("Vybeg did not end as it should. Its session of %1 can be recovered.")
-                .arg(QLocale().toString(written, QLocale::ShortFormat));
+                .arg(written.toString("yyyy-MM-dd HH:mm"));
         });
         message.button = [] { return tr("Recover"); };
         message.press = [this, copy] {

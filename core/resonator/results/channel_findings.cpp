@@ -127,7 +127,21 @@ Followed followed_by(const std::vector<Quadrature>& all, const Shape& shape) {
     return {xy / xx, chance_of(rest / (explained + rest), all.size())};
 }
 
-std::optional<Diagnostic> quadrature_finding(std::span<const RunEstimate> runs,
+// Share of the rotation that an error does not explain, at most 1: such an error looks like a
+// rotation, and that its size by the quadratures fits the rotation is chance as often as this.
+double left_of_rotation(const FittedSet& set, const ResonatorEstimate& resonator, std::size_t error,
+                        double tolerances) {
+    const double by_error = tolerances * set.variances.gradient.row(angle_rate_of)
+                                             .dot(set.moved.col(static_cast<Eigen::Index>(error)));
+    const Estimate& rotation = resonator.angle_rate_rad_s;
+    return rotation.given() && by_error != 0
+               ? std::min(1.0, std::abs(rotation.value / by_error - 1))
+               : 1;
+}
+
+std::optional<Diagnostic> quadrature_finding(const FittedSet& set,
+                                             const ResonatorEstimate& resonator,
+                                             std::span<const RunEstimate> runs,
                                              const ChannelTolerance& tolerance, double f_ref_hz) {
     const std::vector<Quadrature> all = quadratures_of(runs);
     if (all.size() < least_runs) {
@@ -142,8 +156,10 @@ std::optional<Diagnostic> quadrature_finding(std::span<const RunEstimate> runs,
     const Followed& found = is_phase ? phase : crosstalk;
     const SharedParameter parameter = is_phase ? phase_at : crosstalk_at;
     const auto error = std::ranges::find(channel_errors, parameter, &ChannelError::parameter);
-    if (found.chance > by_chance ||
-        std::abs(found.size) <= most_tolerances * (tolerance.*error->tolerance)) {
+    const double tolerances = found.size / (tolerance.*error->tolerance);
+    const auto place = static_cast<std::size_t>(error - channel_errors.begin());
+    const double chance = found.chance * left_of_rotation(set, resonator, place, tolerances);
+    if (!(std::abs(tolerances) > most_tolerances) || chance > by_chance) {
         return {};
     }
     return Diagnostic{DiagnosticKind::quadrature_by_channel,
@@ -192,7 +208,7 @@ std::vector<Diagnostic> channel_findings(const FittedSet& set, const ChannelTole
             found.push_back(*std::move(held));
         }
     }
-    if (auto quadrature = quadrature_finding(runs, tolerance, f_ref_hz)) {
+    if (auto quadrature = quadrature_finding(set, resonator, runs, tolerance, f_ref_hz)) {
         found.push_back(*std::move(quadrature));
     }
     const Estimate& g = resonator.damping_anisotropy_per_s;

@@ -113,14 +113,14 @@ public:
           joint_(joint),
           told_spread_(spread),
           job_(job),
-          count_(problem.runs.size()) {}
+          count_(problem.runs.size()),
+          structured_(problem.priors.sd[free_rotation_at] == 0),
+          noise_(count_, 1) {}
 
     SetExamination made() {
         SetExamination out;
-        noise_.assign(count_, 1);
-        const bool structured = problem_.priors.sd[free_rotation_at] == 0;
         if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
-            return with_small_spread(std::move(out), structured);
+            return agreeing();
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
             alone_.push_back(part_fit(problem_, joint_, std::array{k}, job_));
@@ -131,9 +131,9 @@ public:
             return out;
         }
         if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
-            return with_small_spread(std::move(out), structured);
+            return agreeing();
         }
-        if (structured) {
+        if (structured_) {
             Spread spread = spread_of(problem_, joint_.p, noise_, true, job_);
             if (spread.explains) {
                 out.spread = spread.sd;
@@ -150,15 +150,10 @@ public:
         return out;
     }
 
-private:
-    double disagree(const FitProblem& problem, const VectorXd& p,
-                    const std::vector<double>& noise) const {
-        return disagreement(problem, p, run_information(problem, p, noise));
-    }
-
-    // What two or three runs cannot show is told or assumed.
-    SetExamination with_small_spread(SetExamination out, bool structured) const {
-        if (!structured) {
+    // That of runs that agree: what two or three of them cannot show is told or assumed.
+    SetExamination agreeing() const {
+        SetExamination out;
+        if (!structured_) {
             return out;
         }
         if (told_spread_) {
@@ -169,6 +164,12 @@ private:
             out.spread = spread_of(problem_, joint_.p, noise_, false, job_).sd;
         }
         return out;
+    }
+
+private:
+    double disagree(const FitProblem& problem, const VectorXd& p,
+                    const std::vector<double>& noise) const {
+        return disagreement(problem, p, run_information(problem, p, noise));
     }
 
     // Exchanged channels or a changed sign of D in one run that a spread would hide.
@@ -380,6 +381,7 @@ private:
     std::optional<double> told_spread_;
     const JobControl& job_;
     std::size_t count_;
+    bool structured_;
     std::vector<double> noise_;
     std::vector<PartFit> alone_;
     std::vector<double> known_;            // what each run shows of the rates alone, logarithm
@@ -434,6 +436,14 @@ SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
         return {};
     }
     return Examination(problem, joint, spread, job).made();
+}
+
+SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
+                            std::optional<double> spread, const JobControl& job) {
+    if (problem.runs.size() < 2 || !joint.p.allFinite()) {
+        return {};
+    }
+    return Examination(problem, joint, spread, job).agreeing();
 }
 
 std::vector<Diagnostic> set_findings(const SetExamination& examination, bool assumed) {

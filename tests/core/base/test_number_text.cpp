@@ -83,6 +83,10 @@ private slots:
         QCOMPARE(short_text(5300.123456, 9), "5300.12346");
         QCOMPARE(short_text(1.5e-7, 2), "1.5e-07");
         QCOMPARE(short_text(1e300), "1e+300");
+        QCOMPARE(short_text(104.2, 2), "100");
+        QCOMPARE(short_text(-11074, 2), "-11000");
+        QCOMPARE(short_text(999999, 3), "1000000");
+        QCOMPARE(short_text(1.25e6, 2), "1.2e+06");
         QCOMPARE(short_text(42), "42");
         QCOMPARE(short_text(0), "0");
     }

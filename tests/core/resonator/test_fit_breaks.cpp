@@ -147,7 +147,7 @@ private slots:
     // Both gains, or that of D alone, of sizes from a tenth of an LSB of 12 bits on.
     void a_gain_step_is_found_and_the_numbers_are_right() {
         std::uint64_t seed = 40;
-        for (const double size : {5e-4, 1.5e-3}) {
+        for (const double size : {5e-4, 1.5e-3, 0.05, 1.0}) {
             for (const double of_c : {0.0, 1.0}) {
                 FreeDecay gyro = reference();
                 gyro.split_hz = 1e-3;
@@ -162,8 +162,9 @@ private slots:
                 VYBEG_EQUAL(fit.breaks.size(), 1, qPrintable(what));
                 QCOMPARE(fit.breaks[0].run, std::size_t{1});
                 VYBEG_WITHIN(fit.breaks[0].time_s, 12.3, fit.breaks[0].reach_s, qPrintable(what));
-                VYBEG_LESS(fit.chi2_per_dof, 1.2, qPrintable(what));
-                QVERIFY2(!warns(fit, DiagnosticKind::residual_coloured), qPrintable(what));
+                // The noise grows with the gain.
+                VYBEG_LESS(fit.chi2_per_dof, size < 1 ? 1.2 : 1.3, qPrintable(what));
+                QVERIFY2(size == 1 || !warns(fit, DiagnosticKind::residual_coloured), qPrintable(what));
                 VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
                 VYBEG_NEAR(fit.resonator.tau_s, 400, 4.5, 1);
             }
@@ -172,7 +173,7 @@ private slots:
 
     void a_knock_is_found_and_the_numbers_are_right() {
         std::uint64_t seed = 60;
-        for (const double size : {1e-3, 1e-2, 0.1}) {
+        for (const double size : {1e-3, 1e-2, 0.1, 0.5}) {
             FreeDecay gyro = reference();
             gyro.split_hz = 1e-3;
             gyro.theta_w = 0.3;
@@ -183,10 +184,6 @@ private slots:
             knock_at(runs[2], own, 9.1, 0.013 * (1 - 0.8 * 2), change);
             const ResonatorFit fit = fitted(runs);
             const QString what = QString("size %1: chi^2/dof %2").arg(size).arg(fit.chi2_per_dof);
-            if (size == 0.1) {  // so large that the recording does not fit the others
-                QVERIFY2(fit.left_out == std::size_t{2}, qPrintable(what));
-                continue;
-            }
             VYBEG_EQUAL(fit.breaks.size(), 1, qPrintable(what));
             QVERIFY2(warns(fit, DiagnosticKind::fitted_knock), qPrintable(what));
             QCOMPARE(fit.breaks[0].run, std::size_t{2});

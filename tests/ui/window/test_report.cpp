@@ -8,6 +8,8 @@
 #include "ui/plots/track_view.h"
 #include "ui/report/budget_text.h"
 #include "ui/report/document_report.h"
+#include "ui/report/report_html.h"
+#include "ui/report/report_pdf.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/report_dialog.h"
@@ -210,6 +212,34 @@ private slots:
                 }
             }
             VYBEG_MORE(numbers, 60);
+        }
+    }
+
+    // At every place of a page.
+    void a_table_stays_on_one_page() {
+        for (int lines = 20; lines < 70; lines += 4) {
+            ReportText text;
+            text.html = QStringLiteral("<p>filler</p>").repeated(lines) + smallHeading("Heading");
+            HtmlTable table{{"Name", "Value"}, {}, {50, 50}};
+            for (int k = 0; k < 8; ++k) {
+                table.rows.push_back(
+                    {QStringLiteral("row%1").arg(k), QStringLiteral("1.%1").arg(k)});
+            }
+            text.html += html(table) + paragraph("end");
+            const QString pdf = home_.path("table.pdf");
+            QFile file(pdf);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(reportPdf(text, {}));
+            file.close();
+            const QStringList pages = output("pdftotext", {"-layout", pdf, "-"}).split('\f');
+            const auto has = [](const QString& page) { return page.contains("row0"); };
+            const auto page = std::ranges::find_if(pages, has);
+            QVERIFY(page != pages.end());
+            QVERIFY2(page->contains("Heading"), qPrintable(QString::number(lines)));
+            for (int k = 0; k < 8; ++k) {
+                const QRegularExpression row(QStringLiteral("row%1 +1\\.%1").arg(k));
+                QVERIFY2(page->contains(row), qPrintable(QString::number(lines) + *page));
+            }
         }
     }
 
