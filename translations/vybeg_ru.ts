@@ -1353,8 +1353,8 @@
         <translation>Затухание наблюдалось только в одном направлении: приводится время затухания самой записи, а не резонатора.</translation>
     </message>
     <message>
-        <source>The channels are no calibrated pair of pick-offs (%1): the free model gives the modes, and the resonator has no axes.</source>
-        <translation>Каналы — не откалиброванная пара датчиков (%1): свободная модель даёт моды, осей у резонатора нет.</translation>
+        <source>The channels are no calibrated pair of pick-offs (%1): the free model gives the modes, and the resonator has no axes. If they are calibrated, choose the structured model.</source>
+        <translation>Каналы — не откалиброванная пара датчиков (%1): свободная модель даёт моды, осей у резонатора нет. Если пара откалибрована, выберите структурную модель.</translation>
     </message>
     <message>
         <source>The residual is below the noise of the windows (chi square per degree of freedom %1): the standard deviations are too large.</source>

@@ -254,7 +254,8 @@ MessageRow message_row(DiagnosticKind kind) {
             return {"structured-refused", serious,
                     VYBEG_MESSAGE("Message",
                                   "The channels are no calibrated pair of pick-offs (%1): the free "
-                                  "model gives the modes, and the resonator has no axes.")};
+                                  "model gives the modes, and the resonator has no axes. If they are "
+                                  "calibrated, choose the structured model.")};
         case DiagnosticKind::foreign_recording:
             return {"foreign-recording", serious,
                     VYBEG_MESSAGE("Message",

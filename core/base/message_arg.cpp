@@ -101,6 +101,7 @@ std::string english(const MessageArg& arg) {
 
 std::string english(const std::string& text, const std::vector<MessageArg>& args) {
     std::vector<std::string> texts;
+    texts.reserve(args.size());
     for (const MessageArg& arg : args) {
         texts.push_back(english(arg));
     }

@@ -185,7 +185,8 @@ void TestRowsFromSamples::every_given_number_is_right_data() {
                               .crosstalk = 1e-4,
                               .phase_drift_rad = 1e-4,
                               .gain_drift = 1e-4,
-                              .rate_ppm = std::nullopt};
+                              .rate_ppm = std::nullopt,
+                              .spread = std::nullopt};
     row("14: errors of the channels within their tolerances", one);
     one = {};
     one.truth.damping_per_power_per_s = 5e-4;

@@ -90,6 +90,7 @@ std::vector<BatchColumn> batchColumns(const std::vector<std::string>& other_colu
         return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     };
     std::vector<BatchColumn> columns;
+    columns.reserve(names.size());
     for (const Texts& texts : first_texts) {
         columns.push_back({texts.kind, texts.name, place(texts.name)});
     }

@@ -58,6 +58,15 @@ struct Normal {
     Eigen::VectorXd right;
 };
 
+// J^T J, of which half is computed.
+Eigen::MatrixXd square_of(const Linearised& at) {
+    const Eigen::Index columns = at.by_parameter.cols();
+    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(columns, columns);
+    square.selfadjointView<Eigen::Lower>().rankUpdate(at.by_parameter.transpose());
+    square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
+    return square;
+}
+
 Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& active,
                  const Eigen::VectorXd& p, std::size_t windows) {
     const ParameterLayout& layout = problem.layout;
@@ -69,7 +78,7 @@ Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& act
         const ScaledRun& run = problem.runs[k];
         const Linearised at = linearised(run, shared, own_of(layout, p, k),
                                          std::min(windows, run.size()), with_cubic);
-        add_symmetric(layout, k, at.by_parameter.transpose() * at.by_parameter, matrix);
+        add_symmetric(layout, k, square_of(at), matrix);
         const Eigen::VectorXd toward = at.by_parameter.transpose() * at.residual;
         right.head(shared_count) += toward.head(shared_count);
         right.segment(layout.at(k, 0), layout.own_size(k)) = toward.tail(layout.own_size(k));

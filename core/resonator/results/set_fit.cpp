@@ -1,0 +1,344 @@
+#include "core/resonator/results/set_fit.h"
+
+#include "core/base/number_text.h"
+#include "core/resonator/fit/fit_start.h"
+#include "core/resonator/fit/refit_in_phase.h"
+#include "core/resonator/fit/score_test.h"
+#include "core/resonator/noise/noise_claim.h"
+#include "core/resonator/results/given_or_refused.h"
+#include "core/resonator/results/misfit_cause.h"
+#include "core/resonator/results/structured_verdict.h"
+#include "core/resonator/runs/channel_noise.h"
+#include "core/resonator/runs/merge_windows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Windows of a run after merging, if its motion within a window allows; the time of the fit grows
+// with their number.
+constexpr std::size_t enough_windows = 150;
+// Least fall of chi^2 for which a dependence of the frequency on the amplitude is fitted.
+constexpr double cubic_fall = 25;
+constexpr int cubic_steps = 200;
+// A fit is abandoned after the first steps if its chi^2 is this many times that of a settling
+// frequency, or if it falls so slowly that the remaining steps would not show the term.
+constexpr int first_cubic_steps = 8;
+constexpr int later_cubic_steps = 60;
+constexpr int own_steps = 40;
+constexpr double hopeless = 100;
+
+std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale,
+                                   std::span<const Eigen::Matrix2d> whitenings) {
+    std::vector<ScaledRun> scaled;
+    for (const PhasorRun& run : runs) {
+        scaled.push_back(scaled_run(run, scale));
+        if (!whitenings.empty()) {
+            scaled.back().whitening = whitenings[scaled.size() - 1];
+        }
+    }
+    return scaled;
+}
+
+// The runs with about `windows` of them each.
+std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windows) {
+    std::vector<PhasorRun> merged;
+    for (const PhasorRun& run : runs) {
+        merged.push_back(merge_windows(run, windows));
+    }
+    return merged;
+}
+
+}  // namespace
+
+SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
+               std::span<const Eigen::Matrix2d> whitenings, const FitOptions& options,
+               const JobControl& job, Effort effort)
+    : runs_(std::move(runs)),
+      fine_(fine),
+      scaled_(scaled_runs(runs_, scale, whitenings)),
+      scale_(scale),
+      options_(options),
+      job_(job),
+      effort_(effort),
+      problem_{scaled_, layout_of(scaled_), {}} {
+    problem_.priors = structured_priors(scaled_, problem_.layout, options.tolerance);
+    if (effort == Effort::trial) {
+        problem_.noise_ratio = std::numeric_limits<double>::infinity();
+    }
+}
+
+NeededWindows SetFit::solve() {
+    find_main();
+    try_cubic();
+    if (options_.model != FitOptions::Model::free) {
+        examine();
+    }
+    if (agrees()) {
+        choose_model();
+        if (model_ == ResonatorModel::free) {
+            examine();
+        }
+        main_ = refit_in_phase(problem_, main_, job_);
+    }
+    return needed_windows(motion_of(solved()), fine_);
+}
+
+bool SetFit::agrees() const {
+    return examination_.verdict == SetVerdict::fits || examination_.verdict == SetVerdict::spread;
+}
+
+Eigen::VectorXd SetFit::own_given(const Eigen::VectorXd& shared, std::size_t run) const {
+    FitProblem one = part_of(problem_, std::array{run}, problem_.runs.subspan(run, 1));
+    one.priors.mean.head(shared_count) = shared;
+    one.priors.sd.head(shared_count).setZero();
+    Eigen::VectorXd start(one.layout.size());
+    start << shared, own_of(problem_.layout, main_.p, run);
+    return own_of(one.layout, minimise(one, start, own_steps, job_).p, 0);
+}
+
+bool SetFit::explains_as_much_as(const SetFit& other) const {
+    const double dof = degrees_of_freedom(problem_);
+    const bool structured = model_ == other.model_ || other.model_ == ResonatorModel::free;
+    return structured && chi2_per_dof() < std::max(1.5 * other.chi2_per_dof(), noise_bound(dof));
+}
+
+std::vector<Eigen::Matrix2d> SetFit::noise_whitenings() const {
+    return whitenings(motion_of(solved()), fine_);
+}
+
+std::vector<FittedBreak> SetFit::unexplained_breaks() const {
+    constexpr double least_share = 0.3;  // of the excess of chi^2 above the noise
+    constexpr double least_of_best = 0.5;
+    constexpr double close = 16;
+    const Posterior at = posterior(problem_, main_);
+    std::vector<FittedBreak> likely = likely_breaks(problem_, at);
+    double most = at_noise() ? 0 : least_share * excess();
+    for (const FittedBreak& each : likely) {
+        most = std::max(most, least_of_best * each.fall);
+    }
+    std::erase_if(likely, [&](const FittedBreak& each) { return !(each.fall > most); });
+    if (likely.empty()) {
+        return {};
+    }
+    const double fall = std::ranges::max(likely, {}, &FittedBreak::fall).fall;
+    const double settling = settling_score(problem_, at).fall;
+    const double dof = degrees_of_freedom(problem_);
+    const bool settles =
+        settling > fall && main_.chi2 - settling < std::max(noise_bound(dof) * dof, main_.chi2 / 5);
+    const std::optional<MisfitCause> smooth =
+        misfit_cause(problem_, at, fine_, scale_, Causes::without_lines, job_);
+    const bool bends = smooth && smooth->fall > fall - close;
+    return settles || bends ? std::vector<FittedBreak>{} : likely;
+}
+
+bool SetFit::is_white() const {
+    return at_noise() &&
+           NoiseEstimate(problem_, posterior(problem_, main_), job_).noise().as_expected();
+}
+
+ResonatorFit SetFit::described() const {
+    ResonatorFit fit = describe(solved(), job_);
+    fit.free_over_structured = free_over_structured_;
+    fit.warnings.insert(fit.warnings.begin(), warnings_.begin(), warnings_.end());
+    SetExamination told = examination_;
+    if (!agrees()) {
+        refuse_all({ReasonCode::set_refused, {}}, fit);
+        told.verdict = told.verdict == SetVerdict::foreign ? SetVerdict::several : told.verdict;
+    }
+    const std::vector<Diagnostic> findings = set_findings(told, !options_.spread);
+    fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
+    return fit;
+}
+
+ParameterLayout SetFit::layout_of(const std::vector<ScaledRun>& runs) {
+    std::vector<std::size_t> breaks;
+    breaks.reserve(runs.size());
+    for (const ScaledRun& run : runs) {
+        breaks.push_back(run.break_parameters());
+    }
+    return ParameterLayout(breaks);
+}
+
+SolvedSet SetFit::solved() const {
+    ChannelTolerance tolerance = options_.tolerance;
+    for (const ChannelError& error : channel_errors) {
+        double& size = tolerance.*error.tolerance;
+        size = size > 0 ? size : options_.assumed.*error.tolerance;
+    }
+    return {runs_,
+            fine_,
+            &problem_,
+            main_,
+            model_,
+            scale_,
+            cubic_limit_,
+            amplitude_or_time_,
+            examination_.spread,
+            tolerance};
+}
+
+void SetFit::examine() {
+    examination_ = examine_set(problem_, main_, options_.spread, job_);
+    if (examination_.verdict != SetVerdict::fits && is_noise()) {
+        examination_ = agreeing_set(problem_, main_, options_.spread, job_);
+    }
+    if (examination_.verdict == SetVerdict::spread) {
+        for (std::size_t k = 0; k < scaled_.size(); ++k) {
+            scaled_[k].deviation = examination_.deviation[k];
+        }
+        main_ = minimise(problem_, examination_.p, cubic_steps, job_);
+    }
+    if (agrees() || model_ == ResonatorModel::free) {
+        return;
+    }
+    const std::optional<MisfitCause> cause = misfit_cause(
+        problem_, posterior(problem_, main_), fine_, scale_, Causes::without_lines, job_);
+    const double dof = degrees_of_freedom(problem_);
+    const double left = cause ? main_.chi2 - cause->fall : main_.chi2;
+    // One parameter that explains that much is no chance.
+    constexpr double nearly_all = 0.05;
+    if (left < noise_bound(dof) * dof || (examination_.verdict == SetVerdict::refused &&
+                                          left - dof < nearly_all * (main_.chi2 - dof))) {
+        examination_ = agreeing_set(problem_, main_, options_.spread, job_);
+    }
+}
+
+bool SetFit::is_noise() const {
+    const Posterior at = posterior(problem_, main_);
+    const NoiseEstimate noise(problem_, at, job_);
+    return !noise.noise().white() && noise_claim(noise, at, job_).holds();
+}
+
+void SetFit::find_main() {
+    const WaveFit wave = fit_waves(problem_, job_);
+    std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, job_);
+    phase_left_ = still.has_value();
+    main_ = still ? *std::move(still) : fit_modes(problem_, wave, job_);
+}
+
+void SetFit::try_cubic() {
+    const Posterior at = posterior(problem_, main_);
+    const Score score = cubic_score(problem_, at);
+    const double dof = degrees_of_freedom(problem_);
+    double scale = std::max(1.0, (main_.chi2 - score.fall) / dof);
+    cubic_limit_ = {score.size[0], std::sqrt(score.inverse(0, 0) * scale), {}};
+    if (score.fall < cubic_fall * scale / 4) {
+        return;
+    }
+    FitProblem with = problem_;
+    open_cubic(with.priors, scaled_);
+    // A frequency that settles falls with the amplitude, too.
+    const double settling = main_.chi2 - settling_score(problem_, at).fall;
+    MapFit fit = minimise(with, main_.p, first_cubic_steps, job_);
+    if (!fit.converged) {
+        const double reach = main_.chi2 - fit.chi2 + later_cubic_steps * fit.last_gain;
+        if (settling < fit.chi2 / hopeless || reach < cubic_fall * scale) {
+            return;
+        }
+        fit = minimise(with, fit.p, later_cubic_steps, job_);
+    }
+    scale = std::max(1.0, fit.chi2 / degrees_of_freedom(with));
+    if (main_.chi2 - fit.chi2 <= cubic_fall * scale) {
+        return;
+    }
+    if (settling < fit.chi2 - cubic_fall * scale) {
+        return;
+    }
+    amplitude_or_time_ = settling < fit.chi2 + cubic_fall * scale;
+    main_ = std::move(fit);
+    problem_.priors = with.priors;
+    polish_cubic();
+}
+
+void SetFit::polish_cubic() {
+    if (main_.converged) {
+        return;
+    }
+    Eigen::VectorXd anew = still_waves(problem_);
+    anew[cubic_at] = main_.p[cubic_at];
+    for (const Eigen::VectorXd& start : {main_.p, anew}) {
+        MapFit fit = minimise(problem_, start, cubic_steps, job_);
+        if (fit.cost < main_.cost) {
+            main_ = std::move(fit);
+        }
+    }
+}
+
+void SetFit::choose_model() {
+    using Model = FitOptions::Model;
+    if (options_.model == Model::structured || effort_ == Effort::trial) {
+        return;
+    }
+    FitProblem free = problem_;
+    free.priors = free_priors(scaled_, problem_.layout);
+    Eigen::VectorXd start = main_.p;
+    for (const ChannelError& error : channel_errors) {
+        start[error.parameter] = free.priors.mean[error.parameter];
+    }
+    start[cubic_at] = 0;
+    MapFit free_fit = fit_near_or_from_nothing(free, start);
+    const StructuredVerdict verdict =
+        test_structured(problem_, main_, free, free_fit, options_.tolerance, job_);
+    free_over_structured_ = verdict.free_over_structured;
+    if (options_.model == Model::automatic && verdict.structured) {
+        return;
+    }
+    if (options_.model == Model::automatic) {
+        warnings_.push_back({DiagnosticKind::structured_refused, {verdict.reason}});
+    }
+    model_ = ResonatorModel::free;
+    problem_.priors = std::move(free.priors);
+    main_ = std::move(free_fit);
+}
+
+MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
+    MapFit near = minimise(problem, start, 60, job_);
+    const double dof = degrees_of_freedom(problem);
+    const double ratio = noise_bound(dof);
+    if (phase_left_ || near.chi2 < ratio * dof) {
+        return near;
+    }
+    // Channels with nearly one mixture hide the second mode in a chi^2 of two.
+    FitProblem anew = problem;
+    anew.noise_ratio = ratio;
+    anew.damping_share = std::numeric_limits<double>::infinity();
+    MapFit fit = fit_from_nothing(anew, job_);
+    return fit.cost < near.cost ? fit : near;
+}
+
+std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,
+                                   const FitOptions& options, const JobControl& job,
+                                   Effort effort) {
+    const auto fit_of = [&](std::size_t windows, std::span<const Eigen::Matrix2d> by) {
+        return std::make_unique<SetFit>(merged(good, windows), good, scale, by, options, job,
+                                        effort);
+    };
+    std::unique_ptr<SetFit> set = fit_of(enough_windows, {});
+    NeededWindows needed = set->solve();
+    const std::vector<Eigen::Matrix2d> by = set->noise_whitenings();
+    if (std::ranges::any_of(by, [](const auto& one) { return !one.isIdentity(0); })) {
+        set = fit_of(enough_windows, by);
+        needed = set->solve();
+    }
+    // More than this costs minutes and is beyond the band of the recorded windows anyway.
+    constexpr double most_windows = 4000;
+    const double windows = std::min(std::max(needed.by_motion, needed.by_line), most_windows);
+    if (windows > static_cast<double>(enough_windows) && !job.cancelled()) {
+        std::unique_ptr<SetFit> finer = fit_of(static_cast<std::size_t>(windows) + 1, by);
+        finer->solve();
+        // A line may be a disturbance far from the carrier, which longer windows suppress.
+        if (needed.by_motion > static_cast<double>(enough_windows) ||
+            finer->explains_as_much_as(*set)) {
+            return finer;
+        }
+    }
+    return set;
+}
+
+}  // namespace vybeg

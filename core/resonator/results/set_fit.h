@@ -1,0 +1,120 @@
+#pragma once
+
+#include "core/resonator/fit/fitted_break.h"
+#include "core/resonator/results/describe_fit.h"
+#include "core/resonator/results/resonator_fit.h"
+#include "core/resonator/results/set_examination.h"
+#include "core/resonator/runs/needed_windows.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// A trial of a break takes neither further starts nor the free model.
+enum class Effort { whole, trial };
+
+// The whole fit of one set, step by step.
+class SetFit {
+public:
+    // `fine`: the runs before merging of windows; `whitenings` of channel_noise.h, empty: none.
+    SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
+           std::span<const Eigen::Matrix2d> whitenings, const FitOptions& options,
+           const JobControl& job, Effort effort);
+
+    // Finds the most likely parameters; returns the number of windows of a run that they need.
+    NeededWindows solve();
+
+    const SetExamination& examination() const { return examination_; }
+
+    // Whether the runs are those of one resonator.
+    bool agrees() const;
+
+    // A run's own parameters that fit it best with the shared ones of another set.
+    Eigen::VectorXd own_given(const Eigen::VectorXd& shared, std::size_t run) const;
+
+    // Whether this solution explains its windows about as well as `other`.
+    bool explains_as_much_as(const SetFit& other) const;
+
+    double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
+    bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
+
+    // Those of the noise beside this solution.
+    std::vector<Eigen::Matrix2d> noise_whitenings() const;
+
+    double excess() const { return main_.chi2 - degrees_of_freedom(problem_); }
+
+    // Breaks, one of a kind, that may explain the residual; none if something smooth explains it as
+    // well.
+    std::vector<FittedBreak> unexplained_breaks() const;
+
+    // Whether the residual is the noise of the windows, of their colour too.
+    bool is_white() const;
+
+    std::array<double, 2> size_of(const FittedBreak& each) const {
+        return fitted_size(problem_, main_.p, each);
+    }
+
+    FittedMotion motion() const { return motion_of(solved()); }
+
+    // Results of the present parameters.
+    ResonatorFit described() const;
+
+private:
+    static ParameterLayout layout_of(const std::vector<ScaledRun>& runs);
+
+    SolvedSet solved() const;
+
+    // Whether the set is one at all. A cause common to all runs that leaves only noise is named
+    // instead; nearly so where no single run makes the difference.
+    void examine();
+
+    // Whether the residual is a coloured noise, the same in both halves of all runs: slow noise
+    // moves the runs apart more than white noise of their windows.
+    bool is_noise() const;
+
+    void find_main();
+
+    // Opens a dependence of the frequency on the amplitude only if the data require it, because
+    // elliptic waves would otherwise lose their rotation.
+    void try_cubic();
+
+    // Without the cubic term the other parameters compensated for it and are far from their values.
+    // The fit needs many steps, or a new start at still waves.
+    void polish_cubic();
+
+    void choose_model();
+
+    // The free model has no cubic term, because |z|^2 of channels of unknown scale beats.
+    MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const;
+
+    std::vector<PhasorRun> runs_;
+    std::span<const PhasorRun> fine_;
+    std::vector<ScaledRun> scaled_;
+    double scale_;
+    const FitOptions& options_;
+    const JobControl& job_;
+    Effort effort_;
+    FitProblem problem_;
+    MapFit main_;
+    bool phase_left_ = false;  // still waves explain everything except the phase
+    SetExamination examination_;
+    Estimate cubic_limit_;
+    bool amplitude_or_time_ = false;
+    ResonatorModel model_{};
+    double free_over_structured_ = 0;
+    std::vector<Diagnostic> warnings_;
+};
+
+// The set with as many windows of a run as its solution needs; it refers to the runs. `scale`: unit
+// of the phasors.
+std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, double scale,
+                                   const FitOptions& options, const JobControl& job,
+                                   Effort effort = Effort::whole);
+
+}  // namespace vybeg
