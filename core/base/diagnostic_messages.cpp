@@ -251,11 +251,12 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "The damping was seen in one direction only: the recording's own "
                                   "decay time is given, not the resonator's.")};
         case DiagnosticKind::structured_refused:
-            return {"structured-refused", serious,
-                    VYBEG_MESSAGE("Message",
-                                  "The channels are no calibrated pair of pick-offs (%1): the free "
-                                  "model gives the modes, and the resonator has no axes. If they are "
-                                  "calibrated, choose the structured model.")};
+            return {
+                "structured-refused", serious,
+                VYBEG_MESSAGE("Message",
+                              "The channels are no calibrated pair of pick-offs (%1): the free "
+                              "model gives the modes, and the resonator has no axes. If they are "
+                              "calibrated, choose the structured model.")};
         case DiagnosticKind::foreign_recording:
             return {"foreign-recording", serious,
                     VYBEG_MESSAGE("Message",

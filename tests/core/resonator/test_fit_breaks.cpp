@@ -164,7 +164,8 @@ private slots:
                 VYBEG_WITHIN(fit.breaks[0].time_s, 12.3, fit.breaks[0].reach_s, qPrintable(what));
                 // The noise grows with the gain.
                 VYBEG_LESS(fit.chi2_per_dof, size < 1 ? 1.2 : 1.3, qPrintable(what));
-                QVERIFY2(size == 1 || !warns(fit, DiagnosticKind::residual_coloured), qPrintable(what));
+                QVERIFY2(size == 1 || !warns(fit, DiagnosticKind::residual_coloured),
+                         qPrintable(what));
                 VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
                 VYBEG_NEAR(fit.resonator.tau_s, 400, 4.5, 1);
             }
