@@ -65,9 +65,9 @@ std::string described(const Recording& recording, const std::string& sha256,
                       const std::vector<Diagnostic>& diagnostics, bool verbose) {
     std::string text = "file      " + plain_text(recording.path.string()) + "\nformat    " +
                        english(recording.format) + "\nlength    " +
-                       round_trip_text(recording.seconds()) + " s, " +
+                       short_text(recording.seconds(), 12) + " s, " +
                        integer_text(recording.frames()) + " frames\nrate      " +
-                       round_trip_text(recording.rate_hz) + " Hz (" +
+                       short_text(recording.rate_hz, 12) + " Hz (" +
                        rate_origin_name(recording.rate_from) + rate_sd_text(recording) + ")\n";
     for (std::size_t i = 0; i < recording.channels.size(); ++i) {
         const Channel& channel = recording.channels[i];

@@ -90,13 +90,12 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
         std::fprintf(stderr, "vybeg: %s\n", qUtf8Printable(message.text()));
     });
     const Error interrupted{ErrorCode::interrupted, {}, {}};
-    session.openSession(QString::fromStdString(request.inputs.front()));
+    if (!session.openSession(QString::fromStdString(request.inputs.front()))) {
+        return exit_status(ErrorCode::format_damaged);  // the message has told why
+    }
     const auto ready = [&] { return !session.isOpening() && is_whole(document); };
     if (!wait_until(ready, stop)) {
         return fail(interrupted);
-    }
-    if (session.path().isEmpty()) {  // the message has told why
-        return exit_status(ErrorCode::format_damaged);
     }
     if (const Status possible = check_request("--report", request.report,
                                               recording_files(request, document), request.settings);

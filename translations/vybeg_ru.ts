@@ -1537,6 +1537,18 @@
         <translation>Столбец «%1» списка сохраняется как есть и ничего не меняет. Если имеется в виду «%2», переименуйте его.</translation>
     </message>
     <message>
+        <source>Line %1 of the list, column &quot;%2&quot;: &quot;%3&quot; begins as a formula does, and a table program that opens the results runs it.</source>
+        <translation>Строка %1 списка, столбец «%2»: «%3» начинается как формула, и табличная программа, открыв результаты, её выполнит.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 finished rows of an interrupted batch. All sets are computed again; the rows stay until the table is written, and --resume takes them.</source>
+        <translation>В %1 — готовые строки прерванной пакетной обработки (%2). Все наборы вычисляются заново; строки остаются, пока таблица не записана, и их берёт --resume.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same recordings and settings: the database holds one result for both, that of %1.</source>
+        <translation>У %1 и %2 одни и те же записи и параметры: в базе один результат на оба набора, от %1.</translation>
+    </message>
+    <message>
         <source>The list has several sets. Choose one by %2: %3.</source>
         <translation>В списке несколько наборов. Выберите один параметром %2: %3.</translation>
     </message>
@@ -3033,6 +3045,10 @@
 <context>
     <name>Words</name>
     <message>
+        <source>%1 (gyro %2)</source>
+        <translation>%1 (гироскоп %2)</translation>
+    </message>
+    <message>
         <source>Disk quota exceeded</source>
         <translation>превышена дисковая квота</translation>
     </message>
@@ -3101,8 +3117,8 @@
         <translation>это не JSON, байт %1</translation>
     </message>
     <message>
-        <source>it has more than 64 MiB</source>
-        <translation>в нём больше 64 МиБ</translation>
+        <source>it has more than %1 MiB</source>
+        <translation>в нём больше %1 МиБ</translation>
     </message>
     <message>
         <source>its first bytes are not those of an array</source>
@@ -3617,8 +3633,8 @@
         <translation>окно задано и в отсчётах</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no date as in 2026-03-31, with or without a time as in T14:05</source>
-        <translation>«%1» не дата вида 2026-03-31 (за ней может стоять время вида T14:05)</translation>
+        <source>&quot;%1&quot; is no date as in 2026-03-31 or 31.03.2026, with or without a time as in T14:05</source>
+        <translation>«%1» не дата вида 2026-03-31 или 31.03.2026 (за ней может стоять время вида T14:05)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number</source>
@@ -6106,8 +6122,8 @@
 <context>
     <name>vybeg::ui::ResultAdder</name>
     <message>
-        <source>The result of %1 replaces the one in %2 of the same recordings and settings.</source>
-        <translation>Результат %1 заменяет в %2 прежний результат тех же записей с теми же настройками.</translation>
+        <source>The result of %1 replaces that of %3 (set %4) in %2: the same recordings and settings.</source>
+        <translation>Результат %1 заменяет в %2 результат %3 (набор %4): те же записи и параметры.</translation>
     </message>
     <message>
         <source>The result of %1 is in %2.</source>
@@ -6134,10 +6150,6 @@
 </context>
 <context>
     <name>vybeg::ui::SessionKeeper</name>
-    <message>
-        <source>The session %1 cannot be read: %2.</source>
-        <translation>Сеанс %1 не читается: %2.</translation>
-    </message>
     <message>
         <source>%1 is not a session that can be read: %2, at byte %3.</source>
         <translation>%1 — не сеанс, который можно прочитать: %2, байт %3.</translation>

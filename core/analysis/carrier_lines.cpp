@@ -177,6 +177,8 @@ void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const 
     if (between.size() < 8 || spectrum.segments.empty()) {
         return;
     }
+    constexpr double correlated_bins = 2.5;  // of this window to an independent one
+    const auto bins = static_cast<double>(between.size());
     // Each channel by itself: the median of a sum depends on how alike the channels' noises are.
     std::array<double, 2> density{};
     for (std::size_t channel = 0; channel < density.size(); ++channel) {
@@ -187,16 +189,17 @@ void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const 
             for (const std::ptrdiff_t k : between) {
                 powers.push_back(segment[channel][static_cast<std::size_t>(k)]);
             }
-            densities.push_back(median(std::move(powers)) / std::numbers::ln2);
+            // Of n exponentially distributed numbers the median has the mean ln 2 + 1/(2n).
+            densities.push_back(median(std::move(powers)) /
+                                (std::numbers::ln2 + correlated_bins / 2 / bins));
         }
         density[channel] = median(std::move(densities));
     }
     found.segments = static_cast<int>(spectrum.segments.size());
     found.noise_power = (density[0] + density[1]) / 2;
-    // 2.5 bins of this window to an independent one; a median has 1.44 times the deviation of a
-    // mean, that of the segments 1.25 times.
-    const auto bins = static_cast<double>(between.size() * spectrum.segments.size());
-    found.relative_sd = 1.44 * 1.25 * std::sqrt(2.5 / bins) * std::hypot(density[0], density[1]) /
+    // A median has 1.44 times the deviation of a mean, that of the segments 1.25 times.
+    const double independent = bins * found.segments / correlated_bins;
+    found.relative_sd = 1.44 * 1.25 / std::sqrt(independent) * std::hypot(density[0], density[1]) /
                         (density[0] + density[1]);
 }
 

@@ -127,6 +127,39 @@ std::string usual_option(const std::string& field, bool several) {
     return several || parse_number(text) ? text : field;
 }
 
+std::string usual_date(const std::string& field) {
+    std::string_view left = field;
+    const auto day = digits(left, 2);
+    if (!day || !take(left, '.')) {
+        return field;
+    }
+    const auto month = digits(left, 2);
+    if (!month || !take(left, '.')) {
+        return field;
+    }
+    const auto year = digits(left, 4);
+    if (!year || !(left.empty() || take(left, ' ') || take(left, 'T'))) {
+        return field;
+    }
+    const std::string iso = field.substr(6, 4) + "-" + field.substr(3, 2) + "-" +
+                            field.substr(0, 2) + (left.empty() ? "" : "T" + std::string(left));
+    return is_iso_date(iso) ? iso : field;
+}
+
+std::optional<bool> yes_or_no(const std::string& field) {
+    const std::string name = plain_name(field);
+    if (name == "yes" || field == "да" || field == "Да" || field == "ДА") {
+        return true;
+    }
+    const bool no = name == "no" || field == "нет" || field == "Нет" || field == "НЕТ";
+    return no ? std::optional(false) : std::nullopt;
+}
+
+bool is_formula(const std::string& field) {
+    return !field.empty() && std::string_view("=+-@").find(field[0]) != std::string_view::npos &&
+           !parse_number(usual_option(field, false)) && !parse_number(field.substr(1));
+}
+
 double iso_seconds(const std::string& text) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     std::string_view left = text;

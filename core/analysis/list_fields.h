@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace vybeg {
@@ -9,6 +10,17 @@ namespace vybeg {
 // The value of an option as the command line takes it: a comma in a number becomes a point. Of
 // options that take `several` values, those between semicolons: "5000,5;5600" is 5000.5,5600.
 std::string usual_option(const std::string& field, bool several);
+
+// A date as tables write it, 16.10.2026, alone or with a time 14:05 or 14:05:30, as one of ISO
+// 8601; any other text as it is.
+std::string usual_date(const std::string& field);
+
+// yes, no, да, нет, in any case; nothing for another text.
+std::optional<bool> yes_or_no(const std::string& field);
+
+// Whether a table program runs the field as a formula: it begins with =, +, - or @ and is no
+// number.
+bool is_formula(const std::string& field);
 
 // Whether two names, of four letters at least, differ by one letter left out, added, replaced or
 // exchanged with its neighbour, or by capitals and by "_" or " " in place of "-" alone.

@@ -75,8 +75,9 @@ public:
             return table.error();
         }
         table_ = std::move(*table);
-        for (const auto step : {&Reader::name_columns, &Reader::make_numbers_usual,
-                                &Reader::group_sets, &Reader::read_sets}) {
+        for (const auto step :
+             {&Reader::name_columns, &Reader::find_formulas, &Reader::make_numbers_usual,
+              &Reader::group_sets, &Reader::read_sets}) {
             if (const Status done = (this->*step)(); !done) {
                 return done.error();
             }
@@ -121,6 +122,20 @@ private:
         if (table_.rows.empty()) {
             return invalid(1, "file",
                            words(VYBEG_MESSAGE("Words", "no row names a recording below it")));
+        }
+        return {};
+    }
+
+    // They stand in the table of results as they are, where a table program runs them.
+    Status find_formulas() {
+        for (const CsvRow& row : table_.rows) {
+            for (std::size_t k = 0; k < row.fields.size(); ++k) {
+                if (is_formula(row.fields[k])) {
+                    list_.warnings.push_back(
+                        {DiagnosticKind::formula_in_list,
+                         {count_arg(row.line), table_.names[k], row.fields[k]}});
+                }
+            }
         }
         return {};
     }
@@ -292,12 +307,13 @@ private:
         told.gyro = field(row, "gyro");
         told.operator_name = field(row, "operator");
         told.comment = field(row, "comment");
-        told.date = field(row, "date");
+        told.date = usual_date(field(row, "date"));
         if (!told.date.empty() && !is_iso_date(told.date)) {
             return invalid(row.line, "date",
                            words(VYBEG_MESSAGE("Words",
-                                               "\"%1\" is no date as in 2026-03-31, with "
-                                               "or without a time as in T14:05"),
+                                               "\"%1\" is no date as in 2026-03-31 or "
+                                               "31.03.2026, with or without a time as in "
+                                               "T14:05"),
                                  {told.date}));
         }
         for (const auto& [column, value] :
@@ -311,8 +327,9 @@ private:
             *value = text.empty() ? std::nullopt : std::optional(*number);
         }
         const std::string& exchanged = field(row, "exchanged");
-        told.exchanged = exchanged == "yes";
-        if (!exchanged.empty() && exchanged != "yes" && exchanged != "no") {
+        const std::optional<bool> answer = yes_or_no(exchanged);
+        told.exchanged = answer.value_or(false);
+        if (!exchanged.empty() && !answer) {
             return invalid(
                 row.line, "exchanged",
                 words(VYBEG_MESSAGE("Words", "\"%1\" is neither yes nor no"), {exchanged}));

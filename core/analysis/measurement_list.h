@@ -42,7 +42,7 @@ struct MeasurementSet {
 struct MeasurementList {
     std::vector<std::string> other_columns;  // unknown ones
     std::vector<MeasurementSet> sets;        // by their first recordings
-    std::vector<Diagnostic> warnings;        // columns without effect on an identification
+    std::vector<Diagnostic> warnings;        // columns without effect, formulas
 };
 
 // Values for every recording whose row does not give them.

@@ -81,6 +81,9 @@ enum class DiagnosticKind {
     other_gyro,                   // args: gyro of the passport, gyro of the recordings
     option_without_effect,        // args: option of the command line, why
     column_like_option,           // args: column of a list that is kept, the option it resembles
+    formula_in_list,              // args: line, column, field. A table program runs it.
+    earlier_rows,                 // args: file, number of its rows. An interrupted batch.
+    same_recordings,              // args: set that the database keeps, the other one
 };
 
 // first_frame is -1 where the diagnostic has no place in the recording; count is in frames.

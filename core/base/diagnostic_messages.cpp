@@ -459,6 +459,22 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "The column \"%1\" of the list is kept as it is and changes "
                                   "nothing. If \"%2\" is meant, rename it.")};
+        case DiagnosticKind::formula_in_list:
+            return {"formula-in-list", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "Line %1 of the list, column \"%2\": \"%3\" begins as a formula "
+                                  "does, and a table program that opens the results runs it.")};
+        case DiagnosticKind::earlier_rows:
+            return {"earlier-rows", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 holds %2 finished rows of an interrupted batch. All sets are "
+                                  "computed again; the rows stay until the table is written, and "
+                                  "--resume takes them.")};
+        case DiagnosticKind::same_recordings:
+            return {"same-recordings", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 and %2 have the same recordings and settings: the database "
+                                  "holds one result for both, that of %1.")};
     }
     return {"", 0, ""};
 }

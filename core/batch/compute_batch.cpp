@@ -194,6 +194,11 @@ Status compute_batch(const BatchRequest& request, const BatchEvents& events, std
     if (!journal) {
         return journal.error();
     }
+    if (events.warned && journal->found() > 0) {
+        events.warned({{DiagnosticKind::earlier_rows,
+                        {journal_of(request.output),
+                         count_arg(static_cast<std::int64_t>(journal->found()))}}});
+    }
     if (events.begun) {
         events.begun(*list);
     }

@@ -16,14 +16,20 @@ namespace {
 
 constexpr std::size_t most_names = 8;  // in a message
 
-// Size and time of the last change of a file; "-": there is none.
+// Size of a file and times of the last change of its bytes and of its inode; "-": there is none.
 std::string stamp(const std::filesystem::path& path) {
     struct stat status {};
     if (stat(path.c_str(), &status) != 0) {
         return "-";
     }
-    return integer_text(status.st_size) + "," + integer_text(status.st_mtim.tv_sec) + "," +
-           integer_text(status.st_mtim.tv_nsec);
+    std::string text = integer_text(status.st_size);
+    for (const timespec& time : {status.st_mtim, status.st_ctim}) {
+        for (const std::int64_t part : {std::int64_t{time.tv_sec}, std::int64_t{time.tv_nsec}}) {
+            text += ',';
+            text += integer_text(part);
+        }
+    }
+    return text;
 }
 
 }  // namespace

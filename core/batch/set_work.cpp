@@ -23,6 +23,11 @@ bool ends_batch(ErrorCode code) {
            status == exit_status(ErrorCode::interrupted);
 }
 
+MessageArg label(const StoredName& name) {
+    return name.gyro.empty() ? MessageArg(name.set)
+                             : words(VYBEG_MESSAGE("Words", "%1 (gyro %2)"), {name.set, name.gyro});
+}
+
 }  // namespace
 
 SetWork::SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_token stop)
@@ -76,7 +81,7 @@ void SetWork::finish(const SetTask& task) {
         add_failure(task, open.error(), {});
         return;
     }
-    const Result<IdentifiedSet> result = identify_set(*open, set, batch_.request.compare, job);
+    Result<IdentifiedSet> result = identify_set(*open, set, batch_.request.compare, job);
     if (!result) {
         add_failure(task, result.error(), warnings_of(*open));
         return;
@@ -88,19 +93,28 @@ void SetWork::finish(const SetTask& task) {
         const std::string json =
             identify_json(batch_.request.program, open->told, result->found, compared);
         Status written = task.json.empty() ? Status() : write_file(task.json, json, job);
-        written = written ? store(task, *open, result->found, json) : written;
         if (!written) {
             give_up(written.error());
             return;
+        }
+        Result<std::vector<Diagnostic>> stored = store(task, *open, result->found, json);
+        if (!stored) {
+            give_up(stored.error());
+            return;
+        }
+        if (!stored->empty()) {
+            result->warnings.emplace_back("", std::move(*stored));
         }
     }
     add_row(task, batch_row(set, result->found, compared), result->warnings, {});
 }
 
-Status SetWork::store(const SetTask& task, const OpenSet& open, const Identification& found,
-                      const std::string& json) {
+Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const OpenSet& open,
+                                               const Identification& found,
+                                               const std::string& json) {
+    std::vector<Diagnostic> warnings;
     if (batch_.database == nullptr) {
-        return {};
+        return warnings;
     }
     const Result<StoredResult> stored = stored_result(batch_.request.program, *task.set,
                                                       batch_.other_columns, open.told, found, json);
@@ -108,8 +122,27 @@ Status SetWork::store(const SetTask& task, const OpenSet& open, const Identifica
         return stored.error();
     }
     const std::lock_guard lock(database_mutex_);
-    const Result<std::int64_t> added = batch_.database->add(*stored);
-    return added ? Status() : added.error();
+    const Result<std::optional<StoredName>> holder = batch_.database->holder(stored->key);
+    if (!holder) {
+        return holder.error();
+    }
+    // Of two sets of the list the later one counts, whichever is computed first.
+    const SetTask*& last = stored_[stored->key];
+    const bool holds_later = last > &task;
+    const StoredName own{stored->set, stored->gyro};
+    if (*holder && **holder != own) {
+        const StoredName& kept = holds_later ? **holder : own;
+        warnings.push_back(
+            {DiagnosticKind::same_recordings, {label(kept), label(holds_later ? own : **holder)}});
+    }
+    if (!holds_later) {
+        const Result<std::int64_t> added = batch_.database->add(*stored);
+        if (!added) {
+            return added.error();
+        }
+        last = &task;
+    }
+    return warnings;
 }
 
 void SetWork::add_failure(const SetTask& task, const Error& error,

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -44,8 +45,9 @@ public:
 private:
     void work();
     void finish(const SetTask& task);
-    Status store(const SetTask& task, const OpenSet& open, const Identification& found,
-                 const std::string& json);
+    // Returns the warning that the database keeps one result for this set and another one.
+    Result<std::vector<Diagnostic>> store(const SetTask& task, const OpenSet& open,
+                                          const Identification& found, const std::string& json);
     void add_failure(const SetTask& task, const Error& error,
                      const std::vector<NamedWarnings>& warnings);
     void add_row(const SetTask& task, const std::string& row,
@@ -56,7 +58,8 @@ private:
     const BatchWork batch_;
     const BatchEvents& events_;
     std::vector<const SetTask*> todo_;
-    std::mutex database_mutex_;  // a wait for other writers holds up no rows
+    std::mutex database_mutex_;                     // a wait for other writers holds up no rows
+    std::map<std::string, const SetTask*> stored_;  // by the key of the result
     std::stop_source halt_;
     std::stop_callback<std::function<void()>> interrupted_;
     std::atomic<std::size_t> next_{0};

@@ -179,8 +179,10 @@ void ResultsDatabase::connect() {
     }
     // SQLite gives ":memory:" and an empty name meanings of their own, an absolute path none.
     connection_ = std::make_unique<SqliteConnection>(
-        std::filesystem::absolute(path_).string(), [job = job_, patience = patience_s_](int times) {
-            if (job.cancelled() || times * pause_ms > patience * 1000) {
+        std::filesystem::absolute(path_).string(),
+        [job = job_, patience = patience_s_, begun = 0.0](int times) mutable {
+            begun = times == 0 ? job.now() : begun;
+            if (job.cancelled() || job.now() - begun > patience) {
                 return false;
             }
             sqlite3_sleep(pause_ms);
@@ -260,11 +262,12 @@ Result<std::int64_t> ResultsDatabase::add(const StoredResult& result) {
     });
 }
 
-Result<bool> ResultsDatabase::holds(const std::string& key) {
+Result<std::optional<StoredName>> ResultsDatabase::holder(const std::string& key) {
     return guarded([&] {
-        SqliteStatement statement(*connection_, "SELECT 1 FROM result WHERE key = ?");
+        SqliteStatement statement(*connection_, "SELECT set_name, gyro FROM result WHERE key = ?");
         statement.bind(key);
-        return statement.step();
+        return statement.step() ? std::optional(StoredName{statement.text(0), statement.text(1)})
+                                : std::nullopt;
     });
 }
 

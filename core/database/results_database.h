@@ -21,6 +21,14 @@ struct StoredGyro {
     std::int64_t results = 0;
 };
 
+// What a result is called.
+struct StoredName {
+    std::string set;
+    std::string gyro;
+
+    friend bool operator==(const StoredName&, const StoredName&) = default;
+};
+
 // Results of a laboratory in one SQLite file, which several programs on several machines may write
 // at once. Each result is there whole or not at all. Not for two threads at once.
 class ResultsDatabase {
@@ -42,8 +50,8 @@ public:
     // were computed again, perhaps by a later version or with corrected conditions.
     Result<std::int64_t> add(const StoredResult& result);
 
-    // Whether there is a result of this key.
-    Result<bool> holds(const std::string& key);
+    // Set and gyro of the result of this key; nothing: there is none.
+    Result<std::optional<StoredName>> holder(const std::string& key);
 
     // By name.
     Result<std::vector<StoredGyro>> gyros();

@@ -336,22 +336,8 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
 }
 
 Result<Passport> read_passport_file(const std::filesystem::path& path) {
-    constexpr std::int64_t most_bytes = std::int64_t{1} << 26;
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        return file.error();
-    }
-    if ((*file)->size() > most_bytes) {
-        return Error{ErrorCode::passport_damaged,
-                     path.string(),
-                     {words(VYBEG_MESSAGE("Words", "it has more than 64 MiB"))}};
-    }
-    std::vector<char> bytes(static_cast<std::size_t>((*file)->size()));
-    const auto got = (*file)->read(0, bytes);
-    if (!got) {
-        return got.error();
-    }
-    return read_passport({bytes.data(), static_cast<std::size_t>(*got)}, path.string());
+    const Result<std::string> text = own_file_text(path);
+    return text ? read_passport(*text, path.string()) : text.error();
 }
 
 }  // namespace vybeg

@@ -19,7 +19,7 @@ std::string passport_json(const Passport& passport);
 // the fault and its place in the file; passport_schema for a schema newer than this program.
 Result<Passport> read_passport(std::string_view text, const std::string& where);
 
-// Reads a passport file. Errors also: those of reading a file; passport_damaged above 64 MiB.
+// Reads a passport file. Errors also: those of own_file_text().
 Result<Passport> read_passport_file(const std::filesystem::path& path);
 
 }  // namespace vybeg

@@ -74,7 +74,8 @@ RowJournal::RowJournal(RowJournal&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       end_(other.end_),
-      rows_(std::move(other.rows_)) {}
+      rows_(std::move(other.rows_)),
+      found_(other.found_) {}
 
 RowJournal::~RowJournal() {
     if (descriptor_ >= 0) {
@@ -93,8 +94,13 @@ Status RowJournal::begin(bool resume) {
                      path_.string(),
                      {words(VYBEG_MESSAGE("Words", "it is another kind of file"))}};
     }
-    if (resume && *first == head) {
-        return find_rows();
+    if (*first == head) {
+        Status found = find_rows();
+        if (!resume) {
+            found_ = rows_.size();
+            rows_.clear();
+        }
+        return found;
     }
     if (ftruncate(descriptor_, 0) != 0) {
         return failed(errno);

@@ -17,9 +17,10 @@ namespace vybeg {
 class RowJournal {
 public:
     // Opens the file, makes it if there is none, and locks it until this object goes. `resume`:
-    // keeps the rows found; otherwise begins without rows. An empty path: a file without a name,
-    // for rows of this run only. Errors: output_failed, also while another process holds the file
-    // and where another kind of file has this name; file_read_failed.
+    // takes the rows found; otherwise begins without rows, and those found stay in the file. An
+    // empty path: a file without a name, for rows of this run only. Errors: output_failed, also
+    // while another process holds the file and where another kind of file has this name;
+    // file_read_failed.
     static Result<RowJournal> open(const std::filesystem::path& path, bool resume);
 
     RowJournal(RowJournal&& other) noexcept;
@@ -28,7 +29,10 @@ public:
 
     // `key` names the row and all that it depends on, in one line without spaces.
     bool has(const std::string& key) const { return rows_.contains(key); }
-    bool empty() const { return rows_.empty(); }
+    // Whether the file has no rows, those found included.
+    bool empty() const { return rows_.empty() && found_ == 0; }
+    // Number of rows found that are not taken.
+    std::size_t found() const { return found_; }
     // Precondition: has(key). Errors: file_read_failed.
     Result<std::string> row(const std::string& key) const;
     // `row`: one line without its line feed. An error leaves the rows before. Errors:
@@ -55,6 +59,7 @@ private:
     int descriptor_ = -1;
     std::int64_t end_ = 0;
     std::map<std::string, Place> rows_;
+    std::size_t found_ = 0;
 };
 
 }  // namespace vybeg

@@ -173,6 +173,27 @@ private slots:
         QVERIFY(leave_rows());
         const Outcome anew = run(work_);
         QVERIFY2(anew.err.contains("s2: ") && anew.err.contains("broken: "), anew.err);
+        QVERIFY2(anew.err.contains("finished rows of an interrupted batch"), anew.err);
+        QCOMPARE(file("results.csv"), table_);
+        QVERIFY(!QFile::exists(path(journal)));
+    }
+
+    // Begun again without --resume, and interrupted once more: a later --resume has the rows of
+    // both.
+    void a_run_without_resume_keeps_the_rows() {
+        QVERIFY(leave_rows());
+        const QByteArray rows = file(journal);
+        QProcess process;
+        start(process, {});
+        QTest::qWait(50);
+        process.kill();
+        process.waitForFinished(20000);
+        if (process.exitStatus() == QProcess::CrashExit && file("results.csv") != table_) {
+            QVERIFY(file(journal).startsWith(rows));
+        }
+        const Outcome outcome = run(work_ + QStringList{"--resume"});
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
+        QVERIFY2(!outcome.err.contains("s2: "), outcome.err);
         QCOMPARE(file("results.csv"), table_);
     }
 

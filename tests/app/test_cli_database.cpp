@@ -101,6 +101,35 @@ private slots:
         QCOMPARE(sets(), good_sets);
     }
 
+    // A slip in the list: the later set counts, whichever is computed first, and the slip is told.
+    void the_same_recordings_under_two_gyros_are_told() {
+        QVERIFY(put(path("slip.csv"),
+                    "set,file,gyro\nfirst,a.wav,G1\nother,b.wav,G2\nlast,a.wav,G3\n"));
+        const QStringList slip{"batch",      "slip.csv",  "-o", "slip-results.csv",
+                               "--database", "results.db"};
+        for (const char* jobs : {"1", "3"}) {
+            for (int round = 0; round < 3; ++round) {
+                init();
+                const Outcome outcome = run(slip + QStringList{"--jobs", jobs});
+                VYBEG_EQUAL(outcome.status, 0, outcome.err);
+                QCOMPARE(rows_by_sqlite(path("results.db"),
+                                        "SELECT set_name, gyro FROM result ORDER BY set_name"),
+                         (QStringList{"last|G3", "other|G2"}));
+                QVERIFY2(outcome.err.contains(
+                             "last (gyro G3) and first (gyro G1) have the same recordings"),
+                         outcome.err);
+            }
+        }
+        // Again: no name changes.
+        QVERIFY(put(path("slip.csv"), "set,file,gyro\nother,b.wav,G2\nlast,a.wav,G3\n"));
+        const Outcome same = run(slip);
+        QVERIFY2(!same.err.contains("have the same recordings"), same.err);
+        QVERIFY(put(path("slip.csv"), "set,file,gyro\nlast,a.wav,G4\n"));
+        const Outcome renamed = run(slip);
+        QVERIFY2(renamed.err.contains("last (gyro G4) and last (gyro G3) have the same recordings"),
+                 renamed.err);
+    }
+
     void four_processes_at_once_lose_nothing() {
         const QStringList names{"s1", "s2", "s3", "s5", "s6", "s8", "s9", "s11", "s12"};
         for (int round = 0; round < 3; ++round) {

@@ -71,10 +71,11 @@ void readResult(BackgroundJobs& job, int key, const QString& path, std::int64_t 
 }
 
 void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
-                 std::function<void(Result<bool>)> done) {
-    job.run<bool>(
+                 std::function<void(Result<std::optional<StoredName>>)> done) {
+    job.run<std::optional<StoredName>>(
         key,
-        [path, result = std::move(result)](const JobControl& control) -> Result<bool> {
+        [path, result = std::move(result)](
+            const JobControl& control) -> Result<std::optional<StoredName>> {
             const std::string program = result.program.toStdString();
             const ResonatorOutcome& outcome = *result.outcome;
             const auto stored = stored_result(
@@ -87,7 +88,7 @@ void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStor
             if (!database) {
                 return database.error();
             }
-            const Result<bool> known = database->holds(stored->key);
+            const auto known = database->holder(stored->key);
             const Result<std::int64_t> id = known ? database->add(*stored) : known.error();
             return id ? known : id.error();
         },

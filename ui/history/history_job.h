@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/database/results_database.h"
 #include "core/database/stored_result.h"
 #include "ui/document/background_jobs.h"
 #include "ui/history/history_charts.h"
@@ -34,8 +35,9 @@ struct ResultToStore {
     std::shared_ptr<const ResonatorOutcome> outcome;
 };
 
-// As `vybeg-cli batch --database` does. `done` gets whether the result replaces an earlier one.
+// As `vybeg-cli batch --database` does. `done` gets the name of the earlier result that it
+// replaces.
 void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
-                 std::function<void(Result<bool>)> done);
+                 std::function<void(Result<std::optional<StoredName>>)> done);
 
 }  // namespace vybeg::ui

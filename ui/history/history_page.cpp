@@ -209,7 +209,7 @@ QString HistoryPage::addHint() const {
 
 void HistoryPage::refresh() {
     database_->setText(QFileInfo(path_).fileName());
-    database_->setToolTip(path_);
+    database_->setToolTip(plainTip(path_));
     const QString hint = addHint();
     add_->setEnabled(hint.isEmpty());
     add_->setToolTip(

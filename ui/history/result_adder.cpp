@@ -54,22 +54,23 @@ void ResultAdder::add(const QString& path, const QString& gyro, const QString& d
                          set->listed ? set->listed->other_columns : std::vector<std::string>(),
                          outcome};
     tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());
-    storeResult(job_, storing_job, path, std::move(result),
-                [this, path, gyro](const Result<bool>& replaced) {
-                    if (!replaced) {
-                        document_.report(errorMessage(replaced.error()));
-                        return;
-                    }
-                    const auto text = [gyro, name = QFileInfo(path).fileName(),
-                                       replaced = *replaced] {
-                        return replaced ? tr("The result of %1 replaces the one in %2 of the same "
-                                             "recordings and settings.")
-                                              .arg(gyro, name)
-                                        : tr("The result of %1 is in %2.").arg(gyro, name);
-                    };
-                    document_.report({MessageLevel::info, text, {}, {}});
-                    emit added(path);
-                });
+    storeResult(
+        job_, storing_job, path, std::move(result),
+        [this, path, gyro](const Result<std::optional<StoredName>>& replaced) {
+            if (!replaced) {
+                document_.report(errorMessage(replaced.error()));
+                return;
+            }
+            const auto text = [gyro, name = QFileInfo(path).fileName(), replaced = *replaced] {
+                return replaced ? tr("The result of %1 replaces that of %3 (set %4) in %2: "
+                                     "the same recordings and settings.")
+                                      .arg(gyro, name, QString::fromStdString(replaced->gyro),
+                                           QString::fromStdString(replaced->set))
+                                : tr("The result of %1 is in %2.").arg(gyro, name);
+            };
+            document_.report({MessageLevel::info, text, {}, {}});
+            emit added(path);
+        });
 }
 
 }  // namespace vybeg::ui

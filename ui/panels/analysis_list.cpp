@@ -4,6 +4,7 @@
 #include "ui/words/algorithm_text.h"
 #include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
 
 #include <QAction>
 #include <QEvent>
@@ -150,7 +151,7 @@ void AnalysisList::fill(QTreeWidgetItem& item, const AnalysisEntry& entry) {
     const double ms = 1e3 * entry.shown.seconds_taken;
     item.setText(time, entry.partial() ? QString() : locale.toString(ms, 'f', ms < 10 ? 2 : 0));
     for (int column = 0; column < column_count; ++column) {
-        item.setToolTip(column, item.text(column));
+        item.setToolTip(column, plainTip(item.text(column)));
     }
     if (entry.live && document_.live()) {
         QFont font = this->font();
@@ -181,7 +182,7 @@ void AnalysisList::fillNotes(QTreeWidgetItem& item, const AnalysisEntry& entry) 
     if (sentences.isEmpty()) {
         return;
     }
-    item.setToolTip(notes, sentences.join(QLatin1Char('\n')));
+    item.setToolTip(notes, plainTip(sentences.join(QLatin1Char('\n'))));
     if (const std::size_t count = static_cast<std::size_t>(sentences.size()); count > most_shown) {
         sentences.resize(most_shown);
         sentences << moreText(count - most_shown);

@@ -95,7 +95,7 @@ void CursorPanel::refresh() {
         const Analysis& analysis = *entry.shown.analysis;
         const std::size_t row = nearestRow(analysis.track, time_s);
         auto* header = new QTableWidgetItem(curveIcon(entry.shown), entry.shown.name);
-        header->setToolTip(entry.shown.recording);
+        header->setToolTip(plainTip(entry.shown.recording));
         table_->setHorizontalHeaderItem(column, header);
         const auto set = [this, column](int line, const QString& text) {
             auto* item = new QTableWidgetItem(text);

@@ -3,6 +3,7 @@
 #include "ui/panels/recording_drag.h"
 #include "ui/widgets/check_list.h"
 #include "ui/words/format_text.h"
+#include "ui/words/rich_text.h"
 
 #include <QAction>
 #include <QDir>
@@ -162,7 +163,7 @@ void RecordingPanel::rebuildList() {
 
 void RecordingPanel::showRow(QListWidgetItem& item, const RecordingEntry& entry) {
     item.setText(entry.recording ? entry.name : tr("%1 (opening)").arg(entry.name));
-    item.setToolTip(QDir::toNativeSeparators(entry.path));
+    item.setToolTip(plainTip(QDir::toNativeSeparators(entry.path)));
     const bool doubtful =
         entry.faults
             ? std::ranges::any_of(entry.faults->findings, isWorthAWarning)

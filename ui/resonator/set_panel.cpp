@@ -2,6 +2,7 @@
 
 #include "ui/panels/recording_drag.h"
 #include "ui/resonator/conditions_text.h"
+#include "ui/words/rich_text.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -219,7 +220,7 @@ void SetPanel::refreshMembers(const RecordingSet* set) {
             const ListedMember& member = listed->members.at(id);
             told += conditionsText(member.row, listed->other_columns);
         }
-        item->setToolTip(told.join(QLatin1Char('\n')));
+        item->setToolTip(plainTip(told.join(QLatin1Char('\n'))));
         item->setSelected(std::ranges::count(selected, id) > 0);
     }
     members_->updateGeometry();

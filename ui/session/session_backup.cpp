@@ -43,6 +43,11 @@ void SessionBackup::soon() {
     }
 }
 
+void SessionBackup::take(const QString& path) {
+    taken_ << path;
+    soon();
+}
+
 void SessionBackup::write() {
     QJsonObject content = content_();
     if (content == written_ || content.isEmpty()) {
@@ -66,6 +71,10 @@ void SessionBackup::write() {
     writer_.write(path_, written_, [this](const Result<QByteArray>& result) {
         if (!result) {
             written_ = {};  // no failure of the work: the next copy may succeed
+            return;
+        }
+        for (const QString& copy : std::exchange(taken_, {})) {
+            discard(copy);
         }
     });
 }

@@ -25,6 +25,9 @@ public:
 
     // A copy at the next turn of the event loop: something was computed.
     void soon();
+    // An abandoned copy whose session this program has opened: it goes when there is another one on
+    // the disk.
+    void take(const QString& path);
     // Waits for the copy that is being written and removes it; there are no more.
     void end();
     // Copies of programs that are not running any more, oldest first.
@@ -41,6 +44,7 @@ private:
     QTimer timer_;
     QTimer soon_;
     SessionWriter writer_;
+    QStringList taken_;
 };
 
 }  // namespace vybeg::ui

@@ -1,5 +1,6 @@
 #include "ui/session/session_keeper.h"
 
+#include "core/recording/bytes/file_bytes.h"
 #include "ui/document/measured_set.h"
 #include "ui/session/session_file.h"
 #include "ui/session/session_json.h"
@@ -7,7 +8,6 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -71,16 +71,14 @@ void SessionKeeper::fail(std::function<QString()> text) {
     document_.report({MessageLevel::error, std::move(text), {}, {}});
 }
 
-void SessionKeeper::openSession(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        fail([path, reason = file.errorString()] {
-            return tr("The session %1 cannot be read: %2.").arg(path, reason);
-        });
-        return;
+bool SessionKeeper::openSession(const QString& path) {
+    const Result<std::string> text = own_file_text(path.toStdString());
+    if (!text) {
+        document_.report(errorMessage(text.error()));
+        return false;
     }
     QJsonParseError fault;
-    const QByteArray bytes = file.readAll();
+    const QByteArray bytes = QByteArray::fromStdString(*text);
     const QJsonObject json = QJsonDocument::fromJson(bytes, &fault).object();
     if (fault.error != QJsonParseError::NoError) {
         fail([path, at = fault.offset, reason = fault.errorString()] {
@@ -88,12 +86,12 @@ void SessionKeeper::openSession(const QString& path) {
                 .arg(path, reason)
                 .arg(at);
         });
-        return;
+        return false;
     }
     const int schema = json[session_schema_key].toInt();
     if (schema < 1) {
         fail([path] { return tr("%1 is not a session of Vybeg.").arg(path); });
-        return;
+        return false;
     }
     if (const QString key = misplacedKey(json); !key.isEmpty()) {
         fail([path, key] {
@@ -101,7 +99,7 @@ void SessionKeeper::openSession(const QString& path) {
                       "there. Restore the file from a copy.")
                 .arg(path, key);
         });
-        return;
+        return false;
     }
     if (schema > session_schema) {
         warn([path] {
@@ -117,7 +115,7 @@ void SessionKeeper::openSession(const QString& path) {
         Error error = session.error();
         error.where = path.toStdString();
         document_.report(errorMessage(error));
-        return;
+        return false;
     }
     session->unknown.remove(backup_key);
     path_ = is_backup ? json[backup_key].toString() : QFileInfo(path).absoluteFilePath();
@@ -125,6 +123,7 @@ void SessionKeeper::openSession(const QString& path) {
     in_file_ = is_backup ? QByteArray() : digest(bytes);
     emit pathChanged();
     begin(std::move(*session));
+    return true;
 }
 
 void SessionKeeper::begin(Session session) {
@@ -319,9 +318,9 @@ bool SessionKeeper::isModified() const {
 }
 
 bool SessionKeeper::isChangedElsewhere() const {
-    QFile file(path_);
-    return !in_file_.isEmpty() && file.open(QIODevice::ReadOnly) &&
-           digest(file.readAll()) != in_file_;
+    const Result<std::string> text =
+        in_file_.isEmpty() ? Result(std::string()) : own_file_text(path_.toStdString());
+    return !in_file_.isEmpty() && text && digest(QByteArray::fromStdString(*text)) != in_file_;
 }
 
 void SessionKeeper::save(const QString& path, std::function<void()> then) {
@@ -368,9 +367,9 @@ void SessionKeeper::offerAbandoned() {
         });
         message.button = [] { return tr("Recover"); };
         message.press = [this, copy] {
-            openSession(copy);
-            SessionBackup::discard(copy);
-            backup_.soon();
+            if (openSession(copy)) {
+                backup_.take(copy);
+            }
         };
         message.until_answered = true;
         document_.report(message);

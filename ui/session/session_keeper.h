@@ -29,8 +29,8 @@ public:
 
     // Recordings, measurement lists and sessions; a session takes the place of everything open.
     void open(const QStringList& paths, const OpenOptions& options = {});
-    // Errors are reported.
-    void openSession(const QString& path);
+    // Errors are reported; false: the session is not opened.
+    bool openSession(const QString& path);
     // In the background; `then` after it has succeeded.
     void save(const QString& path, std::function<void()> then = {});
     // Whether a session that is to be saved is not in its file yet.

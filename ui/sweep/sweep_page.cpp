@@ -229,7 +229,7 @@ QString SweepPage::stateText() const {
 void SweepPage::refresh() {
     const bool ready = !running() && missing().isEmpty();
     recording_->setText(current() ? current()->name : QString());
-    recording_->setToolTip(current() ? current()->path : QString());
+    recording_->setToolTip(current() ? plainTip(current()->path) : QString());
     compute_->setEnabled(ready);
     compute_->setToolTip(richTip(ready ? tr("Estimates adjacent windows of each length with the "
                                             "settings of the panel Analysis")

@@ -1,5 +1,7 @@
 #include "ui/window/recent_files.h"
 
+#include "ui/words/rich_text.h"
+
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
@@ -45,7 +47,7 @@ void RecentFiles::rebuild() {
         QString name = QFileInfo(path).fileName();
         name.replace(QLatin1Char('&'), QStringLiteral("&&"));
         QAction* action = addAction(i < 9 ? QStringLiteral("&%1 %2").arg(i + 1).arg(name) : name);
-        action->setToolTip(QDir::toNativeSeparators(path));
+        action->setToolTip(plainTip(QDir::toNativeSeparators(path)));
         connect(action, &QAction::triggered, this, [this, path] { emit chosen(path); });
     }
     if (!files.isEmpty()) {

@@ -1,5 +1,7 @@
 #include "ui/window/welcome_page.h"
 
+#include "ui/words/rich_text.h"
+
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
@@ -64,7 +66,7 @@ void WelcomePage::setRecent(const QStringList& paths) {
             QStringLiteral("%1\n%2").arg(file.fileName(), QDir::toNativeSeparators(file.path())),
             recent_);
         item->setData(Qt::UserRole, path);
-        item->setToolTip(QDir::toNativeSeparators(path));
+        item->setToolTip(plainTip(QDir::toNativeSeparators(path)));
     }
     recent_name_->setVisible(!paths.isEmpty());
     recent_->setVisible(!paths.isEmpty());

@@ -33,6 +33,10 @@ QString richTip(const QString& text) {
     return text.isEmpty() ? text : QStringLiteral("<p>%1</p>").arg(richText(text));
 }
 
+QString plainTip(const QString& text) {
+    return text.isEmpty() ? text : Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal);
+}
+
 void IndexDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
     QStyleOptionViewItem item = option;

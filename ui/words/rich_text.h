@@ -11,6 +11,10 @@ QString richText(const QString& text);
 // The same as a paragraph: tooltips of rich text break their lines, plain ones do not.
 QString richTip(const QString& text);
 
+// A tool tip of a path, a name or another foreign text, as it is: Qt takes a text with tags for
+// HTML.
+QString plainTip(const QString& text);
+
 // Draws the texts of a list or table with their indices set low.
 class IndexDelegate : public QStyledItemDelegate {
     Q_OBJECT

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -34,9 +33,7 @@ Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::
     }
     struct stat status {};
     const int failed = ::fstat(descriptor, &status) == 0 ? 0 : errno;
-    const std::shared_ptr<const FileBytes> file(
-        new FileBytes(path, descriptor, static_cast<std::int64_t>(status.st_size),
-                      {status.st_mtim.tv_sec, status.st_mtim.tv_nsec}));
+    const std::shared_ptr<const FileBytes> file(new FileBytes(path, descriptor, status));
     if (failed != 0) {
         return failure(path, failed);
     }
@@ -53,9 +50,8 @@ Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::
     return file;
 }
 
-FileBytes::FileBytes(std::filesystem::path path, int descriptor, std::int64_t size,
-                     ChangeTime changed)
-    : path_(std::move(path)), descriptor_(descriptor), size_(size), changed_(changed) {}
+FileBytes::FileBytes(std::filesystem::path path, int descriptor, const struct stat& status)
+    : path_(std::move(path)), descriptor_(descriptor), status_(status) {}
 
 FileBytes::~FileBytes() {
     ::close(descriptor_);
@@ -66,8 +62,14 @@ Status FileBytes::unchanged() const {
     if (::fstat(descriptor_, &status) != 0) {
         return failure(path_, errno);
     }
-    const bool same = status.st_size == size_ &&
-                      ChangeTime{status.st_mtim.tv_sec, status.st_mtim.tv_nsec} == changed_;
+    const auto same_time = [](const timespec& a, const timespec& b) {
+        return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
+    };
+    const bool renamed = status.st_nlink != status_.st_nlink || status.st_mode != status_.st_mode ||
+                         status.st_uid != status_.st_uid || status.st_gid != status_.st_gid;
+    const bool same = status.st_size == status_.st_size &&
+                      same_time(status.st_mtim, status_.st_mtim) &&
+                      (renamed || same_time(status.st_ctim, status_.st_ctim));
     return same ? Status{} : error(ErrorCode::file_changed);
 }
 
@@ -90,6 +92,26 @@ Result<std::int64_t> FileBytes::read(std::int64_t offset, std::span<char> out) c
         done += got > 0 ? got : 0;
     }
     return done;
+}
+
+Result<std::string> own_file_text(const std::filesystem::path& path) {
+    constexpr std::int64_t most_mib = 64;
+    const auto file = FileBytes::open(path);
+    if (!file) {
+        return file.error();
+    }
+    if ((*file)->size() > most_mib << 20) {
+        return (*file)->error(
+            ErrorCode::file_read_failed,
+            {words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)})});
+    }
+    std::string text(static_cast<std::size_t>((*file)->size()), '\0');
+    const Result<std::int64_t> got = (*file)->read(0, text);
+    if (!got) {
+        return got.error();
+    }
+    text.resize(static_cast<std::size_t>(*got));
+    return text;
 }
 
 }  // namespace vybeg

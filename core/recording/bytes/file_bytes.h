@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <sys/stat.h>
 
 namespace vybeg {
 
@@ -22,12 +23,13 @@ public:
     ~FileBytes();
 
     const std::filesystem::path& path() const { return path_; }
-    std::int64_t size() const { return size_; }  // bytes, at the time of opening
+    std::int64_t size() const { return status_.st_size; }  // bytes, at the time of opening
     // For another process; this object keeps ownership.
     int descriptor() const { return descriptor_; }
 
-    // Checks that size and modification time are those at the time of opening. Errors:
-    // file_changed, file_read_failed.
+    // Checks that size and times of the last change are those at the time of opening. The time of
+    // the inode tells of bytes whose own time was put back; a change of names or rights moves it,
+    // too. Errors: file_changed, file_read_failed.
     Status unchanged() const;
 
     // An error about this file.
@@ -38,20 +40,15 @@ public:
     Result<std::int64_t> read(std::int64_t offset, std::span<char> out) const;
 
 private:
-    // The time of the last change, s and ns.
-    struct ChangeTime {
-        std::int64_t s = 0;
-        std::int64_t ns = 0;
-
-        friend bool operator==(const ChangeTime&, const ChangeTime&) = default;
-    };
-
-    FileBytes(std::filesystem::path path, int descriptor, std::int64_t size, ChangeTime changed);
+    FileBytes(std::filesystem::path path, int descriptor, const struct stat& status);
 
     std::filesystem::path path_;
     int descriptor_;
-    std::int64_t size_;
-    ChangeTime changed_;
+    struct stat status_;
 };
+
+// All bytes of a file that the program itself has written: a session, a passport. Errors: those of
+// FileBytes; file_read_failed for more than 64 MiB.
+Result<std::string> own_file_text(const std::filesystem::path& path);
 
 }  // namespace vybeg

@@ -2,7 +2,8 @@
 
 #include "core/resonator/fit/fitted_break.h"
 #include "core/resonator/results/describe_fit.h"
-#include "core/resonator/results/resonator_fit.h"
+#include "core/resonator/results/fit_options.h"
+#include "core/resonator/results/resonator_result.h"
 #include "core/resonator/results/set_examination.h"
 #include "core/resonator/runs/needed_windows.h"
 

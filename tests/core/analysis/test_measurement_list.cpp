@@ -269,9 +269,9 @@ private slots:
         row("file,set,model\na.wav,A,free\nb.wav,A,\nc.wav,A,auto\n",
             ", line 4, column \"model\": \"auto\" differs from \"free\" in line 2, and one value "
             "holds for all recordings of a set.");
-        row("file,date\na.wav,31.03.2026\n",
-            ", line 2, column \"date\": \"31.03.2026\" is no date as in 2026-03-31, with or "
-            "without a time as in T14:05.");
+        row("file,date\na.wav,31.02.2026\n",
+            ", line 2, column \"date\": \"31.02.2026\" is no date as in 2026-03-31 or 31.03.2026, "
+            "with or without a time as in T14:05.");
         row("file,bias_v\na.wav,100 V\n",
             ", line 2, column \"bias_v\": \"100 V\" is not a number.");
         row("file,exchanged\na.wav,1\n",
@@ -279,6 +279,48 @@ private slots:
         row("file,set\n,A\n", ", line 2, column \"file\": no file is named.");
         row("file,set\n", ", line 1, column \"file\": no row names a recording below it.");
         row("file,--from\na.wav,1\n", ", line 1, column \"--from\": an option has no dashes here.");
+    }
+
+    void dates_and_answers_are_those_of_tables_data() {
+        QTest::addColumn<QByteArray>("date");
+        QTest::addColumn<QString>("iso");
+        QTest::addColumn<QByteArray>("answer");
+        QTest::addColumn<bool>("yes");
+        QTest::newRow("ISO") << QByteArray("2026-10-16T14:05") << "2026-10-16T14:05"
+                             << QByteArray("yes") << true;
+        QTest::newRow("date") << QByteArray("16.10.2026") << "2026-10-16" << QByteArray("да")
+                              << true;
+        QTest::newRow("time") << QByteArray("16.10.2026 14:05") << "2026-10-16T14:05"
+                              << QByteArray("Нет") << false;
+        QTest::newRow("seconds") << QByteArray("01.02.2026 04:05:06") << "2026-02-01T04:05:06"
+                                 << QByteArray("YES") << true;
+    }
+
+    void dates_and_answers_are_those_of_tables() {
+        QFETCH(QByteArray, date);
+        QFETCH(QString, iso);
+        QFETCH(QByteArray, answer);
+        QFETCH(bool, yes);
+        const auto read = read_measurement_list(
+            write("file,date,exchanged\na.wav," + date + "," + answer + "\n"), {});
+        QVERIFY(read);
+        const Conditions& told = read->sets[0].recordings[0].conditions;
+        QCOMPARE(QString::fromStdString(told.date), iso);
+        QCOMPARE(told.exchanged, yes);
+    }
+
+    void a_field_that_a_table_program_runs_is_told() {
+        const auto read =
+            read_measurement_list(write("file,comment,bias_v,gyro\na.wav,=1+1,-3,@G\nb.wav,-cmd|x,"
+                                        "\"-3,5\",@G\nc.wav,+5,,@G\n"),
+                                  {});
+        QVERIFY(read);
+        QStringList told;
+        for (const Diagnostic& warning : read->warnings) {
+            QVERIFY(warning.kind == DiagnosticKind::formula_in_list);
+            told << QString::fromStdString(english(warning.args[0]) + english(warning.args[2]));
+        }
+        QCOMPARE(told, (QStringList{"2=1+1", "2@G", "3-cmd|x", "3@G", "4@G"}));
     }
 
     void a_fault_names_its_line_and_column() {

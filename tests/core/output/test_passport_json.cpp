@@ -240,7 +240,7 @@ private slots:
         file.close();
         QVERIFY(read_passport_file(path("p.json")));
         QVERIFY(file.resize((qint64{1} << 26) + 1));
-        QVERIFY(read_passport_file(path("p.json")).error().code == ErrorCode::passport_damaged);
+        QVERIFY(read_passport_file(path("p.json")).error().code == ErrorCode::file_read_failed);
     }
 };
 

@@ -7,6 +7,7 @@
 #include "ui/words/number_label.h"
 #include "ui/words/rich_text.h"
 
+#include <QTextDocumentFragment>
 #include <QtTest>
 
 #include <cmath>
@@ -172,6 +173,8 @@ private slots:
         QVERIFY(indexPieces(QStringLiteral("⟨S_A S_B⟩")) == expected);
         QCOMPARE(richText(QStringLiteral("Δφ_CD")), QStringLiteral("Δφ<sub>CD</sub>"));
         QCOMPARE(richText(QStringLiteral("a<b")), QStringLiteral("a&lt;b"));
+        const auto path = QStringLiteral("/data/<b>bold</b> & <img src=x>.wav");
+        QCOMPARE(QTextDocumentFragment::fromHtml(plainTip(path)).toPlainText(), path);
     }
 
     void every_unit_of_the_frequency_is_the_same_frequency() {

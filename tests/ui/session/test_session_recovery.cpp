@@ -18,6 +18,7 @@
 #include <QTest>
 
 #include <random>
+#include <sys/stat.h>
 
 namespace test_session_recovery {
 
@@ -108,8 +109,56 @@ private slots:
         QTRY_VERIFY(!window->document().busy() && window->document().analyses().size() == 1);
         QCOMPARE(window->document().analyses().front().shown.analysis->plan.length, 77);
         QTRY_VERIFY(window->session().isModified());  // until it is saved
-        QVERIFY(SessionBackup::abandoned().isEmpty());
+        QTRY_VERIFY(SessionBackup::abandoned().isEmpty());
         window->session().end();
+    }
+
+    // Killed once more before it has a copy of its own, the program leaves the first one.
+    void a_copy_stays_until_there_is_another_one() {
+        const auto program = started({home_.recording("twice.wav")});
+        QVERIFY(program);
+        QTRY_VERIFY_WITH_TIMEOUT(!copies().entryList({"*.vybeg"}, QDir::Files).isEmpty(), 20000);
+        program->kill();
+        QVERIFY(program->waitForFinished());
+        const QStringList left = SessionBackup::abandoned();
+        QCOMPARE(left.size(), 1);
+        const auto window = shownWindow();
+        window->session().offerAbandoned();
+        QTest::mouseClick(childOf<MessageBar>(*window).findChild<QPushButton*>(), Qt::LeftButton);
+        QVERIFY(QFile::exists(left.first()));
+        QTRY_VERIFY(!QFile::exists(left.first()));
+        QCOMPARE(copies().entryList({"*.vybeg"}, QDir::Files).size(), 1);  // its own
+        window->session().end();
+    }
+
+    void a_copy_that_cannot_be_read_stays_and_is_named() {
+        QVERIFY(copies().mkpath("."));
+        const QString path = copies().filePath("20260101-000000-000-1.vybeg");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{\"vybeg_session\": ");
+        file.close();
+        const auto window = shownWindow();
+        window->session().offerAbandoned();
+        auto& bar = childOf<MessageBar>(*window);
+        QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+        QTRY_VERIFY(bar.texts().join('\n').contains(path));
+        QTest::qWait(600);  // past the moment of the next copy
+        QVERIFY(QFile::exists(path));
+        SessionBackup::discard(path);
+        window->session().end();
+    }
+
+    // Neither waits for a writer nor reads without end.
+    void what_is_no_file_is_no_session() {
+        const QString pipe = home_.path("pipe.vybeg");
+        QCOMPARE(mkfifo(pipe.toUtf8().constData(), 0600), 0);
+        const auto window = shownWindow();
+        for (const QString& path : {pipe, QStringLiteral("/dev/zero"), home_.path(".")}) {
+            QVERIFY(!window->session().openSession(path));
+            QVERIFY2(childOf<MessageBar>(*window).texts().join('\n').contains(path),
+                     qPrintable(path));
+        }
     }
 
     void a_program_that_ends_leaves_none() {

@@ -126,7 +126,7 @@ private slots:
                  {"Offset of D", "offset", 1, 1, "0,%1"},
                  {"Delay of D", "delay", 0, 1e-6},
                  {"Angle zero", "angle-zero"}},
-                7);
+                8);
         for (const auto& [field, name, unit] :
              {std::tuple{"Tolerance of the gain ratio", "kappa", 1.0},
               std::tuple{"Tolerance of the non-orthogonality", "skew", 1.0},

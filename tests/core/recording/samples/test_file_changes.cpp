@@ -73,6 +73,29 @@ private slots:
         QCOMPARE(unchanged(recording).error().code, ErrorCode::file_changed);
     }
 
+    void bytes_whose_time_is_put_back_are_an_error() {
+        const auto recording = opened(table("back.csv", 1), with_rate());
+        struct stat before {};
+        QCOMPARE(stat(recording.path.c_str(), &before), 0);
+        // A clock tick of the file system, 4 ms, may not have passed.
+        QTest::qSleep(20);
+        std::fstream file(recording.path, std::ios::in | std::ios::out);
+        file.seekp(100);
+        file << "7";
+        file.close();
+        const timespec times[2]{before.st_atim, before.st_mtim};
+        QCOMPARE(utimensat(AT_FDCWD, recording.path.c_str(), times, 0), 0);
+        QCOMPARE(unchanged(recording).error().code, ErrorCode::file_changed);
+        QCOMPARE(recording_sha256(recording, {}).error().code, ErrorCode::file_changed);
+    }
+
+    void rights_are_no_bytes() {
+        const auto recording = opened(table("rights.csv", 1), with_rate());
+        QTest::qSleep(20);
+        QCOMPARE(chmod(recording.path.c_str(), 0600), 0);
+        QVERIFY(unchanged(recording));
+    }
+
     void the_hash_is_that_of_the_samples_whatever_the_path_names_later() {
         const auto path = table("replaced.csv", 1);
         const auto recording = opened(path, with_rate());

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/resonator/model/channel_tolerance.h"
+
+#include <optional>
+
+namespace vybeg {
+
+// What is told of the channels and of the set before the fit.
+struct FitOptions {
+    enum class Model { automatic, structured, free };
+    Model model = Model::automatic;
+    ChannelTolerance tolerance{};  // priors of the fit
+    // Of errors without a tolerance, which the fit holds at zero: their part of u.
+    ChannelTolerance assumed{.kappa = 0};
+    // Between the runs of a set, in u: relative sd of 1/tau (that of the split and of the gain
+    // ratio follow, `largest_spread`). None: what two or three runs cannot show is assumed.
+    std::optional<double> spread = 0;
+};
+
+}  // namespace vybeg
