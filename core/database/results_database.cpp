@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <fcntl.h>
 #include <new>
@@ -20,6 +21,8 @@
 
 namespace vybeg {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 // A pause between two attempts to get the lock, ms.
 constexpr int pause_ms = 10;
@@ -180,9 +183,10 @@ void ResultsDatabase::connect() {
     // SQLite gives ":memory:" and an empty name meanings of their own, an absolute path none.
     connection_ = std::make_unique<SqliteConnection>(
         std::filesystem::absolute(path_).string(),
-        [job = job_, patience = patience_s_, begun = 0.0](int times) mutable {
-            begun = times == 0 ? job.now() : begun;
-            if (job.cancelled() || job.now() - begun > patience) {
+        [job = job_, patience = patience_s_, begun = Clock::time_point()](int times) mutable {
+            begun = times == 0 ? Clock::now() : begun;
+            const std::chrono::duration<double> waited = Clock::now() - begun;
+            if (job.cancelled() || waited.count() > patience) {
                 return false;
             }
             sqlite3_sleep(pause_ms);
