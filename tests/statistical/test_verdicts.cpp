@@ -10,7 +10,6 @@
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 #include "tests/statistical/each_seed.h"
-#include "tests/statistical/random_sets.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"
 
@@ -145,7 +144,6 @@ class TestVerdicts : public QObject {
     Q_OBJECT
 
 private slots:
-    void faultless_sets_raise_no_word_data();
     void faultless_sets_raise_no_word();
     void friction_is_named_by_its_law_data();
     void friction_is_named_by_its_law();
@@ -162,21 +160,14 @@ private slots:
     void a_bell_before_two_near_microphones_has_modes_only();
 };
 
-void TestVerdicts::faultless_sets_raise_no_word_data() {
-    QTest::addColumn<bool>("wide");
-    QTest::addColumn<int>("sets");
-    QTest::newRow("usual gyros") << false << 250;
-    QTest::newRow("whole range") << true << 150;
-}
-
+// The whole range; TestResonatorTrial asks usual gyros.
 void TestVerdicts::faultless_sets_raise_no_word() {
-    QFETCH(bool, wide);
-    QFETCH(int, sets);
+    constexpr int sets = 150;
     std::atomic<int> words = 0;
     std::mutex mutex;
     for_each_seed(sets, [&](int seed) {
         const auto from = static_cast<std::uint64_t>(1000 + seed);
-        const std::vector<PhasorRun> runs = wide ? wide_set(from) : random_set(from).runs;
+        const std::vector<PhasorRun> runs = wide_set(from);
         const ResonatorFit fit = judged(runs);
         const auto said = std::ranges::find_if(fit.warnings, [](const Diagnostic& warning) {
             return std::ranges::find(verdicts, warning.kind) != verdicts.end();

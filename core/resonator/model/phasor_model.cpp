@@ -31,9 +31,17 @@ struct Motion {
     MotionDerivatives by;
 };
 
+// Most of the time goes into the derivatives.
+enum class Wanted { motion, derivatives };
+
 // z and its derivatives through exp(M t).
-Motion propagated(const SlowDynamics::Propagation& step, const Motion& from) {
-    Motion to{step.value * from.z, step.value * from.by};
+Motion propagated(const SlowDynamics::Propagation& step, const Motion& from, Wanted wanted) {
+    Motion to;
+    to.z = step.value * from.z;
+    if (wanted == Wanted::motion) {
+        return to;
+    }
+    to.by = step.value * from.by;
     for (int rate = 0; rate < rate_count; ++rate) {
         to.by.col(rate) += step.by_rate[static_cast<std::size_t>(rate)] * from.z;
     }
@@ -41,7 +49,7 @@ Motion propagated(const SlowDynamics::Propagation& step, const Motion& from) {
 }
 
 // Phases of u+ and u- by the cubic term in the time t.
-Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run) {
+Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run, Wanted wanted) {
     // The spring depends on the whole amplitude, of which the mean over a window loses a part.
     const double g = 2 * pi / 3 * t / run.power_kept;
     const Complex plus = from.z[0] + i * from.z[1];
@@ -55,6 +63,9 @@ Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run) 
     };
     Motion to;
     to.z = back(turn_plus * plus, turn_minus * minus);
+    if (wanted == Wanted::motion) {
+        return to;
+    }
     for (int k = 0; k < motion_columns; ++k) {
         const Complex d_plus = from.by(0, k) + i * from.by(1, k);
         const Complex d_minus = from.by(0, k) - i * from.by(1, k);
@@ -131,8 +142,12 @@ private:
 class MotionSteps {
 public:
     MotionSteps(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
-                bool with_cubic)
-        : run_(run), dynamics_(rates_of(shared)), cubic_(shared[cubic_at]), steps_(with_cubic) {
+                bool with_cubic, Wanted wanted)
+        : run_(run),
+          dynamics_(rates_of(shared)),
+          cubic_(shared[cubic_at]),
+          steps_(with_cubic),
+          wanted_(wanted) {
         start_ = start_of(own);
         now_.z = start_of(own);
         now_.by.setZero();
@@ -160,9 +175,9 @@ public:
                 if (!step_) {
                     step_ = dynamics_.propagation(run_.step_s);
                 }
-                now_ = propagated(*step_, now_);
+                now_ = propagated(*step_, now_, wanted_);
             } else {
-                now_ = propagated(dynamics_.propagation(t), begin_);
+                now_ = propagated(dynamics_.propagation(t), begin_, wanted_);
             }
             return now_;
         }
@@ -175,8 +190,8 @@ public:
             h_ = h;
         }
         for (double k = 0; k < count; ++k) {
-            now_ = kicked(now_, cubic_, h / 2, run_);
-            now_ = kicked(propagated(*step_, now_), cubic_, h / 2, run_);
+            now_ = kicked(now_, cubic_, h / 2, run_, wanted_);
+            now_ = kicked(propagated(*step_, now_, wanted_), cubic_, h / 2, run_, wanted_);
         }
         time_s_ = t;
         return now_;
@@ -187,6 +202,7 @@ private:
     SlowDynamics dynamics_;
     double cubic_;
     bool steps_;
+    Wanted wanted_;
     Vector2cd start_;
     Motion begin_;
     Motion now_;
@@ -279,7 +295,7 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
         }
         return expected;
     }
-    MotionSteps motion(run, shared, own, true);
+    MotionSteps motion(run, shared, own, true, Wanted::motion);
     for (std::size_t k = 0; k < windows; ++k) {
         if (breaks.pass(run.time_s[k])) {
             motion.restart(breaks.start());
@@ -295,7 +311,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
     const Eigen::VectorXd shared = shared_of(run, of_set);
     const auto rows = static_cast<Eigen::Index>(4 * windows);
     Linearised out{Eigen::VectorXd(rows), RowMajor::Zero(rows, shared_count + own.size())};
-    MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0);
+    MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0, Wanted::derivatives);
     PassedBreaks breaks(run, own);
     const double kappa = shared[kappa_at];
     const bool alike = run.whitening == Eigen::Matrix2d::Identity();

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace vybeg {
@@ -101,12 +102,23 @@ OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& close
     return most || opened.set->is_white() ? std::move(opened) : OpenedBreaks{};
 }
 
-// Breaks that each run shows alone, in the runs as well: a large one makes a run foreign to its
-// set, whose fit then does not see it.
-std::vector<FittedBreak> open_own_breaks(std::vector<PhasorRun>& runs, double scale,
+// Breaks that the suspects of a set show alone, in the runs as well: a large one makes a run
+// foreign to its set, whose fit then does not see it. Without suspects, those of all runs of a
+// small set.
+std::vector<FittedBreak> open_own_breaks(const SetExamination& examination,
+                                         std::vector<PhasorRun>& runs, double scale,
                                          const FitOptions& options, const JobControl& job) {
+    constexpr std::size_t small = 4;
+    std::vector<std::size_t> suspects = examination.foreign;
+    if (suspects.empty() && runs.size() <= small) {
+        suspects.resize(runs.size());
+        std::iota(suspects.begin(), suspects.end(), std::size_t{0});
+    }
     std::vector<FittedBreak> all;
-    for (std::size_t k = 0; k < runs.size() && !job.cancelled(); ++k) {
+    for (const std::size_t k : suspects) {
+        if (job.cancelled()) {
+            break;
+        }
         const std::vector<PhasorRun> one{runs[k]};
         const std::unique_ptr<SetFit> alone = solved_set(one, scale, options, job);
         OpenedBreaks opened = with_breaks(one, *alone, scale, options, job);
@@ -203,7 +215,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     std::unique_ptr<SetFit> set = solved_set(good, scale, options, job);
     std::vector<FittedBreak> breaks;
     if (!set->agrees()) {
-        breaks = open_own_breaks(good, scale, options, job);
+        breaks = open_own_breaks(set->examination(), good, scale, options, job);
         if (!breaks.empty()) {
             set = solved_set(good, scale, options, job);
         }

@@ -102,7 +102,7 @@ private slots:
             double split_hz;
             int samples;
         };
-        for (const auto& [split_hz, samples] : {Case{0.3, 25}, {1.8, 19}, {1.8, -19}, {8.0, 19}}) {
+        for (const auto& [split_hz, samples] : {Case{0.3, 25}, {1.8, 19}}) {
             FreeDecay gyro = reference();
             gyro.split_hz = split_hz;
             gyro.theta_w = 0.3;
@@ -113,7 +113,7 @@ private slots:
                                      .arg(split_hz)
                                      .arg(samples)
                                      .arg(fit.chi2_per_dof);
-            if (std::abs(samples) == 19 && fit.breaks.size() == 2) {
+            if (samples == 19 && fit.breaks.size() == 2) {
                 QEXPECT_FAIL("", "a second, false break beside that of 19 samples", Continue);
                 VYBEG_EQUAL(fit.breaks.size(), 1, qPrintable(what));
                 continue;
