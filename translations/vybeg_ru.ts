@@ -1541,8 +1541,8 @@
         <translation>Строка %1 списка, столбец «%2»: «%3» начинается как формула, и табличная программа, открыв результаты, её выполнит.</translation>
     </message>
     <message>
-        <source>%1 holds %2 finished rows of an interrupted batch. All sets are computed again; the rows stay until the table is written, and --resume takes them.</source>
-        <translation>В %1 — готовые строки прерванной пакетной обработки (%2). Все наборы вычисляются заново; строки остаются, пока таблица не записана, и их берёт --resume.</translation>
+        <source>%1 holds %2 finished rows of an interrupted batch. All sets are computed again; the rows stay until the table is written, and a resumed batch takes them.</source>
+        <translation>В %1 — готовые строки прерванной пакетной обработки (%2). Все наборы вычисляются заново; строки остаются, пока таблица не записана, и их берёт продолженная обработка.</translation>
     </message>
     <message>
         <source>%1 and %2 have the same recordings and settings: the database holds one result for both, that of %1.</source>

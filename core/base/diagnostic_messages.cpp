@@ -469,7 +469,7 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "%1 holds %2 finished rows of an interrupted batch. All sets are "
                                   "computed again; the rows stay until the table is written, and "
-                                  "--resume takes them.")};
+                                  "a resumed batch takes them.")};
         case DiagnosticKind::same_recordings:
             return {"same-recordings", warning,
                     VYBEG_MESSAGE("Message",

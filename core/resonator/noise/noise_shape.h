@@ -26,6 +26,8 @@ struct ResidualNoise {
     // The narrowest line of the grid fits best: narrower noise is one more phasor, constant over
     // the run, which no residual shows.
     bool narrowest = false;
+    // Rise of the logarithm of the likelihood by all parts.
+    double rise = 0;
 
     // Whether the residual is the noise of the windows only.
     bool as_expected() const { return parts.empty(); }

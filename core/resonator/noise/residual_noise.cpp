@@ -166,6 +166,7 @@ public:
                 break;
             }
             given.push_back(best->part);
+            noise.rise += best->top - now;
             noise.narrowest =
                 noise.narrowest || best->part.shape.half_width_hz == common_[0].shape.half_width_hz;
             add_mean(*best, noise.parts);

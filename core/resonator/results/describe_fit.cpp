@@ -33,6 +33,9 @@ constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
 // Scatter of chi^2 per degree of freedom that noise makes, standard deviations.
 constexpr double residual_scatter = 4;
+// Rise of the log likelihood above which a coloured noise is told. Each part raises it by four, by
+// chance in one of a hundred faultless sets; the deviations hold such a part in silence.
+constexpr double evident_rise = 6;
 
 class Description {
 public:
@@ -118,8 +121,12 @@ private:
                 fit_.warnings.push_back({DiagnosticKind::motion_not_model, {}});
             }
         } else if (!noise.noise().white()) {
-            fit_.warnings.push_back({DiagnosticKind::residual_coloured, {number_arg(ratio, 3)}});
-            if (noise.noise().narrowest) {
+            const bool evident = noise.noise().rise > evident_rise;
+            if (evident) {
+                fit_.warnings.push_back(
+                    {DiagnosticKind::residual_coloured, {number_arg(ratio, 3)}});
+            }
+            if (evident && noise.noise().narrowest) {
                 double longest_s = 0;
                 for (const ScaledRun& run : problem_.runs) {
                     longest_s = std::max(longest_s, run.duration_s);

@@ -65,7 +65,7 @@ private slots:
     void every_code_has_a_row() {
         QCOMPARE(rows<ErrorCode>().size(), static_cast<std::size_t>(ErrorCode::interrupted) + 1);
         QCOMPARE(rows<DiagnosticKind>().size(),
-                 static_cast<std::size_t>(DiagnosticKind::column_like_option) + 1);
+                 static_cast<std::size_t>(DiagnosticKind::same_recordings) + 1);
     }
 
     void names_and_sentences_are_those_of_one_code() {

@@ -79,10 +79,18 @@ private slots:
         QCOMPARE(*journal.row("key2"), row_of(2));
     }
 
-    void without_resume_it_begins_without_rows() {
+    void without_resume_it_begins_without_rows_and_keeps_those_of_the_file() {
         write_rows(5);
-        QVERIFY(!open(false).has("key0"));
-        QVERIFY(!open(true).has("key0"));
+        {
+            RowJournal journal = open(false);
+            QVERIFY(!journal.has("key0") && !journal.empty());
+            QCOMPARE(journal.found(), std::size_t{5});
+            QVERIFY(journal.append("key0", "anew"));
+        }
+        const RowJournal journal = open(true);
+        QCOMPARE(journal.found(), std::size_t{0});
+        QCOMPARE(*journal.row("key0"), std::string("anew"));
+        QCOMPARE(*journal.row("key4"), row_of(4));
     }
 
     // Every length to which a file may be cut, and a wrong byte at many places.

@@ -104,11 +104,11 @@ private slots:
 
     void a_wrong_field_is_named_by_row_and_column() {
         const QString path =
-            home_.file("wrong.csv", "file,date\na.wav,2026-03-31\nb.wav,31.03.2026\n");
+            home_.file("wrong.csv", "file,date\na.wav,2026-03-31\nb.wav,31.02.2026\n");
         window_->files().open({path});
         QVERIFY(sets().all().empty() && document().recordings().empty());
         const QString said = messages();
-        for (const char* told : {"wrong.csv", "3", "date", "31.03.2026"}) {
+        for (const char* told : {"wrong.csv", "3", "date", "31.02.2026"}) {
             QVERIFY2(said.contains(told), qPrintable(said));
         }
     }
