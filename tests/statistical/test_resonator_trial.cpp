@@ -226,7 +226,7 @@ private slots:
     void errors_of_the_channels_lie_within_their_tolerances() {
         QFETCH(bool, told);
         QFETCH(double, phase_rad);
-        constexpr int sets = 250;
+        constexpr int sets = 400;
         const ChannelTolerance tolerance{.kappa = 0.01,
                                          .skew_rad = 0.1 * pi / 180,
                                          .phase_rad = phase_rad,
