@@ -128,7 +128,7 @@ Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const OpenSe
     }
     // Of two sets of the list the later one counts, whichever is computed first.
     const SetTask*& last = stored_[stored->key];
-    const bool holds_later = last > &task;
+    const bool holds_later = last != nullptr && last > &task;
     const StoredName own{stored->set, stored->gyro};
     if (*holder && **holder != own) {
         const StoredName& kept = holds_later ? **holder : own;

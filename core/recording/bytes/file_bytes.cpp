@@ -65,11 +65,12 @@ Status FileBytes::unchanged() const {
     const auto same_time = [](const timespec& a, const timespec& b) {
         return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
     };
-    const bool renamed = status.st_nlink != status_.st_nlink || status.st_mode != status_.st_mode ||
-                         status.st_uid != status_.st_uid || status.st_gid != status_.st_gid;
+    const bool names_or_rights = status.st_nlink != status_.st_nlink ||
+                                 status.st_mode != status_.st_mode ||
+                                 status.st_uid != status_.st_uid || status.st_gid != status_.st_gid;
     const bool same = status.st_size == status_.st_size &&
                       same_time(status.st_mtim, status_.st_mtim) &&
-                      (renamed || same_time(status.st_ctim, status_.st_ctim));
+                      (names_or_rights || same_time(status.st_ctim, status_.st_ctim));
     return same ? Status{} : error(ErrorCode::file_changed);
 }
 

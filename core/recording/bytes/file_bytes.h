@@ -27,9 +27,9 @@ public:
     // For another process; this object keeps ownership.
     int descriptor() const { return descriptor_; }
 
-    // Checks that size and times of the last change are those at the time of opening. The time of
-    // the inode tells of bytes whose own time was put back; a change of names or rights moves it,
-    // too. Errors: file_changed, file_read_failed.
+    // Checks that size and times of the last change are those at the time of opening: that of the
+    // bytes, which a program can put back, and that of the inode, unless names or rights changed.
+    // Errors: file_changed, file_read_failed.
     Status unchanged() const;
 
     // An error about this file.

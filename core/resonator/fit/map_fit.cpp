@@ -161,8 +161,7 @@ std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::Vecto
 Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearised> runs) {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.layout.size(), problem.layout.size());
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        add_symmetric(problem.layout, k, runs[k].by_parameter.transpose() * runs[k].by_parameter,
-                      sum);
+        add_symmetric(problem.layout, k, square_of(runs[k]), sum);
     }
     return sum;
 }

@@ -33,8 +33,8 @@ constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
 // Scatter of chi^2 per degree of freedom that noise makes, standard deviations.
 constexpr double residual_scatter = 4;
-// Rise of the log likelihood above which a coloured noise is told. Each part raises it by four, by
-// chance in one of a hundred faultless sets; the deviations hold such a part in silence.
+// Least rise of the log likelihood for a warning of coloured noise. A part enters the deviations
+// from a rise of four on, which white noise reaches in one of a hundred sets.
 constexpr double evident_rise = 6;
 
 class Description {

@@ -6,7 +6,7 @@
 
 namespace vybeg {
 
-// What is told of the channels and of the set before the fit.
+// Model, tolerances of the channels and spread between the runs that the caller states.
 struct FitOptions {
     enum class Model { automatic, structured, free };
     Model model = Model::automatic;

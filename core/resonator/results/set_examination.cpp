@@ -119,6 +119,9 @@ public:
 
     SetExamination made() {
         SetExamination out;
+        if (!possible()) {
+            return out;
+        }
         if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
             return agreeing();
         }
@@ -150,10 +153,10 @@ public:
         return out;
     }
 
-    // That of runs that agree: what two or three of them cannot show is told or assumed.
+    // Result for runs that agree, with the stated spread or, of two or three runs, the assumed one.
     SetExamination agreeing() const {
         SetExamination out;
-        if (!structured_) {
+        if (!possible() || !structured_) {
             return out;
         }
         if (told_spread_) {
@@ -167,6 +170,9 @@ public:
     }
 
 private:
+    // One run agrees with itself.
+    bool possible() const { return count_ > 1 && joint_.p.allFinite(); }
+
     double disagree(const FitProblem& problem, const VectorXd& p,
                     const std::vector<double>& noise) const {
         return disagreement(problem, p, run_information(problem, p, noise));
@@ -432,17 +438,11 @@ MessageArg cause_words(const SetExamination& examination) {
 
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job) {
-    if (problem.runs.size() < 2 || !joint.p.allFinite()) {
-        return {};
-    }
     return Examination(problem, joint, spread, job).made();
 }
 
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
                             std::optional<double> spread, const JobControl& job) {
-    if (problem.runs.size() < 2 || !joint.p.allFinite()) {
-        return {};
-    }
     return Examination(problem, joint, spread, job).agreeing();
 }
 

@@ -43,7 +43,7 @@ inline constexpr std::size_t least_to_show = 4;
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job);
 
-// That of a set whose misfit has a cause that all runs share.
+// Result for a set whose misfit has a cause that all runs share.
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
                             std::optional<double> spread, const JobControl& job);
 
