@@ -4,6 +4,7 @@
 #include "core/base/plain_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -88,16 +89,92 @@ std::optional<double> take_date(std::string_view& text) {
     return 86400.0 * static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
 }
 
-// A name without capitals, with "-" between its words.
-std::string plain_name(std::string name) {
-    for (char& c : name) {
-        c = c == '_' || c == ' ' ? '-' : c;
+// A text in small letters, Latin or Russian (UTF-8).
+std::string small_letters(std::string text) {
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        char& c = text[k];
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (c != '\xD0' || k + 1 == text.size()) {
+            continue;
+        }
+        const auto second = static_cast<unsigned char>(text[k + 1]);
+        if (second == 0x81) {  // Ё
+            c = '\xD1';
+            text[k + 1] = '\x91';
+        } else if (second >= 0x90 && second < 0xA0) {  // А to П
+            text[k + 1] = static_cast<char>(second + 0x20);
+        } else if (second >= 0xA0 && second < 0xB0) {  // Р to Я
+            c = '\xD1';
+            text[k + 1] = static_cast<char>(second - 0x20);
+        }
     }
-    return name;
+    return text;
 }
 
+// A name without capitals, with "-" between its words.
+std::string plain_name(const std::string& name) {
+    std::string plain = small_letters(name);
+    std::ranges::replace_if(
+        plain, [](char c) { return c == '_' || c == ' '; }, '-');
+    return plain;
+}
+
+struct RussianName {
+    std::string_view russian;
+    std::string_view name;
+};
+
+constexpr std::array russian_names{RussianName{"файл", "file"},
+                                   RussianName{"запись", "file"},
+                                   RussianName{"набор", "set"},
+                                   RussianName{"гироскоп", "gyro"},
+                                   RussianName{"прибор", "gyro"},
+                                   RussianName{"тип-гироскопа", "gyro-type"},
+                                   RussianName{"дата", "date"},
+                                   RussianName{"напряжение-смещения", "bias-v"},
+                                   RussianName{"температура", "temperature-c"},
+                                   RussianName{"перестановка", "exchanged"},
+                                   RussianName{"перестановка-усилителей", "exchanged"},
+                                   RussianName{"оператор", "operator"},
+                                   RussianName{"комментарий", "comment"},
+                                   RussianName{"примечание", "comment"},
+                                   RussianName{"каналы", "channels"},
+                                   RussianName{"от", "from"},
+                                   RussianName{"до", "to"},
+                                   RussianName{"полоса", "band"},
+                                   RussianName{"фильтр", "filter"},
+                                   RussianName{"частота-дискретизации", "rate"},
+                                   RussianName{"окно", "window"},
+                                   RussianName{"периоды", "periods"},
+                                   RussianName{"модель", "model"},
+                                   RussianName{"каппа", "kappa"},
+                                   RussianName{"смещения-каналов", "offset"},
+                                   RussianName{"задержка", "delay"},
+                                   RussianName{"допуски", "tolerance"},
+                                   RussianName{"параметр", "parameter"},
+                                   RussianName{"не-менее", "least"},
+                                   RussianName{"не-более", "greatest"}};
+
 }  // namespace
+
+std::string usual_column(const std::string& name) {
+    std::string plain = plain_name(name);
+    for (const std::string& unit : {std::string("-в"), std::string("-c"), std::string("-с")}) {
+        const bool russian = plain.starts_with('\xD0') || plain.starts_with('\xD1');
+        if (russian && plain.ends_with(unit)) {  // температура_c
+            plain.resize(plain.size() - unit.size());
+            break;
+        }
+    }
+    if (const std::size_t unit = plain.find_first_of(",(["); unit != std::string::npos) {
+        plain.resize(unit);
+    }
+    while (plain.ends_with('-')) {
+        plain.pop_back();
+    }
+    const auto found = std::ranges::find(russian_names, plain, &RussianName::russian);
+    return found == russian_names.end() ? plain : std::string(found->name);
+}
 
 bool names_resemble(const std::string& one, const std::string& other) {
     constexpr std::size_t shortest = 4;
@@ -147,12 +224,11 @@ std::string usual_date(const std::string& field) {
 }
 
 std::optional<bool> yes_or_no(const std::string& field) {
-    const std::string name = plain_name(field);
-    if (name == "yes" || field == "да" || field == "Да" || field == "ДА") {
+    const std::string answer = small_letters(field);
+    if (answer == "yes" || answer == "да") {
         return true;
     }
-    const bool no = name == "no" || field == "нет" || field == "Нет" || field == "НЕТ";
-    return no ? std::optional(false) : std::nullopt;
+    return answer == "no" || answer == "нет" ? std::optional(false) : std::nullopt;
 }
 
 bool is_formula(const std::string& field) {

@@ -7,6 +7,11 @@ namespace vybeg {
 
 // Fields of a measurement list.
 
+// A name of a column in small letters, Latin or Russian, without the unit behind a comma or in
+// brackets and with "-" between its words, in English where it is one of the Russian names:
+// "Температура, °C" is temperature-c.
+std::string usual_column(const std::string& name);
+
 // The value of an option as the command line takes it: a comma in a number becomes a point. Of
 // options that take `several` values, those between semicolons: "5000,5;5600" is 5000.5,5600.
 std::string usual_option(const std::string& field, bool several);
@@ -15,7 +20,7 @@ std::string usual_option(const std::string& field, bool several);
 // 8601; any other text as it is.
 std::string usual_date(const std::string& field);
 
-// yes, no, да, нет, in any case; nothing for another text.
+// yes, no, да, нет, in any letters; nothing for another text.
 std::optional<bool> yes_or_no(const std::string& field);
 
 // Whether a table program runs the field as a formula: it begins with =, +, - or @ and is no

@@ -48,6 +48,19 @@ std::optional<std::string> placeholder_of(const std::string& name) {
     return row != nullptr ? std::optional(row->placeholder) : std::nullopt;
 }
 
+// The name of the table for a column: that of a condition or an option in other letters, in
+// Russian, with a unit; its own for any other.
+std::string column_name(const std::string& name) {
+    const std::string usual = usual_column(name);
+    std::string condition = usual;
+    std::ranges::replace(condition, '-', '_');
+    if (condition == "file" || condition == "set" || condition == "gyro_type" ||
+        is_one_of(conditions, condition)) {
+        return condition;
+    }
+    return placeholder_of(usual) ? usual : name;
+}
+
 // The column with an effect whose name an unknown one resembles; empty: none.
 std::string option_like(const std::string& name) {
     std::vector<std::string> known{"file", "set"};
@@ -70,7 +83,7 @@ public:
         : path_(path), defaults_(defaults) {}
 
     Result<MeasurementList> read() {
-        Result<CsvRows> table = read_csv(path_, "file");
+        Result<CsvRows> table = read_csv(path_, "file", column_name);
         if (!table) {
             return table.error();
         }
@@ -269,6 +282,12 @@ private:
             return invalid(row.line, "file", words(VYBEG_MESSAGE("Words", "no file is named")));
         }
         recording.path = path_.parent_path() / recording.file;
+        std::error_code unknown;
+        if (!std::filesystem::exists(recording.path, unknown)) {  // a path of Windows
+            std::string file = recording.file;
+            std::ranges::replace(file, '\\', '/');
+            recording.path = path_.parent_path() / file;
+        }
         Status read = read_options(open_settings(), row, recording.open);
         if (read) {
             const Status together = check_options(recording.open);
@@ -358,7 +377,7 @@ bool is_measurement_list(const std::filesystem::path& path) {
     std::ranges::transform(ending, ending.begin(), [](char letter) {
         return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
     });
-    return (ending == ".csv" || ending == ".txt") && csv_has_name(path, "file");
+    return (ending == ".csv" || ending == ".txt") && csv_has_name(path, "file", column_name);
 }
 
 Result<MeasurementList> list_of_folder(

@@ -113,8 +113,8 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 
 class Reader {
 public:
-    Reader(std::shared_ptr<const FileBytes> file, std::string name)
-        : rows_(std::move(file)), name_(std::move(name)) {}
+    Reader(std::shared_ptr<const FileBytes> file, std::string name, const UsualName& usual)
+        : rows_(std::move(file)), name_(std::move(name)), usual_(usual) {}
 
     Result<CsvRows> read(const std::string& needed) {
         if (const Status named = read_names(needed); !named) {
@@ -135,32 +135,64 @@ public:
     }
 
     bool has(const std::string& name) {
-        const Result<bool> more = rows_.next(',');
-        return more && *more &&
-               (has_name(split_row(rows_.text(), ',').fields, name) ||
-                has_name(split_row(rows_.text(), ';').fields, name));
+        const auto names = names_with(name);
+        return names && has_name(names->fields, name);
     }
 
 private:
-    Status read_names(const std::string& needed) {
+    // The row of names, by the separator that separates most of those where one is `needed`.
+    Result<SplitRow> names_with(const std::string& needed) {
         // The separator follows from the names, which hold no line end in either case.
-        const Result<bool> more = rows_.next(',');
+        Result<bool> more = rows_.next(',');
+        while (more && *more && stands_before_names(rows_.text())) {
+            more = rows_.next(',');
+        }
         if (!more) {
             return more.error();
         }
-        const std::vector<std::string> by_comma = split_row(rows_.text(), ',').fields;
-        const std::vector<std::string> by_semicolon = split_row(rows_.text(), ';').fields;
-        const bool semicolons =
-            has_name(by_semicolon, needed) &&
-            (!has_name(by_comma, needed) || by_semicolon.size() > by_comma.size());
-        separator_ = semicolons ? ';' : ',';
-        const SplitRow names = split_row(rows_.text(), separator_);
+        SplitRow best;
+        for (const char separator : {',', ';', '\t'}) {
+            SplitRow names = split_row(rows_.text(), separator);
+            for (std::string& name : names.fields) {
+                name = usual_(name);
+            }
+            const bool has = has_name(names.fields, needed);
+            const bool best_has = has_name(best.fields, needed);
+            if (has == best_has ? names.fields.size() > best.fields.size() : has) {
+                best = std::move(names);
+                separator_ = separator;
+            }
+        }
+        return best;
+    }
+
+    // A line that only tells the separator, or a comment.
+    static bool stands_before_names(const std::string& line) {
+        const std::string_view text = trimmed(line);
+        return text.starts_with('#') || (text.starts_with("sep=") && text.size() <= 5);
+    }
+
+    Status read_names(const std::string& needed) {
+        Result<SplitRow> found = names_with(needed);
+        if (!found) {
+            return found.error();
+        }
+        const SplitRow& names = *found;
         if (!has_name(names.fields, needed)) {
-            return invalid(1, needed, words(VYBEG_MESSAGE("Words", "the list needs this column")));
+            std::string told;
+            for (const std::string& name : names.fields) {
+                told += (told.empty() ? "" : ", ") + name;
+            }
+            return invalid(
+                rows_.begun_at(), needed,
+                told.empty() ? words(VYBEG_MESSAGE("Words", "the list needs this column"))
+                             : words(VYBEG_MESSAGE(
+                                         "Words", "the list needs this column; its columns are %1"),
+                                     {told}));
         }
         for (const std::string& name : names.fields) {
             if (!name.empty() && std::ranges::count(names.fields, name) > 1) {
-                return invalid(1, name,
+                return invalid(rows_.begun_at(), name,
                                words(VYBEG_MESSAGE("Words", "two columns have this name")));
             }
         }
@@ -217,6 +249,7 @@ private:
 
     RowTexts rows_;
     std::string name_;
+    const UsualName& usual_;
     char separator_ = ',';
     CsvRows table_;
 };
@@ -227,17 +260,19 @@ std::vector<std::string> csv_fields(const std::string& row) {
     return split_row(row, ',').fields;
 }
 
-Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed) {
+Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed,
+                         const UsualName& usual) {
     auto file = FileBytes::open(path);
     if (!file) {
         return file.error();
     }
-    return Reader(std::move(*file), path.string()).read(needed);
+    return Reader(std::move(*file), path.string(), usual).read(needed);
 }
 
-bool csv_has_name(const std::filesystem::path& path, const std::string& name) {
+bool csv_has_name(const std::filesystem::path& path, const std::string& name,
+                  const UsualName& usual) {
     auto file = FileBytes::open(path);
-    return file && Reader(std::move(*file), path.string()).has(name);
+    return file && Reader(std::move(*file), path.string(), usual).has(name);
 }
 
 }  // namespace vybeg

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,14 +26,21 @@ struct CsvRows {
 // The fields of one row with commas between them; quotes as in read_csv().
 std::vector<std::string> csv_fields(const std::string& row);
 
-// Reads a CSV file of spreadsheets: comma or semicolon, whichever separates a name `needed` from
-// the others; fields in double quotes (RFC 4180) may hold separators, line ends and doubled quotes.
-// UTF-8 with or without byte order mark, UTF-16 with it, otherwise Windows-1251. Spaces around a
-// field are removed. Errors: those of reading a file; format_damaged for a line longer than 1 MiB;
-// list_invalid with the line and the column.
-Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed);
+// The name that a column's name stands for: in other letters, in another language.
+using UsualName = std::function<std::string(const std::string&)>;
+inline const UsualName same_name = [](const std::string& name) { return name; };
+
+// Reads a CSV file of spreadsheets: comma, semicolon or tabulator, whichever separates a name
+// `needed` from the others; before the names a line `sep=;` and lines with `#`. Fields in double
+// quotes (RFC 4180) may hold separators, line ends and doubled quotes. UTF-8 with or without byte
+// order mark, UTF-16 with it, otherwise Windows-1251. Spaces around a field are removed. Errors:
+// those of reading a file; format_damaged for a line longer than 1 MiB; list_invalid with the line
+// and the column.
+Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed,
+                         const UsualName& usual = same_name);
 
 // Whether the first row of such a file has this name; false also for a file that cannot be read.
-bool csv_has_name(const std::filesystem::path& path, const std::string& name);
+bool csv_has_name(const std::filesystem::path& path, const std::string& name,
+                  const UsualName& usual = same_name);
 
 }  // namespace vybeg

@@ -259,7 +259,7 @@ private:
     void leave_one_out(SetExamination& out) {
         struct Trial {
             std::size_t run = 0;
-            double apart = 0;  // chi^2 of the others together and of the run alone
+            double apart = 0;  // cost of the others together and of the run alone
         };
         const double mean_noise =
             std::accumulate(noise_.begin(), noise_.end(), 0.0) / static_cast<double>(count_);
@@ -272,7 +272,7 @@ private:
             noise.erase(noise.begin() + static_cast<std::ptrdiff_t>(k));
             const PartFit& rest = rest_.emplace(k, without(k)).first->second;
             if (count_ == 2 || disagree(rest.problem, rest.fit.p, noise) < most_disagreement) {
-                fitting.push_back({k, (rest.fit.cost + alone_[k].fit.cost) / mean_noise});
+                fitting.push_back({k, rest.fit.cost + alone_[k].fit.cost});
             }
         }
         out.verdict = SetVerdict::refused;
@@ -281,10 +281,11 @@ private:
         }
         std::ranges::stable_sort(fitting, {}, &Trial::apart);
         for (const Trial& trial : fitting) {
-            if (trial.apart < fitting.front().apart + margin) {
+            if (trial.apart < fitting.front().apart + margin * mean_noise) {
                 out.foreign.push_back(trial.run);
             }
         }
+        out.cost = fitting.front().apart;
         out.verdict = out.foreign.size() > 1 ? SetVerdict::several : SetVerdict::foreign;
         name_cause(out);
     }
@@ -439,6 +440,12 @@ MessageArg cause_words(const SetExamination& examination) {
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job) {
     return Examination(problem, joint, spread, job).made();
+}
+
+bool runs_agree(const FitProblem& problem, const MapFit& joint) {
+    const std::vector<double> noise(problem.runs.size(), 1);
+    return disagreement(problem, joint.p, run_information(problem, joint.p, noise)) <
+           most_disagreement;
 }
 
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,

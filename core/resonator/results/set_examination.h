@@ -26,6 +26,7 @@ enum class ForeignCause { unknown, exchanged, sign, kappa, decay, split, turn };
 struct SetExamination {
     SetVerdict verdict = SetVerdict::fits;
     std::vector<std::size_t> foreign;            // the suspects, the likeliest first
+    double cost = 0;                             // of the others and the likeliest, each alone
     ForeignCause cause = ForeignCause::unknown;  // of the likeliest
     double its_value = 0;                        // of kappa (over that of the set) or of 1/tau
     double their_value = 0;
@@ -42,6 +43,9 @@ inline constexpr std::size_t least_to_show = 4;
 // `spread`: of FitOptions, for sets that agree.
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job);
+
+// Whether the runs of the fit agree within the noise of their windows.
+bool runs_agree(const FitProblem& problem, const MapFit& joint);
 
 // Result for a set whose misfit has a cause that all runs share.
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,

@@ -75,9 +75,14 @@ SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, dou
 
 NeededWindows SetFit::solve() {
     find_main();
+    const MapFit plain = main_;
+    const Priors plain_priors = problem_.priors;
     try_cubic();
-    if (options_.model != FitOptions::Model::free) {
-        examine();
+    if (!explained_without_cubic(plain, plain_priors)) {
+        polish_cubic();
+        if (options_.model != FitOptions::Model::free) {
+            examine();
+        }
     }
     if (agrees()) {
         choose_model();
@@ -253,11 +258,10 @@ void SetFit::try_cubic() {
     amplitude_or_time_ = settling < fit.chi2 + cubic_fall * scale;
     main_ = std::move(fit);
     problem_.priors = with.priors;
-    polish_cubic();
 }
 
 void SetFit::polish_cubic() {
-    if (main_.converged) {
+    if (main_.converged || problem_.priors.sd[cubic_at] == 0) {
         return;
     }
     Eigen::VectorXd anew = still_waves(problem_);
@@ -310,6 +314,32 @@ MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::Vector
     anew.damping_share = std::numeric_limits<double>::infinity();
     MapFit fit = fit_from_nothing(anew, job_);
     return fit.cost < near.cost ? fit : near;
+}
+
+bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_priors) {
+    const bool opened = problem_.priors.sd[cubic_at] > plain_priors.sd[cubic_at];
+    if (!opened || scaled_.size() < 2 || options_.model == FitOptions::Model::free ||
+        runs_agree(problem_, main_)) {
+        return false;
+    }
+    const MapFit with = std::exchange(main_, plain);
+    const Priors with_priors = std::exchange(problem_.priors, plain_priors);
+    examine();
+    const double dof = degrees_of_freedom(problem_);
+    const double least = examination_.verdict == SetVerdict::foreign  ? examination_.cost
+                         : examination_.verdict == SetVerdict::spread ? main_.cost
+                                                                      : with.cost;
+    if (least < with.cost - cubic_fall && least < noise_bound(dof) * dof) {
+        amplitude_or_time_ = false;
+        return true;
+    }
+    main_ = with;
+    problem_.priors = with_priors;
+    examination_ = {};
+    for (ScaledRun& run : scaled_) {
+        run.deviation = {};
+    }
+    return false;
 }
 
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,

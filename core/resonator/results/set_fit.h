@@ -85,6 +85,10 @@ private:
     // elliptic waves would otherwise lose their rotation.
     void try_cubic();
 
+    // Whether a spread or one foreign run explains a set whose runs disagree with the cubic term,
+    // which bends the frequency of runs that do not belong together. If so, that stays its result.
+    bool explained_without_cubic(const MapFit& plain, const Priors& plain_priors);
+
     // Without the cubic term the other parameters compensated for it and are far from their values.
     // The fit needs many steps, or a new start at still waves.
     void polish_cubic();

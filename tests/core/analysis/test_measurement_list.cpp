@@ -185,9 +185,9 @@ private slots:
 
     void a_column_that_resembles_an_option_is_kept_and_warned_of() {
         const std::pair<const char*, const char*> pairs[]{
-            {"filtre", "filter"}, {"chanels", "channels"},     {"Kappa", "kappa"},
-            {"dealy", "delay"},   {"windows", "window"},       {"temperature-c", "temperature_c"},
-            {"File", "file"},     {"angle zero", "angle-zero"}};
+            {"filtre", "filter"}, {"chanels", "channels"},     {"Kapa", "kappa"},
+            {"dealy", "delay"},   {"windows", "window"},       {"temprature_c", "temperature_c"},
+            {"files", "file"},    {"angel zero", "angle-zero"}};
         for (const auto& [name, option] : pairs) {
             const MeasurementList read = list(QByteArray("file,") + name + "\na.wav,1\n");
             QCOMPARE(read.other_columns, (std::vector<std::string>{name}));
@@ -307,6 +307,52 @@ private slots:
         const Conditions& told = read->sets[0].recordings[0].conditions;
         QCOMPARE(QString::fromStdString(told.date), iso);
         QCOMPARE(told.exchanged, yes);
+    }
+
+    void columns_have_russian_names_and_any_letters_data() {
+        QTest::addColumn<QByteArray>("names");
+        QTest::newRow("English") << QByteArray("file,set,gyro,temperature_c,bias_v,exchanged,from");
+        QTest::newRow("capitals") << QByteArray(
+            "FILE,Set,Gyro,Temperature_C,Bias_V,Exchanged,From");
+        QTest::newRow("blanks") << QByteArray("File,Set,Gyro,Temperature C,bias v,exchanged,from");
+        QTest::newRow("Russian") << QByteArray(
+            "файл,набор,гироскоп,температура,напряжение смещения,перестановка,от");
+        QTest::newRow("Russian with units") << QByteArray(
+            "Файл,НАБОР,Прибор,\"Температура, °C\",\"Напряжение смещения, В\",Перестановка "
+            "усилителей,\"От, с\"");
+        QTest::newRow("Russian with underscores") << QByteArray(
+            "файл,набор,гироскоп,температура_с,напряжение_смещения_в,перестановка,от");
+        QTest::newRow("Windows-1251") << QByteArray(
+            "\xF4\xE0\xE9\xEB,\xED\xE0\xE1\xEE\xF0,gyro,temperature_c,bias_v,exchanged,from");
+    }
+    void columns_have_russian_names_and_any_letters() {
+        QFETCH(QByteArray, names);
+        const MeasurementList read = list(names + ",Партия\na.wav,A,G7,22.5,100,yes,0.5,L1\n");
+        QCOMPARE(read.sets[0].name, "A");
+        QCOMPARE(read.sets[0].settings.signal.from_s, std::optional(0.5));
+        const Conditions& told = read.sets[0].recordings[0].conditions;
+        QCOMPARE(told.gyro, "G7");
+        QCOMPARE(told.temperature_c, std::optional(22.5));
+        QCOMPARE(told.bias_v, std::optional(100.0));
+        QVERIFY(told.exchanged);
+        QVERIFY(read.warnings.empty());
+        QCOMPARE(read.other_columns.size(), std::size_t{1});
+        QCOMPARE(read.sets[0].recordings[0].others[0], "L1");
+    }
+
+    void a_path_of_windows_names_a_file_of_the_list() {
+        QVERIFY(QDir(folder_.path()).mkpath("runs"));
+        std::ofstream(folder_.filePath("runs/w.wav").toStdString()) << "x";
+        const MeasurementList read = list("file\nruns\\w.wav\n");
+        QVERIFY(std::filesystem::exists(read.sets[0].recordings[0].path));
+    }
+
+    void a_list_without_files_names_its_columns() {
+        const auto read = read_measurement_list(write("# March\nFiles;Set\na.wav;A\n"), {});
+        QVERIFY(!read);
+        const QString text = QString::fromStdString(english(read.error()));
+        QVERIFY2(text.contains("line 2") && text.contains("its columns are Files, set"),
+                 qPrintable(text));
     }
 
     void a_field_that_a_table_program_runs_is_told() {

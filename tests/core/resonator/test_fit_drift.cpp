@@ -15,6 +15,7 @@ private slots:
     void aDriftIsFoundAndQIsFreeOfIt();
     void aSteadyFrequencyHasNoDrift();
     void aFrequencyThatFollowsTheAmplitudeIsToldFromADrift();
+    void aRunOfAnotherSplitIsNoCubicSpring();
     void aSmallSplitDoesNotHideADrift();
     void unequalAmplitudesOfACubicSpringConverge();
     void aStrangePhaseLeavesTheEnvelopeAlone();
@@ -73,6 +74,29 @@ void TestFitDrift::aFrequencyThatFollowsTheAmplitudeIsToldFromADrift() {
     VYBEG_NEAR(fit.resonator.frequency_per_power, 0.01, 4, 1e-4);
     VYBEG_NEAR(fit.resonator.tau_s, 30, 4, 0.01);
     QVERIFY(!warns(fit, DiagnosticKind::residual_above_noise));
+}
+
+// The frequency of runs that do not belong together bends with a cubic term, too.
+void TestFitDrift::aRunOfAnotherSplitIsNoCubicSpring() {
+    FreeDecay decay = reference();
+    decay.tau_s = 30;
+    decay.split_hz = 0.3;
+    decay.theta_w = 0.2;
+    decay.damping_anisotropy_per_s = 0.002;
+    decay.theta_tau = 0.5;
+    for (const double other : {0.31, 0.3006, 0.5, 0.29}) {
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            std::vector<PhasorRun> runs = set_of(decay, {8.6, 25.8, 43}, 1000, seed);
+            FreeDecay last = decay;
+            last.split_hz = other;
+            runs.push_back(set_of(last, {-17.2}, 1000, 100 + seed).front());
+            const ResonatorFit fit = fitted(runs);
+            QVERIFY(!warns(fit, DiagnosticKind::frequency_follows_amplitude));
+            QVERIFY(warns(fit, DiagnosticKind::recordings_differ) ||
+                    warns(fit, DiagnosticKind::foreign_recording) ||
+                    warns(fit, DiagnosticKind::foreign_among));
+        }
+    }
 }
 
 // Rates that a still wave does not see feign the drift; a fit that begins with them ends at a

@@ -46,6 +46,9 @@ private slots:
         };
         row("commas", "file,set\na.wav,A\nb.wav,B\n");
         row("semicolons", "file;set\na.wav;A\nb.wav;B\n");
+        row("tabulators", "file\tset\na.wav\tA\nb.wav\tB\n");
+        row("separator told", "sep=;\r\nfile;set\r\na.wav;A\r\nb.wav;B\r\n");
+        row("comments before", "# March, bench 2\n#\nfile,set\na.wav,A\nb.wav,B\n");
         row("byte order mark",
             "\xEF\xBB\xBF"
             "file,set\na.wav,A\nb.wav,B\n");
@@ -108,9 +111,8 @@ private slots:
             QTest::newRow(name) << text << sentence;
         };
         row("no column", "name,set\na.wav,A\n",
-            ", line 1, column \"file\": the list needs this column.");
-        row("tabs", "file\tset\na.wav\tA\n",
-            ", line 1, column \"file\": the list needs this column.");
+            ", line 1, column \"file\": the list needs this column; its columns are name, set.");
+        row("no names", "# nothing\n", ", line 1, column \"file\": the list needs this column.");
         row("a name twice", "file,set,set\na.wav,A,B\n",
             ", line 1, column \"set\": two columns have this name.");
         row("a field too many", "file,set\na.wav,A\nb.wav,B,C\n",
