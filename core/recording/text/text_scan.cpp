@@ -17,20 +17,35 @@ namespace {
 // Blocks between two looks at the stop token: some ten milliseconds.
 constexpr std::int64_t blocks_at_once = 16;
 
-// The finest digits of the times seen so far.
+// The finest digits of the times seen so far, in the column's unit.
 class FinestDigits {
 public:
-    void add(const NumberDigits& digits) {
+    void add(double time, const NumberDigits& digits) {
+        of_32_bits_ = of_32_bits_ && is_float(time, digits);
         decimals_ = std::max(decimals_, digits.decimals);
         significant_ = std::max(significant_, digits.significant);
     }
-    void add(const FinestDigits& other) { add({other.decimals_, other.significant_}); }
+    void add(const FinestDigits& other) {
+        of_32_bits_ = of_32_bits_ && other.of_32_bits_;
+        decimals_ = std::max(decimals_, other.decimals_);
+        significant_ = std::max(significant_, other.significant_);
+    }
 
     TimeResolution resolution(double unit_s) const {
-        return {std::pow(10.0, -static_cast<double>(decimals_)) * unit_s, significant_};
+        return {std::pow(10.0, -static_cast<double>(decimals_)) * unit_s, significant_,
+                of_32_bits_};
     }
 
 private:
+    // Whether a float may stand behind these digits. Of seven digits any number may be one.
+    static bool is_float(double time, const NumberDigits& digits) {
+        constexpr int digits_of_floats = 7;
+        const double off = std::abs(time - static_cast<double>(static_cast<float>(time)));
+        return digits.significant <= digits_of_floats || off == 0 ||
+               off <= 0.5 * (1 + 1e-6) * std::pow(10.0, -static_cast<double>(digits.decimals));
+    }
+
+    bool of_32_bits_ = true;
     int decimals_ = std::numeric_limits<int>::min();
     int significant_ = 1;
 };
@@ -115,7 +130,7 @@ private:
             }
         }
         found.last_time = row.time();
-        found.digits.add(row.time_digits());
+        found.digits.add(row.time(), row.time_digits());
         found.times.add(row.time() * table_.format.time_unit_s);
         return true;
     }
@@ -221,7 +236,7 @@ Result<UniformTimeDetector> empty_line(const TextTable& table) {
         TextRows rows(table.format, table.columns, block, SampleUse::check);
         while (rows.next()) {
             samples.time_s.push_back(rows.time() * table.format.time_unit_s);
-            digits.add(rows.time_digits());
+            digits.add(rows.time(), rows.time_digits());
         }
         samples.resolution = digits.resolution(table.format.time_unit_s);
         const double step_s = samples.time_s.size() > 1 ? typical_step(samples) : 0;

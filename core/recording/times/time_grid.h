@@ -14,8 +14,10 @@ namespace vybeg {
 struct TimeResolution {
     double absolute_s = 0;        // one unit of the last decimal that any of them has
     int significant_digits = 17;  // the most that any of them has
+    bool of_32_bits = false;      // each of them may have been rounded to a float before
 
-    double at(double time_s) const;  // seconds
+    double at(double time_s) const;       // seconds
+    double of_both(double time_s) const;  // the same, with that of the float
 };
 
 // Samples with a time for each, strictly rising but for what its digits leave open.

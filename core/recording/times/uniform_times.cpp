@@ -236,7 +236,7 @@ UniformTimeDetector::Bounds UniformTimeDetector::bounds(const std::vector<RowSeg
         const auto first = static_cast<double>(segments[s].first_frame);
         for (const Hull& hull : segments_[s].hulls) {
             const double time_s = time_within(hull.decade);
-            const double half_s = 0.5 * resolution.at(time_s) + arithmetic_error * reach_s;
+            const double half_s = 0.5 * resolution.of_both(time_s) + arithmetic_error * reach_s;
             for (const Point& point : hull.early.points) {
                 result.most.push_back({first + point.row, line.offsets[s] + point.late_s + half_s});
             }
@@ -249,7 +249,7 @@ UniformTimeDetector::Bounds UniformTimeDetector::bounds(const std::vector<RowSeg
         const Segment& segment = segments_[s];
         const auto last = static_cast<double>(segment.rows - 1);
         const double late_s = line.offsets[s] + segment.last_s - segment.first_s - step_s_ * last;
-        const double half_s = 0.5 * resolution.at(segment.last_s) + arithmetic_error * reach_s;
+        const double half_s = 0.5 * resolution.of_both(segment.last_s) + arithmetic_error * reach_s;
         result.most.push_back({first + last, late_s + half_s});
         result.least.push_back({first + last, late_s - half_s});
     }
@@ -345,8 +345,14 @@ std::optional<EvenTimes> UniformTimeDetector::judge(const TimeResolution& resolu
     }
     EvenTimes even{.segments = number_rows(*step_s)};
     Line line = fit_line(even.segments);
-    if (!pass_all(bounds(even.segments, resolution, line), line) &&
-        !pass_nearly(even.segments, resolution, line)) {
+    const auto passes = [&](const TimeResolution& each) {
+        return pass_all(bounds(even.segments, each, line), line) ||
+               pass_nearly(even.segments, each, line);
+    };
+    // Digits alone leave less open than digits of floats.
+    TimeResolution of_digits = resolution;
+    of_digits.of_32_bits = false;
+    if (!passes(of_digits) && !passes(resolution)) {
         return std::nullopt;
     }
     even.rate_hz = 1 / (step_s_ + line.slope);

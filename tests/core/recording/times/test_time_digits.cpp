@@ -19,6 +19,8 @@ private slots:
     void rounded_times_are_even_and_give_the_rate_as_well_as_their_digits_allow();
     void times_of_few_digits_give_the_rate_within_two_of_its_deviations_data();
     void times_of_few_digits_give_the_rate_within_two_of_its_deviations();
+    void times_of_floats_are_even_whatever_their_digits_data();
+    void times_of_floats_are_even_whatever_their_digits();
     void lost_samples_are_found_where_the_digits_become_coarser();
     void equal_times_are_an_error_where_their_digits_do_not_explain_them();
 };
@@ -93,6 +95,36 @@ void TestTimeDigits::times_of_few_digits_give_the_rate_within_two_of_its_deviati
     VYBEG_WITHIN(error, 0, 2.001 * sd + 1e-15);
     // No more than a slope that lies anywhere within a digit at either end.
     VYBEG_LESS(sd, 0.82 * coarsest / seconds);
+}
+
+// Exports in single precision round twice: to a float, then to the digits of the text.
+void TestTimeDigits::times_of_floats_are_even_whatever_their_digits_data() {
+    QTest::addColumn<QByteArray>("format");
+    QTest::addColumn<double>("rate_hz");
+    QTest::addColumn<double>("start");
+    QTest::addColumn<double>("seconds");
+    for (const char* const format : {"%.7g", "%.8g", "%.9g", "%.17g", "%.8f", "%.6e"}) {
+        QTest::addRow("%s", format) << QByteArray(format) << 33333.0 << 0.0 << 14.1;
+        QTest::addRow("%s from 3 s on", format) << QByteArray(format) << 44100.0 << 3.0 << 1.5;
+        QTest::addRow("%s at 5 kHz", format) << QByteArray(format) << 5000.0 << 0.0 << 60.0;
+    }
+}
+
+void TestTimeDigits::times_of_floats_are_even_whatever_their_digits() {
+    QFETCH(QByteArray, format);
+    QFETCH(double, rate_hz);
+    QFETCH(double, start);
+    QFETCH(double, seconds);
+    const Folder folder;
+    std::vector<double> times;
+    const auto frames = static_cast<std::int64_t>(seconds * rate_hz);
+    for (std::int64_t i = 0; i < frames; ++i) {
+        times.push_back(static_cast<float>(start + static_cast<double>(i) / rate_hz));
+    }
+    const Recording recording = opened(folder.write("run", text_of(times, format)));
+    QCOMPARE(recording.frames(), frames);
+    QVERIFY(recording.diagnostics.empty());
+    VYBEG_WITHIN(recording.rate_hz / rate_hz - 1, 0, 4 * recording.rate_relative_sd + 1e-14);
 }
 
 void TestTimeDigits::lost_samples_are_found_where_the_digits_become_coarser() {
