@@ -62,6 +62,7 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
     const std::int64_t from = begin_ + index * block_bytes;
     const std::int64_t to = std::min(from + block_bytes, size);
     const std::int64_t unit = encoding_ == TextEncoding::bytes ? 1 : 2;
+    block.last = to == size;
     block.bytes.clear();
     block.bytes.reserve(static_cast<std::size_t>(block_bytes + first_overhang + unit));
     // One character more: whether it is a line end tells whether a line begins with the block.

@@ -23,6 +23,7 @@ struct TextBlock {
     std::string bytes;      // also what stands around those lines
     std::size_t begin = 0;  // of the first line
     std::size_t end = 0;    // lines that begin from here on belong to later blocks
+    bool last = false;      // of the file
 
     std::string_view text() const { return bytes; }
 };

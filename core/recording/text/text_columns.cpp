@@ -20,6 +20,7 @@ constexpr double equal_times = 1e-3;  // of a step
 struct ColumnStart {
     std::vector<double> values;  // of times of day: seconds from midnight
     std::size_t filled = 0;      // fields that are not empty
+    std::size_t numbers = 0;     // of these, all but words
     std::size_t clocks = 0;      // of these, dates and times of day
     std::size_t timed = 0;       // of these, those with a time of day
     std::int64_t clock_from_s = 0;
@@ -31,6 +32,7 @@ struct ColumnStart {
 void take(std::string_view field, bool decimal_comma, ColumnStart& column) {
     column.filled += field.empty() ? 0 : 1;
     if (const auto value = parse_field(field, decimal_comma)) {
+        column.numbers += field.empty() ? 0 : 1;
         column.values.push_back(*value);
         return;
     }
@@ -42,6 +44,7 @@ void take(std::string_view field, bool decimal_comma, ColumnStart& column) {
         column.clock_from_s = clock->whole_s;
     }
     ++column.clocks;
+    ++column.numbers;
     column.timed += clock->timed ? 1 : 0;
     column.values.push_back(clock->timed ? seconds_after(*clock, column.clock_from_s) : no_number);
 }
@@ -113,7 +116,7 @@ public:
           starts_(column_starts(rows, format)) {}
 
     void run() {
-        leave_out([this](int i) { return at(i).filled == 0 || at(i).is_date(); });
+        leave_out([this](int i) { return at(i).numbers == 0 || at(i).is_date(); });
         find_time();
         leave_out([this](int i) { return counts_by_one(at(i).values); });
         leave_out(

@@ -206,6 +206,10 @@ bool TextRows::any_row(std::string_view line, bool ended) {
         ++ignored_;
         return false;
     }
+    if (closes_table(line)) {
+        at_ = block_.end;
+        return false;
+    }
     split_fields(line, format_.delimiter, fields_);
     const auto columns = static_cast<std::size_t>(format_.columns);
     if (fields_.size() < columns && !ended) {
@@ -220,6 +224,15 @@ bool TextRows::any_row(std::string_view line, bool ended) {
     }
     return (columns_.time < 0 || time_field()) && sample(columns_.c, c_, over_c_) &&
            sample(columns_.d, d_, over_d_);
+}
+
+bool TextRows::closes_table(std::string_view line) const {
+    const auto is_empty = [this](std::string_view text) {
+        return std::ranges::all_of(text, [this](char c) {
+            return c == format_.delimiter || c == ' ' || c == '\t' || c == '"' || ends_line(c);
+        });
+    };
+    return block_.last && is_empty(line) && is_empty(block_.text().substr(at_));
 }
 
 bool TextRows::time_field() {

@@ -11,7 +11,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <array>
 #include <set>
+#include <utility>
 
 namespace test_text_layouts {
 
@@ -61,6 +63,51 @@ QString difference(const std::vector<double>& read, const QJsonArray& expected) 
         }
     }
     return {};
+}
+
+constexpr int table_rows = 64;
+
+// A table of times, cos and sin / 2 as the number of its layout says: delimiter and decimal sign,
+// place of a column of words, line ends, delimiters behind each row and below the last one, names.
+QString table(int layout) {
+    const auto pick = [&layout](int count) {
+        const int picked = layout % count;
+        layout /= count;
+        return picked;
+    };
+    const std::array dialects{std::pair(',', false), std::pair(';', false), std::pair(';', true),
+                              std::pair('\t', false), std::pair('\t', true)};
+    const auto [delimiter, comma] = dialects[static_cast<std::size_t>(pick(5))];
+    // None, first, between, last; a comment in the first row, in a later one.
+    const int words = pick(6);
+    const QString ends = pick(2) == 0 ? "\n" : "\r\n";
+    const bool trailing = pick(2) == 1;
+    const bool closing = pick(2) == 1;
+    const QStringList names =
+        QStringList{"Time, s|C, V|D, V", "t|C|D", "Время|Канал 1|Канал 2"}[pick(3)].split('|');
+    QString text;
+    const auto add = [&, delimiter = delimiter](QStringList fields, const QString& word) {
+        if (words > 0) {
+            fields.insert(words == 1 ? 0 : words == 2 ? 2 : 3, word);
+        }
+        text += fields.join(delimiter) + (trailing ? QString(delimiter) : QString()) + ends;
+    };
+    QStringList heading;
+    for (const QString& name : names) {
+        heading << (name.contains(delimiter) ? '"' + name + '"' : name);
+    }
+    add(heading, "State");
+    for (int k = 0; k < table_rows; ++k) {
+        QStringList fields;
+        for (const double value : {k * 1e-3, std::cos(0.7 * k), 0.5 * std::sin(0.7 * k)}) {
+            fields << QString::number(value, 'f', 6).replace('.', comma ? ',' : '.');
+        }
+        add(fields, words < 4 ? "locked" : k == (words == 4 ? 0 : 40) ? "knock" : "");
+    }
+    for (int k = 0; closing && k < 2; ++k) {
+        text += QString(3, delimiter) + ends;
+    }
+    return text;
 }
 
 }  // namespace
@@ -127,6 +174,26 @@ private slots:
             expected << warning.toString();
         }
         QCOMPARE(warnings.join(", "), expected.join(", "));
+    }
+
+    // What table programs, loggers and their users leave in a table, in all combinations.
+    void words_and_delimiters_beside_the_numbers_change_nothing() {
+        const Folder folder;
+        constexpr int layouts = 5 * 6 * 2 * 2 * 2 * 3;
+        for (int layout = 0; layout < layouts; ++layout) {
+            const QByteArray text = table(layout).toUtf8();
+            const std::string at = "layout " + std::to_string(layout);
+            const auto recording = open(folder.write("table.csv", text.toStdString()), {});
+            QVERIFY2(recording, recording ? "" : (at + english(recording.error())).c_str());
+            QVERIFY2(recording->frames() == table_rows, at.c_str());
+            VYBEG_WITHIN(recording->rate_hz, 1000, 1e-3);
+            const Samples samples = read_all(*recording);
+            for (std::size_t k = 0; k < table_rows; ++k) {
+                const auto turn = 0.7 * static_cast<double>(k);
+                QVERIFY2(std::abs(samples.c[k] - std::cos(turn)) < 1e-6, at.c_str());
+                QVERIFY2(std::abs(samples.d[k] - 0.5 * std::sin(turn)) < 1e-6, at.c_str());
+            }
+        }
     }
 
     void units_without_a_known_ratio_are_warned_of_and_not_converted() {
