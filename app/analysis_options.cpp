@@ -3,6 +3,7 @@
 #include "app/option_values.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
+#include "core/batch/limits.h"
 #include "core/recording/samples/open_table.h"
 
 #include <algorithm>
@@ -68,6 +69,16 @@ void add_compare_options(CLI::App& app, CompareOptions& options) {
                   if (options.f_limit_ppm < 0) {
                       reject(option, text, "it cannot be negative");
                   }
+              });
+    add_value(app, "--limit", "NAME=X[,NAME=X]",
+              "Smaller changes count as none, significant or not: in the parameter's unit, or "
+              "relative as in tau=0.5%,f_mean=10ppm",
+              [&options](const auto&, const auto& text) {
+                  Result<std::vector<PracticalLimit>> limits = read_practical_limits(text);
+                  if (!limits) {
+                      throw CLI::ValidationError(english(limits.error()));
+                  }
+                  options.limits = std::move(*limits);
               });
 }
 

@@ -1,7 +1,12 @@
 #include "app/cli_commands.h"
+#include "app/cli_support.h"
 #include "core/batch/compute_batch.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -18,6 +23,18 @@ public:
                 [this](const auto& list) { begin(list); }, [this](const auto& row) { add(row); }};
     }
 
+    std::string timing_line(double batch_s, int jobs) const {
+        const nlohmann::ordered_json line{{"read_s", spent_.read_s},
+                                          {"carrier_s", spent_.carrier_s},
+                                          {"estimate_s", spent_.estimate_s},
+                                          {"fit_s", spent_.fit_s},
+                                          {"batch_s", batch_s},
+                                          {"sets", computed_},
+                                          {"windows", windows_},
+                                          {"jobs", jobs}};
+        return line.dump() + "\n";
+    }
+
 private:
     void begin(const MeasurementList& list) {
         for (const MeasurementSet& set : list.sets) {
@@ -29,6 +46,12 @@ private:
         if (row.kept) {
             return;
         }
+        ++computed_;
+        spent_.read_s += row.timing.read_s;
+        spent_.carrier_s += row.timing.carrier_s;
+        spent_.estimate_s += row.timing.estimate_s;
+        spent_.fit_s += row.timing.fit_s;
+        windows_ += row.windows;
         const std::string& name = names_[row.set];
         log_.warnings(row.warnings, name);
         if (row.error) {
@@ -40,13 +63,20 @@ private:
     Log& log_;
     std::vector<std::string> names_;  // of the sets
     std::size_t done_ = 0;
+    std::size_t computed_ = 0;
+    IdentifyTiming spent_;  // summed over the sets that were computed
+    std::int64_t windows_ = 0;
 };
 
 }  // namespace
 
-int run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
+int run_batch(const BatchCommand& request, Log& log, std::stop_token stop) {
     BatchLog told(log);
-    const Status done = compute_batch(request, told.events(), std::move(stop));
+    const double begun = seconds_now();
+    const Status done = compute_batch(request.batch, told.events(), std::move(stop));
+    if (done && request.timing) {
+        std::fputs(told.timing_line(seconds_now() - begun, request.batch.jobs).c_str(), stderr);
+    }
     return done ? 0 : log.fail(done.error());
 }
 

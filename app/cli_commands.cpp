@@ -81,13 +81,15 @@ std::string described(const Recording& recording, const std::string& sha256,
     return text + check_text(diagnostics, verbose);
 }
 
-std::string timing_line(const AnalysisSummary& analysis, double open_s, double write_s) {
-    const Timing& timing = analysis.timing;
-    const nlohmann::ordered_json line{
-        {"read_s", open_s + timing.read_s}, {"carrier_s", timing.carrier_s},
-        {"estimate_s", timing.estimate_s},  {"write_s", write_s},
-        {"windows", analysis.plan.count},   {"threads", timing.threads}};
-    return line.dump() + "\n";
+// `windows`: of an analysis.
+void say_timing(const Timing& timing, double write_s, std::int64_t windows) {
+    const nlohmann::ordered_json line{{"read_s", timing.read_s},
+                                      {"carrier_s", timing.carrier_s},
+                                      {"estimate_s", timing.estimate_s},
+                                      {"write_s", write_s},
+                                      {"windows", windows},
+                                      {"threads", timing.threads}};
+    std::fputs((line.dump() + "\n").c_str(), stderr);
 }
 
 // CSV on standard output.
@@ -140,6 +142,8 @@ std::vector<Diagnostic> without_effect(const SimulateRequest& request) {
     const bool noisy = decay.noise != 0 || decay.carrier_noise != 0 ||
                        decay.modulation_noise != 0 || decay.phase_noise_rad != 0;
     check(decay.seed != usual.seed && !noisy, "--seed", "there is no noise");
+    check(decay.settling_time_s != usual.settling_time_s && decay.settling_hz == 0,
+          "--settling-time", "there is no --settling");
     check(decay.bryan != usual.bryan && decay.omega_rad_s == 0, "--bryan", "there is no --omega");
     check(decay.theta_w != usual.theta_w && decay.split_hz == 0, "--theta-w",
           "there is no --split");
@@ -151,6 +155,7 @@ std::vector<Diagnostic> without_effect(const SimulateRequest& request) {
 }  // namespace
 
 int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
+    const double begun = seconds_now();
     const Result<Recording> recording =
         open_recording(request.input, request.open, silent_job(stop));
     if (!recording) {
@@ -168,16 +173,25 @@ int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
         return log.fail(still.error());
     }
     log.warnings(without_effect(request.open, *recording));
+    const double read = seconds_now();
     const Status written =
         write_text(request.json ? recording_json(*recording, *sha256, faults->findings)
                                 : described(*recording, *sha256, faults->findings, request.verbose),
                    silent_job(stop));
+    if (written && request.timing) {
+        say_timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0);
+    }
     return written ? 0 : log.fail(written.error());
 }
 
 int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     if (const Status valid = validate(request.settings); !valid) {
         return log.fail(valid.error());
+    }
+    if (const Status possible = check_outputs({{"-o", request.output, ""}},
+                                              {{request.input, "it is the recording itself"}});
+        !possible) {
+        return log.fail(possible.error());
     }
     const Result<TrackFormat> format = format_of_track(request.output);
     if (!format) {
@@ -190,11 +204,6 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
         return log.fail(recording.error());
     }
     HashBeside hash(*recording, request.settings.threads, stop);
-    if (const Status possible = check_outputs({{"-o", request.output, ""}},
-                                              {{request.input, "it is the recording itself"}});
-        !possible) {
-        return log.fail(possible.error());
-    }
     const double opened = seconds_now();
     Result<OutputFile> output = open_output(request.output, silent_job(stop));
     if (!output) {
@@ -233,12 +242,15 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     }
     write_s += seconds_now() - analysed;
     if (request.timing) {
-        std::fputs(timing_line(*analysis, opened - begun, write_s).c_str(), stderr);
+        Timing timing = analysis->timing;
+        timing.read_s += opened - begun;
+        say_timing(timing, write_s, analysis->plan.count);
     }
     return 0;
 }
 
 int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop) {
+    const double begun = seconds_now();
     if (const Status possible =
             check_outputs({{"-o", request.output, "the samples go there already"},
                            {"--truth", request.truth, ""}},
@@ -305,6 +317,9 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
         return log.fail(error);
     }
     log.warnings(without_effect(request));
+    if (request.timing) {  // the samples are made while they are written
+        say_timing({.threads = 1}, seconds_now() - begun, 0);
+    }
     return 0;
 }
 

@@ -4,6 +4,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/batch/list_sets.h"
 #include "core/batch/set_identification.h"
+#include "core/output/file_ending.h"
 #include "core/output/identify_json.h"
 #include "core/output/output_paths.h"
 #include "core/output/passport_json.h"
@@ -46,11 +47,18 @@ Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
         inputs.push_back({recording.path.string(), "it is one of the recordings"});
     }
     const bool summary = request.output.empty();
-    return check_outputs(
+    Status possible = check_outputs(
         {{"-o", summary ? "-" : request.output,
           summary ? "the summary goes there already" : "the result goes there already"},
          {"--passport", request.new_passport, ""}},
         inputs);
+    for (const std::string& output : {request.output, request.new_passport}) {
+        if (const Status known = check_ending(output, {"", ".json"});
+            possible && output != "-" && !known) {
+            possible = known;
+        }
+    }
+    return possible;
 }
 
 // What was asked for, opened before the work is done: a missing folder shows at once.

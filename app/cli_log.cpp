@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <unistd.h>
 
@@ -112,7 +113,10 @@ int Log::fail(const Error& error, const std::string& about) {
     const std::string text = english(error);
     const int status = exit_status(error.code);
     if (!json_) {
-        line("vybeg-cli: " + (about.empty() ? "" : plain_text(about) + ": ") + text);
+        // The text begins with the place of the error, of a set that may be its name.
+        const bool named =
+            error.where == about || std::filesystem::path(error.where).filename() == about;
+        line("vybeg-cli: " + (about.empty() || named ? "" : plain_text(about) + ": ") + text);
         return status;
     }
     Json object{

@@ -64,7 +64,12 @@ void add_list(CLI::App& app, IdentifyRequest& request) {
         ->needs(list);
 }
 
-void add_batch_options(CLI::App& app, BatchRequest& request) {
+void add_timing(CLI::App& app, bool& timing) {
+    app.add_flag("--timing", timing, "Last line of standard error: where the time went, JSON, s");
+}
+
+void add_batch_options(CLI::App& app, BatchCommand& command) {
+    BatchRequest& request = command.batch;
     app.add_option("LIST", request.list,
                    "Measurement list, CSV, or a folder in which each file is a set of its own")
         ->type_name("")
@@ -78,6 +83,17 @@ void add_batch_options(CLI::App& app, BatchRequest& request) {
     app.add_option("--passport", request.passports,
                    "Compare each set with the passport of its gyro, DIR/GYRO.json")
         ->type_name("DIR");
+    app.add_option("--passports-out", request.new_passports,
+                   "Also a passport of each set: DIR/GYRO.json, or DIR/SET.json where the gyro has "
+                   "several sets")
+        ->type_name("DIR");
+    app.add_option(
+           "--limits", request.limits,
+           "Limits, CSV: parameter, least, greatest, gyro_type; adds the columns passed and "
+           "failed_by, by the value with its expanded uncertainty")
+        ->type_name("LIMITS.csv");
+    app.add_flag("--excel", request.excel,
+                 "The table for table programs with a decimal comma: semicolons, no comment lines");
     app.add_option("--database", request.database,
                    "Also the result of each set, into a database (SQLite) that many runs share")
         ->type_name("FILE");
@@ -96,6 +112,7 @@ void add_batch_options(CLI::App& app, BatchRequest& request) {
     add_identify_options(app, request.settings);
     add_open_options(app, request.open);
     add_compare_options(app, request.compare);
+    add_timing(app, command.timing);
 }
 
 void add_identification(CLI::App& app, IdentifyRequest& request) {
@@ -104,8 +121,7 @@ void add_identification(CLI::App& app, IdentifyRequest& request) {
         ->type_name("RESULT.json");
     add_identify_options(app, request.settings);
     add_open_options(app, request.open);
-    app.add_flag("--timing", request.timing,
-                 "Last line of standard error: where the time went, JSON, s");
+    add_timing(app, request.timing);
 }
 
 bool asks_for_json(std::span<char*> words) {
@@ -141,6 +157,7 @@ int run(int argc, char** argv) {
     add_input(*info_command, info.input);
     info_command->add_flag("--json", info.json, "As JSON");
     add_open_options(*info_command, info.open);
+    add_timing(*info_command, info.timing);
     add_log_options(*info_command, log_options);
     add_verbose(*info_command, log_options.verbose);
 
@@ -158,8 +175,7 @@ int run(int argc, char** argv) {
     add_open_options(*analyze_command, analyze.open);
     add_log_options(*analyze_command, log_options);
     add_verbose(*analyze_command, log_options.verbose);
-    analyze_command->add_flag("--timing", analyze.timing,
-                              "Last line of standard error: where the time went, JSON, s");
+    add_timing(*analyze_command, analyze.timing);
 
     IdentifyRequest identification;
     CLI::App* const identify_command = app.add_subcommand(
@@ -188,8 +204,8 @@ int run(int argc, char** argv) {
     add_log_options(*compare_command, log_options);
     add_verbose(*compare_command, log_options.verbose);
 
-    BatchRequest batch;
-    batch.program = program;
+    BatchCommand batch;
+    batch.batch.program = program;
     CLI::App* const batch_command =
         app.add_subcommand("batch", "The resonators of a measurement list, as a table");
     add_batch_options(*batch_command, batch);
@@ -200,6 +216,7 @@ int run(int argc, char** argv) {
     CLI::App* const simulate_command =
         app.add_subcommand("simulate", "A recording from the equations of motion, and its truth");
     add_simulate_options(*simulate_command, simulation);
+    add_timing(*simulate_command, simulation.timing);
     add_log_options(*simulate_command, log_options);
 
     let_repeated_options_parse(app);
@@ -228,7 +245,7 @@ int run(int argc, char** argv) {
         return run_simulate(simulation, log, interrupt.token());
     }
     const int threads = std::max({analyze.settings.threads, identification.settings.threads,
-                                  comparison.settings.threads, batch.settings.threads});
+                                  comparison.settings.threads, batch.batch.settings.threads});
     if (const Status enough = check_threads(threads); !enough) {
         return log.fail(enough.error());
     }
@@ -242,6 +259,12 @@ int run(int argc, char** argv) {
         return run_identify(identification, log, interrupt.token());
     }
     if (batch_command->parsed()) {
+        for (const char* option : {"--f-limit", "--limit"}) {
+            if (batch.batch.passports.empty() && batch_command->count(option) > 0) {
+                log.warnings({{DiagnosticKind::option_without_effect,
+                               {option, "there is no --passport to compare with"}}});
+            }
+        }
         return run_batch(batch, log, interrupt.token());
     }
     return run_identify(comparison, log, interrupt.token());

@@ -18,6 +18,7 @@ struct InfoRequest {
     OpenOptions open;
     bool json = false;
     bool verbose = false;
+    bool timing = false;
 };
 
 struct AnalyzeRequest {
@@ -42,9 +43,15 @@ struct IdentifyRequest {
     bool timing = false;
 };
 
+struct BatchCommand {
+    BatchRequest batch;
+    bool timing = false;
+};
+
 struct SimulateRequest {
     std::string output;
     std::string truth;  // empty: none
+    bool timing = false;
     FreeDecay decay;
     std::int64_t window = 60;  // of the truth
 };

@@ -1141,8 +1141,8 @@
         <translation>Не удалось записать %1: %2. Прежнее содержимое не изменено.</translation>
     </message>
     <message>
-        <source>%1: the ending &quot;%2&quot; is not one that can be written here.</source>
-        <translation>%1: запись в файл с окончанием «%2» здесь невозможна.</translation>
+        <source>%1: the ending &quot;%2&quot; is none of those that can be written here: %3.</source>
+        <translation>%1: окончание «%2» не из тех, с которыми здесь можно записать файл: %3.</translation>
     </message>
     <message>
         <source>%1 is one of the open recordings, and stays as it is. Choose another name.</source>
@@ -1543,6 +1543,14 @@
     <message>
         <source>%1 holds %2 finished rows of an interrupted batch. All sets are computed again; the rows stay until the table is written, and a resumed batch takes them.</source>
         <translation>В %1 — готовые строки прерванной пакетной обработки (%2). Все наборы вычисляются заново; строки остаются, пока таблица не записана, и их берёт продолженная обработка.</translation>
+    </message>
+    <message>
+        <source>%1 sets do not keep the limits and %2 are undecided, of %3.</source>
+        <translation>Допускам не соответствуют наборы: %1, не решено: %2, всего: %3.</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program. The batch waits for it, up to %2 s.</source>
+        <translation>%1 занят другой программой. Пакетная обработка ждёт его, не дольше %2 с.</translation>
     </message>
     <message>
         <source>%1 and %2 have the same recordings and settings: the database holds one result for both, that of %1.</source>
@@ -3663,6 +3671,34 @@
     <message>
         <source>it is another kind of file</source>
         <translation>это файл другого вида</translation>
+    </message>
+    <message>
+        <source>the list needs this column; its columns are %1</source>
+        <translation>в списке должен быть этот столбец; его столбцы: %1</translation>
+    </message>
+    <message>
+        <source>neither end of the limit is told</source>
+        <translation>не задан ни один из пределов</translation>
+    </message>
+    <message>
+        <source>it is above the greatest value</source>
+        <translation>он больше наибольшего значения</translation>
+    </message>
+    <message>
+        <source>%1 has a limit above already</source>
+        <translation>у %1 выше уже есть предел</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2</source>
+        <translation>«%1» нет среди %2</translation>
+    </message>
+    <message>
+        <source>another result of this batch goes there</source>
+        <translation>туда уже идёт другой результат этой обработки</translation>
+    </message>
+    <message>
+        <source>it is the table of limits</source>
+        <translation>это таблица допусков</translation>
     </message>
     <message>
         <source>the list needs this column</source>

@@ -41,27 +41,6 @@ constexpr std::array<UnitSuffix, 16> suffixes{{
     {"ppm", "%", 1e4},
 }};
 
-struct Reading {
-    double value = 0;
-    bool valid = false;
-};
-
-Reading read_number(std::string_view text, std::string_view unit) {
-    double factor = 1;
-    for (const UnitSuffix& suffix : suffixes) {
-        if (unit == suffix.own && text.ends_with(suffix.suffix)) {
-            factor = suffix.factor;
-            text.remove_suffix(std::string_view(suffix.suffix).size());
-            break;
-        }
-    }
-    const std::optional<double> number = parse_number(std::string(text));
-    if (!number || !within(tolerance_bounds, "--tolerance", factor * *number)) {
-        return {};
-    }
-    return {factor * *number, true};
-}
-
 std::string names() {
     std::string list;
     for (const char* name : tolerance_names) {
@@ -71,6 +50,19 @@ std::string names() {
 }
 
 }  // namespace
+
+std::optional<double> number_with_unit(std::string_view text, std::string_view unit) {
+    double factor = 1;
+    for (const UnitSuffix& suffix : suffixes) {
+        if (unit == suffix.own && text.ends_with(suffix.suffix)) {
+            factor = suffix.factor;
+            text.remove_suffix(std::string_view(suffix.suffix).size());
+            break;
+        }
+    }
+    const std::optional<double> number = parse_number(std::string(text));
+    return number ? std::optional(factor * *number) : std::nullopt;
+}
 
 double assumed_tolerance(ErrorSource source, double calibrated_kappa) {
     if (source == kappa_error) {
@@ -119,12 +111,12 @@ Result<Tolerance> read_tolerance(std::string_view text) {
             return wrong(name + " is given twice");
         }
         const std::string unit = parameter->unit;
-        const Reading reading = read_number(part.substr(equals + 1), unit);
-        if (!reading.valid) {
+        const std::optional<double> value = number_with_unit(part.substr(equals + 1), unit);
+        if (!value || !within(tolerance_bounds, "--tolerance", *value)) {
             return wrong(name + " must be a number of zero or more" +
                          (unit.empty() ? "" : ", in " + unit));
         }
-        tolerance.*parameter->member = reading.value;
+        tolerance.*parameter->member = *value;
     }
     return tolerance;
 }

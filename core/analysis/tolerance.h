@@ -64,6 +64,10 @@ struct ToleranceInUse {
 };
 std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double calibrated_kappa);
 
+// A number, plain or with a unit after it that `unit` can be told in: 25.4ms in s, 0.1deg in rad,
+// 2% and 5ppm of a ratio. Nothing for any other text.
+std::optional<double> number_with_unit(std::string_view text, std::string_view unit);
+
 // Reads NAME=X[,NAME=X]: the names above, each at most once. X is a number of zero or more in the
 // parameter's unit, or with a unit after it: deg, rad, mrad (skew, phase-drift), s, ms, us, ns, ps
 // (delay), %, ppm (ratios), ppm, ppb, % (rate). "none" is the default of all. Error:

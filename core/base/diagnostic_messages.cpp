@@ -470,6 +470,15 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "%1 holds %2 finished rows of an interrupted batch. All sets are "
                                   "computed again; the rows stay until the table is written, and "
                                   "a resumed batch takes them.")};
+        case DiagnosticKind::limits_not_kept:
+            return {"limits-not-kept", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 sets do not keep the limits and %2 are undecided, of %3.")};
+        case DiagnosticKind::database_waits:
+            return {"database-waits", note,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 is in use by another program. The batch waits for it, up to "
+                                  "%2 s.")};
         case DiagnosticKind::same_recordings:
             return {"same-recordings", warning,
                     VYBEG_MESSAGE("Message",

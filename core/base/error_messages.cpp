@@ -297,7 +297,8 @@ MessageRow message_row(ErrorCode code) {
         case ErrorCode::output_format_unknown:
             return {"output-format-unknown", no_output,
                     VYBEG_MESSAGE("Message",
-                                  "%1: the ending \"%2\" is not one that can be written here.")};
+                                  "%1: the ending \"%2\" is none of those that can be written here: "
+                                  "%3.")};
         case ErrorCode::output_is_recording:
             return {
                 "output-is-recording", no_output,

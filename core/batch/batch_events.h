@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/analysis/identify.h"
 #include "core/analysis/measurement_list.h"
 #include "core/base/error.h"
 #include "core/base/finding.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,6 +22,8 @@ struct FinishedRow {
     // Of a row of this batch.
     std::vector<NamedWarnings> warnings;
     std::optional<Error> error;  // why the set has no result
+    IdentifyTiming timing;
+    std::int64_t windows = 0;
 };
 
 // Receivers of the events of a batch, called in its threads, never two at once. An empty one

@@ -1,16 +1,20 @@
 #include "core/batch/batch_paths.h"
 
+#include "core/analysis/set_conditions.h"
 #include "core/base/system_reason.h"
 #include "core/batch/list_sets.h"
 #include "core/output/batch_csv.h"
+#include "core/output/file_ending.h"
 #include "core/output/output_paths.h"
 #include "core/output/same_file.h"
 
 #include <climits>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <sys/stat.h>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 namespace vybeg {
@@ -52,18 +56,34 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
     });
 }
 
-Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const MeasurementList& list) {
+Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const MeasurementList& list,
+                                      const std::vector<TypedLimit>& limits) {
+    std::map<std::string, int> sets_of_gyro;
+    for (const MeasurementSet& set : list.sets) {
+        ++sets_of_gyro[gyro_of(set)];
+    }
     std::vector<SetTask> tasks;
     for (const MeasurementSet& set : list.sets) {
-        SetTask task{&set, passport_in(request.passports, set), "", ""};
-        if (!request.json.empty()) {
-            const fs::path file = json_in(request.json, set.name);
-            if (file.filename().string().size() > NAME_MAX) {
+        SetTask task{&set, passport_in(request.passports, set), "", "", {}, ""};
+        const std::string gyro = gyro_of(set);
+        const bool by_gyro = !gyro.empty() && sets_of_gyro[gyro] == 1;
+        for (const auto& [option, folder, name, file] :
+             {std::tuple{"--json", &request.json, &set.name, &task.json},
+              {"--passports-out", &request.new_passports, by_gyro ? &gyro : &set.name,
+               &task.new_passport}}) {
+            if (folder->empty()) {
+                continue;
+            }
+            const fs::path path = json_in(*folder, *name);
+            if (path.filename().string().size() > NAME_MAX) {
                 return refused_path(
-                    "--json", set.name,
+                    option, *name,
                     words(VYBEG_MESSAGE("Words", "this name is too long for a file")));
             }
-            task.json = file.string();
+            *file = path.string();
+        }
+        if (!request.limits.empty()) {
+            task.limits = limits_of_type(limits, gyro_type_of(list, set));
         }
         tasks.push_back(std::move(task));
     }
@@ -73,6 +93,7 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
 Status check_paths(const BatchRequest& request, const std::vector<SetTask>& tasks) {
     std::vector<InputPath> inputs{
         {request.list, words(VYBEG_MESSAGE("Words", "it is the list of the recordings"))}};
+    inputs.push_back({request.limits, words(VYBEG_MESSAGE("Words", "it is the table of limits"))});
     for (const SetTask& task : tasks) {
         inputs.push_back(
             {task.passport, words(VYBEG_MESSAGE("Words", "it is one of the passports"))});
@@ -91,6 +112,10 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
         !possible) {
         return possible;
     }
+    if (const Status known = check_ending(request.output, {"", ".csv", ".txt"});
+        request.output != "-" && !known) {
+        return known;
+    }
     if (!request.database.empty()) {
         if (same_file(request.database, journal_of(request.output)) ||
             same_file(rollback_of(request.database), request.output)) {
@@ -107,19 +132,32 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
             taken.emplace(status.st_dev, status.st_ino);
         }
     }
-    for (const SetTask& task : tasks) {
+    const auto is_free = [&](const std::string& path) {
         struct stat status {};
-        const bool is_taken = !task.json.empty() && stat(task.json.c_str(), &status) == 0 &&
-                              taken.contains({status.st_dev, status.st_ino});
+        const bool is_taken =
+            stat(path.c_str(), &status) == 0 && taken.contains({status.st_dev, status.st_ino});
         // The table and the folder of the results may both be still to come.
-        const bool is_output =
-            !task.json.empty() &&
-            (same_file(task.json, request.output) ||
-             (!request.database.empty() && same_file(task.json, request.database)));
-        if (is_taken || is_output) {
-            return refused_path(
-                "--json", task.json,
-                words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
+        return !is_taken && !same_file(path, request.output) &&
+               (request.database.empty() || !same_file(path, request.database));
+    };
+    std::set<std::string> files;
+    for (const SetTask& task : tasks) {
+        for (const auto& [option, path] :
+             {std::pair{"--json", &task.json}, std::pair{"--passports-out", &task.new_passport}}) {
+            if (path->empty()) {
+                continue;
+            }
+            if (!is_free(*path)) {
+                return refused_path(
+                    option, *path,
+                    words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
+            }
+            std::error_code unknown;
+            if (!files.insert(fs::weakly_canonical(*path, unknown).string()).second) {
+                return refused_path(
+                    option, *path,
+                    words(VYBEG_MESSAGE("Words", "another result of this batch goes there")));
+            }
         }
     }
     return {};

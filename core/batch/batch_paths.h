@@ -3,6 +3,7 @@
 #include "core/analysis/measurement_list.h"
 #include "core/base/result.h"
 #include "core/batch/batch_request.h"
+#include "core/batch/limits.h"
 #include "core/batch/set_task.h"
 
 #include <string>
@@ -21,9 +22,12 @@ std::string journal_of(const std::string& output);
 // of read_measurement_list() and list_of_folder().
 Result<MeasurementList> wanted_list(const BatchRequest& request);
 
-// The sets with their passports and the files of their results. `list` must outlive the tasks.
-// Errors: setting_invalid for a set whose name is too long for a file.
-Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const MeasurementList& list);
+// The sets with their passports, limits, and the files of their results. A new passport has the
+// name of the gyro, as a later comparison looks for it, or of the set where several sets are of one
+// gyro or of an unnamed one. `list` must outlive the tasks. Errors: setting_invalid for a set whose
+// name is too long for a file.
+Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const MeasurementList& list,
+                                      const std::vector<TypedLimit>& limits);
 
 // No output may take the place of an input or of another output. Errors: setting_invalid.
 Status check_paths(const BatchRequest& request, const std::vector<SetTask>& tasks);

@@ -4,6 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
 #include "core/batch/batch_paths.h"
+#include "core/batch/limits.h"
 #include "core/batch/list_sets.h"
 #include "core/batch/set_work.h"
 #include "core/database/results_database.h"
@@ -11,8 +12,12 @@
 #include "core/output/output_file.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
+#include "core/recording/text/csv_rows.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -44,8 +49,7 @@ Result<MeasurementList> chosen_list(const BatchRequest& request, const BatchEven
 Status set_keys(const BatchRequest& request, const std::string& database,
                 std::vector<SetTask>& tasks) {
     for (SetTask& task : tasks) {
-        Result<std::string> key = row_key(request.program, *task.set, task.passport,
-                                          {task.json, database}, request.compare.f_limit_ppm);
+        Result<std::string> key = row_key(request, task, database);
         if (!key) {
             return key.error();
         }
@@ -55,13 +59,19 @@ Status set_keys(const BatchRequest& request, const std::string& database,
 }
 
 // Opens the database of the request, if it names one; sets its identity.
-Status open_database(const BatchRequest& request, const JobControl& job,
+Status open_database(const BatchRequest& request, const BatchEvents& events, const JobControl& job,
                      std::optional<ResultsDatabase>& database, std::string& identity) {
     if (request.database.empty()) {
         return {};
     }
-    Result<ResultsDatabase> opened =
-        ResultsDatabase::open(request.database, ResultsDatabase::Access::write, job);
+    constexpr double patience_s = 60;
+    const auto waits = [&events](const Diagnostic& waiting) {
+        if (events.warned) {
+            events.warned({waiting});
+        }
+    };
+    Result<ResultsDatabase> opened = ResultsDatabase::open(
+        request.database, ResultsDatabase::Access::write, job, patience_s, waits);
     if (!opened) {
         return opened.error();
     }
@@ -101,6 +111,17 @@ Result<std::vector<std::string>> header_of(const BatchRequest& request, const Jo
     if (!request.passports.empty()) {
         lines.push_back("f-limit: " + round_trip_text(request.compare.f_limit_ppm));
     }
+    if (!request.compare.limits.empty()) {
+        lines.push_back("limit: " + practical_limits_text(request.compare.limits));
+    }
+    if (!request.limits.empty()) {
+        const Result<std::string> sha256 = file_sha256(request.limits, job);
+        if (!sha256) {
+            return sha256.error();
+        }
+        lines.push_back("limits: " + fs::path(request.limits).filename().string() +
+                        ", sha256: " + *sha256);
+    }
     return lines;
 }
 
@@ -113,21 +134,46 @@ Status tell_kept_rows(const std::vector<SetTask>& tasks, const RowJournal& journ
             if (!row) {
                 return row.error();
             }
-            events.finished({k, *row, true, {}, {}});
+            events.finished({.set = k, .text = *row, .kept = true, .warnings = {}, .error = {}});
         }
     }
     return {};
 }
 
-Status write_table(OutputFile& output, const std::string& head, const std::vector<SetTask>& tasks,
-                   const RowJournal& journal) {
-    Status written = output.write(head + "\n");
+// How many sets do not keep the limits, by the table's column.
+struct LimitCounts {
+    std::int64_t failed = 0;
+    std::int64_t undecided = 0;
+};
+
+Status write_table(OutputFile& output, const BatchRequest& request, const std::string& head,
+                   const std::vector<SetTask>& tasks, const RowJournal& journal,
+                   LimitCounts& counts) {
+    const bool limits = !request.limits.empty();
+    const std::vector<std::string> names = batch_columns(limits);
+    const auto passed = std::ranges::find(names, passed_column) - names.begin();
+    const auto line = [&](const std::string& row) {
+        return output.write((request.excel ? excel_row(row, limits) : row) + "\n");
+    };
+    // Of the head table programs get the names alone.
+    Status written = request.excel ? output.write("\xEF\xBB\xBF") : Status();
+    written = !written        ? written
+              : request.excel ? line(head.substr(head.rfind('\n') + 1))
+                              : line(head);
     for (const SetTask& task : tasks) {
         if (!written) {
             return written;
         }
         const Result<std::string> row = journal.row(task.key);
-        written = row ? output.write(*row + "\n") : Status(row.error());
+        if (!row) {
+            return row.error();
+        }
+        if (limits) {
+            const std::string field = csv_fields(*row).at(static_cast<std::size_t>(passed));
+            counts.failed += field == passed_text(Conformity::outside) ? 1 : 0;
+            counts.undecided += field == passed_text(Conformity::unknown) ? 1 : 0;
+        }
+        written = line(*row);
     }
     return written ? output.commit() : written;
 }
@@ -165,13 +211,23 @@ Status compute_batch(const BatchRequest& request, const BatchEvents& events, std
     if (!request.passports.empty() && !is_folder(request.passports)) {
         return Error{ErrorCode::file_missing, request.passports, {}};
     }
-    Result<std::vector<SetTask>> tasks = tasks_of(request, *list);
+    std::vector<TypedLimit> limits;
+    if (!request.limits.empty()) {
+        Result<std::vector<TypedLimit>> read = read_limits(request.limits);
+        if (!read) {
+            return read.error();
+        }
+        limits = std::move(*read);
+    }
+    Result<std::vector<SetTask>> tasks = tasks_of(request, *list, limits);
     const auto header = header_of(request, job);
     if (!tasks || !header) {
         return tasks ? header.error() : tasks.error();
     }
     Status possible = check_paths(request, *tasks);
-    possible = possible && !request.json.empty() ? make_folder(request.json) : possible;
+    for (const std::string* folder : {&request.json, &request.new_passports}) {
+        possible = possible && !folder->empty() ? make_folder(*folder) : possible;
+    }
     if (!possible) {
         return possible;
     }
@@ -184,7 +240,7 @@ Status compute_batch(const BatchRequest& request, const BatchEvents& events, std
     }
     std::optional<ResultsDatabase> database;
     std::string identity;
-    possible = open_database(request, job, database, identity);
+    possible = open_database(request, events, job, database, identity);
     possible = possible ? set_keys(request, identity, *tasks) : possible;
     if (!possible) {
         return possible;
@@ -205,16 +261,29 @@ Status compute_batch(const BatchRequest& request, const BatchEvents& events, std
     if (Status told = tell_kept_rows(*tasks, *journal, events); !told) {
         return told;
     }
-    SetWork work({request, *tasks, list->other_columns, *journal, database ? &*database : nullptr},
-                 events, stop);
+    const Result<std::int64_t> last_id = database ? database->last_id() : Result<std::int64_t>(0);
+    if (!last_id) {
+        return last_id.error();
+    }
+    SetWork work(
+        {request, *tasks, list->other_columns, *journal, database ? &*database : nullptr, *last_id},
+        events, stop);
     Status done = work.run();
+    LimitCounts counts;
     if (done) {
-        done = write_table(*output, batch_head(*header, list->other_columns), *tasks, *journal);
+        done = write_table(*output, request,
+                           batch_head(*header, list->other_columns, !request.limits.empty()),
+                           *tasks, *journal, counts);
     }
     if (!done) {
         return as_left(done.error(), *output, *journal, work.done(), tasks->size());
     }
     journal->remove();
+    if (events.warned && counts.failed + counts.undecided > 0) {
+        events.warned({{DiagnosticKind::limits_not_kept,
+                        {count_arg(counts.failed), count_arg(counts.undecided),
+                         count_arg(std::ssize(*tasks))}}});
+    }
     return {};
 }
 

@@ -3,6 +3,7 @@
 #include "core/analysis/set_conditions.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/read_value.h"
+#include "core/batch/limits.h"
 #include "core/output/batch_csv.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
@@ -75,23 +76,37 @@ std::string passport_in(const std::string& folder, const MeasurementSet& set) {
     return std::filesystem::exists(path, unknown) ? path.string() : "";
 }
 
-Result<std::string> row_key(const std::string& program, const MeasurementSet& set,
-                            const std::string& passport, const std::vector<std::string>& beside,
-                            double f_limit_ppm) {
+std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set) {
+    const auto column = std::ranges::find(list.other_columns, "gyro_type");
+    return column == list.other_columns.end()
+               ? ""
+               : other_of(set, static_cast<std::size_t>(column - list.other_columns.begin()));
+}
+
+Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
+                            const std::string& database) {
+    const MeasurementSet& set = *task.set;
     std::string text;
     // The length before each part: no two lists of parts give the same text.
     const auto add = [&text](const std::string& part) {
         text += std::to_string(part.size()) + ":" + part;
     };
     for (const std::string& part :
-         {program, set.name, passport, stamp(passport), round_trip_text(f_limit_ppm)}) {
+         {request.program, set.name, task.passport, stamp(task.passport),
+          round_trip_text(request.compare.f_limit_ppm),
+          practical_limits_text(request.compare.limits), task.json, task.new_passport, database}) {
         add(part);
     }
-    for (const std::string& part : beside) {
-        add(part);
+    if (task.limits) {
+        for (const ParameterLimit& limit : *task.limits) {
+            add(limit.parameter);
+            for (const std::optional<double>& end : {limit.lower, limit.upper}) {
+                add(end ? round_trip_text(*end) : "");
+            }
+        }
     }
     // Rows of a table with other columns are computed again.
-    for (const std::string& column : batch_columns()) {
+    for (const std::string& column : batch_columns(task.limits.has_value())) {
         add(column);
     }
     for (const auto& [name, value] : settings_list(set.settings)) {

@@ -2,6 +2,8 @@
 
 #include "core/analysis/measurement_list.h"
 #include "core/base/result.h"
+#include "core/batch/batch_request.h"
+#include "core/batch/set_task.h"
 
 #include <filesystem>
 #include <string>
@@ -23,11 +25,13 @@ std::filesystem::path json_in(const std::filesystem::path& folder, const std::st
 // none.
 std::string passport_in(const std::string& folder, const MeasurementSet& set);
 
-// All that the row of a set depends on, as a hash: program, columns of the table, set, conditions,
-// settings, the files by size and time of change, and `beside`, what else its result went into.
-// Errors: file_read_failed.
-Result<std::string> row_key(const std::string& program, const MeasurementSet& set,
-                            const std::string& passport, const std::vector<std::string>& beside,
-                            double f_limit_ppm);
+// Value of the list's column gyro_type for a set; empty: not told.
+std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set);
+
+// All that the row of a task depends on, as a hash: program, columns of the table, set, conditions,
+// settings, limits, the files by size and time of change, and what else its result goes into;
+// `database`: its identity, empty: none. Errors: file_read_failed.
+Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
+                            const std::string& database);
 
 }  // namespace vybeg

@@ -1,8 +1,10 @@
 #include "core/batch/set_work.h"
 
 #include "core/base/caught_error.h"
+#include "core/batch/limits.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
+#include "core/output/passport_json.h"
 #include "core/recording/bytes/sha256.h"
 
 #include <algorithm>
@@ -28,6 +30,21 @@ MessageArg label(const StoredName& name) {
                              : words(VYBEG_MESSAGE("Words", "%1 (gyro %2)"), {name.set, name.gyro});
 }
 
+// Numbers that may be wrong decide nothing.
+std::optional<PassedFields> passed_fields(const SetTask& task, const Identification& found) {
+    if (!task.limits) {
+        return {};
+    }
+    const LimitVerdict verdict = keeps_limits(found.fit.resonator, *task.limits);
+    PassedFields fields{passed_text(is_doubtful(found) ? Conformity::unknown : verdict.conformity),
+                        ""};
+    for (const std::string& name : verdict.failed) {
+        fields.failed_by += fields.failed_by.empty() ? "" : ";";
+        fields.failed_by += name;
+    }
+    return fields;
+}
+
 }  // namespace
 
 SetWork::SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_token stop)
@@ -40,6 +57,14 @@ SetWork::SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_to
         }
     }
     done_ = batch_.tasks.size() - todo_.size();
+    if (batch_.database != nullptr) {
+        batch_.database->on_waiting([this](const Diagnostic& waiting) {
+            const std::lock_guard lock(mutex_);
+            if (events_.warned) {
+                events_.warned({waiting});
+            }
+        });
+    }
     prepare_sha256();
 }
 
@@ -87,8 +112,17 @@ void SetWork::finish(const SetTask& task) {
         return;
     }
     const PassportComparison* const compared = open->comparison ? &*open->comparison : nullptr;
-    // Before the row: a row in the journal means that its file and its result in the database are
+    // Before the row: a row in the journal means that its files and its result in the database are
     // there.
+    if (!task.new_passport.empty()) {
+        const Passport passport =
+            passport_of(batch_.request.program, open->told, result->found, set);
+        if (Status written = write_file(task.new_passport, passport_json(passport), job);
+            !written) {
+            give_up(written.error());
+            return;
+        }
+    }
     if (!task.json.empty() || batch_.database != nullptr) {
         const std::string json =
             identify_json(batch_.request.program, open->told, result->found, compared);
@@ -106,7 +140,15 @@ void SetWork::finish(const SetTask& task) {
             result->warnings.emplace_back("", std::move(*stored));
         }
     }
-    add_row(task, batch_row(set, result->found, compared), result->warnings, {});
+    const std::optional<PassedFields> passed = passed_fields(task, result->found);
+    FinishedRow row{.text = batch_row(set, result->found, compared, passed ? &*passed : nullptr),
+                    .warnings = std::move(result->warnings),
+                    .error = {},
+                    .timing = result->found.timing};
+    for (const IdentifiedRun& run : result->found.runs) {
+        row.windows += run.windows;
+    }
+    add_row(task, std::move(row));
 }
 
 Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const OpenSet& open,
@@ -136,7 +178,9 @@ Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const OpenSe
             {DiagnosticKind::same_recordings, {label(kept), label(holds_later ? own : **holder)}});
     }
     if (!holds_later) {
-        const Result<std::int64_t> added = batch_.database->add(*stored);
+        // The same numbers of the results whichever set is computed first.
+        const std::int64_t place = &task - batch_.tasks.data() + 1;
+        const Result<std::int64_t> added = batch_.database->add(*stored, batch_.last_id + place);
         if (!added) {
             return added.error();
         }
@@ -150,15 +194,16 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
     if (ends_batch(error.code)) {
         give_up(error);
     } else {
-        add_row(task, batch_row(*task.set, error), warnings, error);
+        add_row(task, {.text = batch_row(*task.set, error, task.limits.has_value()),
+                       .warnings = warnings,
+                       .error = error,
+                       .timing = {}});
     }
 }
 
-void SetWork::add_row(const SetTask& task, const std::string& row,
-                      const std::vector<NamedWarnings>& warnings,
-                      const std::optional<Error>& error) {
+void SetWork::add_row(const SetTask& task, FinishedRow row) {
     const std::unique_lock lock(mutex_);
-    const Status kept = batch_.journal.append(task.key, row);
+    const Status kept = batch_.journal.append(task.key, row.text);
     if (!kept) {
         fault_ = fault_ ? fault_ : kept.error();
         halt_.request_stop();
@@ -166,8 +211,8 @@ void SetWork::add_row(const SetTask& task, const std::string& row,
     }
     ++done_;
     if (events_.finished) {
-        const auto place = static_cast<std::size_t>(&task - batch_.tasks.data());
-        events_.finished({place, row, false, warnings, error});
+        row.set = static_cast<std::size_t>(&task - batch_.tasks.data());
+        events_.finished(row);
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -27,6 +28,7 @@ struct BatchWork {
     const std::vector<std::string>& other_columns;  // of the list
     RowJournal& journal;
     ResultsDatabase* database = nullptr;  // null: there is none
+    std::int64_t last_id = 0;             // of the results in it
 };
 
 // Computes the rows that a journal lacks, several sets at once. A set without a result has a row,
@@ -50,8 +52,7 @@ private:
                                           const Identification& found, const std::string& json);
     void add_failure(const SetTask& task, const Error& error,
                      const std::vector<NamedWarnings>& warnings);
-    void add_row(const SetTask& task, const std::string& row,
-                 const std::vector<NamedWarnings>& warnings, const std::optional<Error>& error);
+    void add_row(const SetTask& task, FinishedRow row);
     void give_up(const Error& error);
     MeasurementSet with_threads(const MeasurementSet& set) const;
 

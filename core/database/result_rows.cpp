@@ -5,11 +5,13 @@
 #include "core/recording/samples/open_table.h"
 
 #include <nlohmann/json.hpp>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 
 namespace vybeg {
@@ -100,18 +102,52 @@ double or_nan(const std::optional<double>& value) {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
+// zlib: a document is about eight times as large as its packed bytes.
+std::string deflated(const std::string& text) {
+    uLongf size = compressBound(text.size());
+    std::string packed(size, '\0');
+    if (compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+                 reinterpret_cast<const Bytef*>(text.data()), text.size()) != Z_OK) {
+        throw std::bad_alloc();
+    }
+    packed.resize(size);
+    return packed;
+}
+
+std::string inflated(const std::string& packed) {
+    constexpr std::size_t most = std::size_t{1} << 28;
+    std::string text;
+    for (std::size_t size = 16 * packed.size() + 1024; size <= most; size *= 4) {
+        text.resize(size);
+        uLongf unpacked = size;
+        const int result = uncompress(reinterpret_cast<Bytef*>(text.data()), &unpacked,
+                                      reinterpret_cast<const Bytef*>(packed.data()), packed.size());
+        if (result == Z_OK) {
+            text.resize(unpacked);
+            return text;
+        }
+        if (result != Z_BUF_ERROR) {
+            break;
+        }
+    }
+    throw DamagedRow("a document cannot be unpacked");
+}
+
 std::optional<double> told(const SqliteStatement& row, int column) {
     return row.is_null(column) ? std::optional<double>() : row.number(column);
 }
 
-std::int64_t write_head(const SqliteConnection& connection, const StoredResult& result) {
+std::int64_t write_head(const SqliteConnection& connection, const StoredResult& result,
+                        std::optional<std::int64_t> wanted) {
     SqliteStatement head(connection, R"sql(
-        INSERT INTO result (key, set_name, gyro, date, date_from, program, model, warnings)
-        VALUES (?, ?, ?, ?, ?, ?, ?, ?)
+        INSERT INTO result (id, key, set_name, gyro, date, date_from, program, model, warnings)
+        VALUES ((SELECT ?1 WHERE ?1 > 0 AND NOT EXISTS (SELECT 1 FROM result WHERE id = ?1)),
+            ?, ?, ?, ?, ?, ?, ?, ?)
         ON CONFLICT (key) DO UPDATE SET set_name = excluded.set_name, gyro = excluded.gyro,
             date = excluded.date, date_from = excluded.date_from, program = excluded.program,
             model = excluded.model, warnings = excluded.warnings
         RETURNING id)sql");
+    head.bind(wanted.value_or(0));
     head.bind(result.key).bind(result.set).bind(result.gyro).bind(result.date.text);
     head.bind(source_name(result.date.source)).bind(result.program).bind(result.model);
     head.bind(result.warnings);
@@ -229,8 +265,9 @@ std::vector<StoredRecording> read_recordings(const SqliteConnection& connection,
 
 }  // namespace
 
-std::int64_t write_result(SqliteConnection& connection, const StoredResult& result) {
-    const std::int64_t id = write_head(connection, result);
+std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
+                          std::optional<std::int64_t> wanted) {
+    const std::int64_t id = write_head(connection, result, wanted);
     for (const char* sql :
          {"DELETE FROM recording WHERE result = ?", "DELETE FROM parameter WHERE result = ?",
           "DELETE FROM document WHERE result = ?"}) {
@@ -240,7 +277,7 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
     write_parameters(connection, id, result);
     SqliteStatement document(connection, "INSERT INTO document VALUES (?, ?, ?, ?, ?)");
     document.bind(id).bind(line_of(result.raw.names)).bind(line_of(result.raw.values));
-    document.bind(line_of(result.raw.covariance)).bind(result.json).run();
+    document.bind(line_of(result.raw.covariance)).bind_bytes(deflated(result.json)).run();
     return id;
 }
 
@@ -267,7 +304,7 @@ std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64
     if (result.raw.values.size() != count || result.raw.covariance.size() != count * count) {
         throw DamagedRow("parameters and covariance differ in size");
     }
-    result.json = head.text(10);
+    result.json = head.is_bytes(10) ? inflated(head.text(10)) : head.text(10);
     result.warnings = head.text(11);
     result.recordings = read_recordings(connection, id);
     SqliteStatement row(connection, R"sql(

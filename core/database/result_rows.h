@@ -20,8 +20,10 @@ struct DamagedRow : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Adds or replaces the result of this key, and returns its id. Within a transaction of the caller.
-std::int64_t write_result(SqliteConnection& connection, const StoredResult& result);
+// Adds or replaces the result of this key, and returns its id: of a new one `wanted` where that is
+// free. Within a transaction of the caller.
+std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
+                          std::optional<std::int64_t> wanted);
 
 // All rows of a result; nothing: there is none.
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id);

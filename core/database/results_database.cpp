@@ -27,6 +27,9 @@ using Clock = std::chrono::steady_clock;
 // A pause between two attempts to get the lock, ms.
 constexpr int pause_ms = 10;
 
+// A wait that is not worth a word, s.
+constexpr double quiet_s = 0.5;
+
 // %1: what is wrong in it.
 constexpr const char* damaged = VYBEG_MESSAGE("Words",
                                               "the database is damaged (%1); take an earlier copy, "
@@ -119,6 +122,7 @@ void make_tables(SqliteConnection& connection) {
         }
     }
     if (is_new(found) || found.schema < results_schema) {
+        connection.run("DROP VIEW IF EXISTS history");
         connection.run(history_view().c_str());
         const std::string marks = "PRAGMA application_id = " + std::to_string(results_application) +
                                   "; PRAGMA user_version = " + std::to_string(results_schema);
@@ -130,8 +134,12 @@ void make_tables(SqliteConnection& connection) {
 }  // namespace
 
 ResultsDatabase::ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
-                                 double patience_s)
-    : path_(std::move(path)), access_(access), job_(job), patience_s_(patience_s) {}
+                                 double patience_s, WhenWaiting waits)
+    : path_(std::move(path)),
+      access_(access),
+      job_(job),
+      patience_s_(patience_s),
+      waits_(std::make_shared<WhenWaiting>(std::move(waits))) {}
 
 // The exceptions of `work` as errors.
 template <class Work>
@@ -150,8 +158,9 @@ auto ResultsDatabase::guarded(const Work& work) -> Result<decltype(work())> {
 }
 
 Result<ResultsDatabase> ResultsDatabase::open(const std::filesystem::path& path, Access access,
-                                              const JobControl& job, double patience_s) {
-    ResultsDatabase database(path, access, job, patience_s);
+                                              const JobControl& job, double patience_s,
+                                              WhenWaiting waits) {
+    ResultsDatabase database(path, access, job, patience_s, std::move(waits));
     const Result<bool> connected = database.guarded([&database] {
         database.connect();
         return true;
@@ -183,11 +192,17 @@ void ResultsDatabase::connect() {
     // SQLite gives ":memory:" and an empty name meanings of their own, an absolute path none.
     connection_ = std::make_unique<SqliteConnection>(
         std::filesystem::absolute(path_).string(),
-        [job = job_, patience = patience_s_, begun = Clock::time_point()](int times) mutable {
+        [job = job_, patience = patience_s_, waits = waits_, name = path_.string(),
+         begun = Clock::time_point(), told = false](int times) mutable {
             begun = times == 0 ? Clock::now() : begun;
+            told = told && times > 0;
             const std::chrono::duration<double> waited = Clock::now() - begun;
             if (job.cancelled() || waited.count() > patience) {
                 return false;
+            }
+            if (!told && waited.count() > quiet_s && *waits) {
+                told = true;
+                (*waits)({DiagnosticKind::database_waits, {name, number_arg(patience, 3)}});
             }
             sqlite3_sleep(pause_ms);
             return true;
@@ -257,10 +272,15 @@ Result<std::string> ResultsDatabase::identity() {
     });
 }
 
-Result<std::int64_t> ResultsDatabase::add(const StoredResult& result) {
+Result<std::int64_t> ResultsDatabase::last_id() {
+    return guarded([this] { return one_number(*connection_, "SELECT max(id) FROM result"); });
+}
+
+Result<std::int64_t> ResultsDatabase::add(const StoredResult& result,
+                                          std::optional<std::int64_t> wanted) {
     return guarded([&] {
         SqliteTransaction transaction(*connection_, "BEGIN IMMEDIATE");
-        const std::int64_t id = write_result(*connection_, result);
+        const std::int64_t id = write_result(*connection_, result, wanted);
         transaction.commit();
         return id;
     });

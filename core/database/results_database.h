@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/database/history_point.h"
@@ -8,9 +9,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -34,21 +37,31 @@ struct StoredName {
 class ResultsDatabase {
 public:
     enum class Access { read, write };
+    using WhenWaiting = std::function<void(const Diagnostic&)>;
 
     // Opens the file; to write, makes it where there is none. `patience_s`: how long any later call
-    // waits for other writers. `job`: an interruption ends the wait. Errors, also of all calls
+    // waits for other writers; `waits` receives a diagnostic once in each wait that is longer than
+    // half a second. `job`: an interruption ends the wait. Errors, also of all calls
     // below: interrupted; to write output_failed, to read file_missing and file_read_failed, with
     // the reason: the system's, a lock, damage, another kind of file, a later schema.
     static Result<ResultsDatabase> open(const std::filesystem::path& path, Access access,
-                                        const JobControl& job, double patience_s = 60);
+                                        const JobControl& job, double patience_s = 60,
+                                        WhenWaiting waits = {});
+
+    // Another receiver for later waits.
+    void on_waiting(WhenWaiting waits) { *waits_ = std::move(waits); }
 
     // Made at random with the file: another file at this path has another.
     Result<std::string> identity();
 
-    // Writes a result in one transaction and returns its id; it is on the disk then. A result whose
-    // key the file has already replaces that one and keeps its id: the same recordings and settings
-    // were computed again, perhaps by a later version or with corrected conditions.
-    Result<std::int64_t> add(const StoredResult& result);
+    // The largest id of a result; 0: there is none.
+    Result<std::int64_t> last_id();
+
+    // Writes a result in one transaction and returns its id, `wanted` where that is free; it is on
+    // the disk then. A result whose key the file has already replaces that one and keeps its id:
+    // the same recordings and settings were computed again, perhaps by a later version or with
+    // corrected conditions.
+    Result<std::int64_t> add(const StoredResult& result, std::optional<std::int64_t> wanted = {});
 
     // Set and gyro of the result of this key; nothing: there is none.
     Result<std::optional<StoredName>> holder(const std::string& key);
@@ -64,7 +77,7 @@ public:
 
 private:
     ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
-                    double patience_s);
+                    double patience_s, WhenWaiting waits);
     void connect();
     Error refused(const MessageArg& reason) const;
     Error error_of_failure(const SqliteFailure& failure) const;
@@ -75,6 +88,7 @@ private:
     Access access_;
     JobControl job_;
     double patience_s_;
+    std::shared_ptr<WhenWaiting> waits_;  // where the connection finds it after a move, too
     std::unique_ptr<SqliteConnection> connection_;
 };
 

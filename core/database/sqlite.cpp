@@ -93,6 +93,13 @@ SqliteStatement& SqliteStatement::bind(std::string_view text) {
     return *this;
 }
 
+SqliteStatement& SqliteStatement::bind_bytes(std::string_view bytes) {
+    check(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.empty() ? "" : bytes.data(),
+                              bytes.size(), SQLITE_TRANSIENT),
+          sqlite3_db_handle(statement_.get()));
+    return *this;
+}
+
 bool SqliteStatement::step() {
     const int result = sqlite3_step(statement_.get());
     check(result, sqlite3_db_handle(statement_.get()));
@@ -120,9 +127,14 @@ double SqliteStatement::number(int column) const {
                            : sqlite3_column_double(statement_.get(), column);
 }
 
+bool SqliteStatement::is_bytes(int column) const {
+    return sqlite3_column_type(statement_.get(), column) == SQLITE_BLOB;
+}
+
 std::string SqliteStatement::text(int column) const {
-    const auto* bytes =
-        reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+    const void* const content = is_bytes(column) ? sqlite3_column_blob(statement_.get(), column)
+                                                 : sqlite3_column_text(statement_.get(), column);
+    const auto* bytes = static_cast<const char*>(content);
     const int size = sqlite3_column_bytes(statement_.get(), column);
     return bytes != nullptr ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
 }

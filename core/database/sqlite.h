@@ -55,6 +55,7 @@ public:
     SqliteStatement& bind(std::int64_t value);
     SqliteStatement& bind(double value);  // NaN: NULL
     SqliteStatement& bind(std::string_view text);
+    SqliteStatement& bind_bytes(std::string_view bytes);  // as a BLOB
 
     // The next row; false: there is none.
     bool step();
@@ -63,6 +64,7 @@ public:
 
     // Columns of the row, from 0; NULL is NaN, 0 or an empty text.
     bool is_null(int column) const;
+    bool is_bytes(int column) const;  // a BLOB, which text() returns as it is
     std::int64_t whole(int column) const;
     double number(int column) const;
     std::string text(int column) const;

@@ -5,6 +5,7 @@
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/recording/text/csv_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,8 @@ constexpr std::array parameters{
     Parameter{"angle_rate_rad_s", &ResonatorEstimate::angle_rate_rad_s},
     Parameter{"kappa", &ResonatorEstimate::kappa}};
 
+constexpr std::string_view excel_begin = "\xEF\xBB\xBFset;gyro;";
+
 // A text as a field: in quotes where it holds a separator, a quote or a blank at its end.
 std::string field(const std::string& text) {
     const std::string plain = plain_text(text);
@@ -49,10 +52,12 @@ std::string field(const std::string& text) {
     return field + "\"";
 }
 
-std::string in_row(const std::vector<std::string>& texts) {
+std::string in_row(const std::vector<std::string>& texts, char separator = ',') {
     std::string row;
     for (const std::string& text : texts) {
-        row += &text == &texts.front() ? "" : ",";
+        if (&text != &texts.front()) {
+            row += separator;
+        }
         row += field(text);
     }
     return row;
@@ -65,7 +70,8 @@ std::string number(double value) {
 
 // `results`: from the model to the warnings; empty: there are none.
 std::string whole_row(const MeasurementSet& set, const std::string& status,
-                      const std::string& message, const std::vector<std::string>& results) {
+                      const std::string& message, const std::vector<std::string>& results,
+                      const PassedFields* passed) {
     std::string files;
     for (const ListedRecording& recording : set.recordings) {
         files += (files.empty() ? "" : ";") + recording.file;
@@ -75,6 +81,9 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
     texts.insert(texts.end(), results.begin(), results.end());
     const auto conditions = conditions_of(set);
     texts.resize(batch_columns().size() - conditions.size());
+    if (passed != nullptr) {
+        texts.insert(texts.end(), {passed->passed, passed->failed_by});
+    }
     for (const auto& [column, field] : conditions) {
         texts.push_back(field);
     }
@@ -105,7 +114,7 @@ std::pair<std::string, std::string> verdict(const PassportComparison* comparison
 
 }  // namespace
 
-std::vector<std::string> batch_columns() {
+std::vector<std::string> batch_columns(bool limits) {
     std::vector<std::string> names{"set", "gyro", "date", "files", "status", "message", "model"};
     for (const Parameter& parameter : parameters) {
         names.emplace_back(parameter.name);
@@ -116,6 +125,9 @@ std::vector<std::string> batch_columns() {
         names.push_back(std::string("u_") + parameter.name);
     }
     names.emplace_back("warnings");
+    if (limits) {
+        names.insert(names.end(), {passed_column, "failed_by"});
+    }
     for (const auto& [column, field] : conditions_of({})) {
         names.push_back(column);
     }
@@ -123,19 +135,21 @@ std::vector<std::string> batch_columns() {
 }
 
 bool is_batch_table(const std::filesystem::path& path) {
-    constexpr std::string_view begin = "# vybeg-cli ";
-    std::string head(begin.size(), '\0');
-    std::ifstream file(path, std::ios::binary);
-    return file.read(head.data(), std::ssize(head)) && head == begin;
+    const auto begins = [&path](std::string_view begin) {
+        std::string head(begin.size(), '\0');
+        std::ifstream file(path, std::ios::binary);
+        return file.read(head.data(), std::ssize(head)) && head == begin;
+    };
+    return begins("# vybeg-cli ") || begins(excel_begin);
 }
 
 std::string batch_head(std::span<const std::string> header,
-                       std::span<const std::string> other_columns) {
+                       std::span<const std::string> other_columns, bool limits) {
     std::string text;
     for (const std::string& line : header) {
         text += "# " + plain_text(line) + "\n";
     }
-    std::vector<std::string> names = batch_columns();
+    std::vector<std::string> names = batch_columns(limits);
     for (std::string name : other_columns) {
         while (std::ranges::find(names, name) != names.end()) {
             name.insert(0, "list_");
@@ -145,12 +159,14 @@ std::string batch_head(std::span<const std::string> header,
     return text + in_row(names);
 }
 
-std::string batch_row(const MeasurementSet& set, const Error& error) {
-    return whole_row(set, std::to_string(exit_status(error.code)), english(error), {});
+std::string batch_row(const MeasurementSet& set, const Error& error, bool limits) {
+    const PassedFields undecided{"undecided", ""};
+    return whole_row(set, std::to_string(exit_status(error.code)), english(error), {},
+                     limits ? &undecided : nullptr);
 }
 
 std::string batch_row(const MeasurementSet& set, const Identification& found,
-                      const PassportComparison* comparison) {
+                      const PassportComparison* comparison, const PassedFields* passed) {
     const ResonatorFit& fit = found.fit;
     std::vector<std::string> results{fit.model == ResonatorModel::structured ? "structured"
                                                                              : "free"};
@@ -161,8 +177,7 @@ std::string batch_row(const MeasurementSet& set, const Identification& found,
     }
     const std::vector<Finding> findings = findings_of(found);
     // Numbers that may be wrong are compared with nothing: the message says why.
-    const bool doubtful =
-        !findings.empty() && severity(findings.front().diagnostic.kind) == Severity::serious;
+    const bool doubtful = is_doubtful(found);
     const auto [judged, changed] = verdict(doubtful ? nullptr : comparison);
     results.insert(results.end(), {fit.noise.white() ? "white" : "coloured",
                                    number(fit.chi2_per_dof), judged, changed});
@@ -171,7 +186,26 @@ std::string batch_row(const MeasurementSet& set, const Identification& found,
         results.push_back(estimate.given() ? number(estimate.u) : "");
     }
     results.push_back(warning_kinds(findings));
-    return whole_row(set, "ok", doubtful ? english(findings.front()) : "", results);
+    return whole_row(set, "ok", doubtful ? english(findings.front()) : "", results, passed);
+}
+
+std::string excel_row(const std::string& row, bool limits) {
+    const std::vector<std::string> names = batch_columns(limits);
+    std::vector<std::string> fields = csv_fields(row);
+    constexpr std::array texts{"set",     "gyro",    "date",     "files",    "message",
+                               "comment", "verdict", "operator", "failed_by"};
+    for (std::size_t k = 0; k < std::min(fields.size(), names.size()); ++k) {
+        const bool is_text = std::ranges::find(texts, names[k]) != texts.end();
+        if (!is_text && parse_number(fields[k])) {
+            std::ranges::replace(fields[k], '.', ',');
+        }
+    }
+    return in_row(fields, ';');
+}
+
+bool is_doubtful(const Identification& found) {
+    const std::vector<Finding> findings = findings_of(found);
+    return !findings.empty() && severity(findings.front().diagnostic.kind) == Severity::serious;
 }
 
 }  // namespace vybeg

@@ -14,8 +14,16 @@ namespace vybeg {
 
 // The table of a batch, RESULTS.csv of the help, line by line without line feeds.
 
-// The names of the table's own columns; those of the list come behind them.
-std::vector<std::string> batch_columns();
+// Fields `passed` (yes, no, undecided) and `failed_by` of a table with limits.
+struct PassedFields {
+    std::string passed;
+    std::string failed_by;
+};
+inline constexpr const char* passed_column = "passed";
+
+// The names of the table's own columns; those of the list come behind them. `limits`: with the
+// fields above.
+std::vector<std::string> batch_columns(bool limits = false);
 
 // Whether the file begins as a table of batch_head() does, whose program is the command line.
 bool is_batch_table(const std::filesystem::path& path);
@@ -23,14 +31,21 @@ bool is_batch_table(const std::filesystem::path& path);
 // "# " lines and the line of names, for a list with these unknown columns. An unknown column whose
 // name is one of the table's has "list_" before it.
 std::string batch_head(std::span<const std::string> header,
-                       std::span<const std::string> other_columns);
+                       std::span<const std::string> other_columns, bool limits = false);
 
-// The row of a set that has no result.
-std::string batch_row(const MeasurementSet& set, const Error& error);
+// The row of a set that has no result. `limits`: the table has them, and the set is undecided.
+std::string batch_row(const MeasurementSet& set, const Error& error, bool limits = false);
 
 // The row of a set; `comparison`: with its gyro's passport, null: there is none. A serious warning
-// stands as the message, in place of a verdict.
+// stands as the message, in place of a verdict. `passed`: null, the table has no limits.
 std::string batch_row(const MeasurementSet& set, const Identification& found,
-                      const PassportComparison* comparison);
+                      const PassportComparison* comparison, const PassedFields* passed = nullptr);
+
+// A line of the table as table programs of countries with a decimal comma read it: ";" between its
+// fields, a comma in the numbers of the table's own columns.
+std::string excel_row(const std::string& row, bool limits);
+
+// Whether a serious warning says that the numbers may be wrong.
+bool is_doubtful(const Identification& found);
 
 }  // namespace vybeg

@@ -12,4 +12,18 @@ std::string file_ending(const std::filesystem::path& path) {
     return ending;
 }
 
+Status check_ending(const std::filesystem::path& path,
+                    std::initializer_list<std::string_view> endings) {
+    const std::string ending = file_ending(path);
+    std::string possible;
+    for (const std::string_view each : endings) {
+        if (each == ending) {
+            return {};
+        }
+        possible += possible.empty() || each.empty() ? "" : ", ";
+        possible += each;
+    }
+    return Error{ErrorCode::output_format_unknown, path.string(), {ending, possible}};
+}
+
 }  // namespace vybeg

@@ -87,7 +87,7 @@ Result<SampleFormat> sample_format(const std::filesystem::path& target) {
     if (ending == ".mat") {
         return SampleFormat::mat;
     }
-    return Error{ErrorCode::output_format_unknown, target.string(), {target.extension().string()}};
+    return check_ending(target, {".wav", ".csv", ".npy", ".mat"}).error();
 }
 
 Status write_stream(OutputFile& file, SampleFormat format, const SampleStream& stream) {

@@ -34,6 +34,11 @@ Result<TrackFormat> track_format(const std::filesystem::path& target) {
                                           "a NumPy file has room for one array only; let its name "
                                           "end in .npz"))}};
     }
+    if (const Status known =
+            check_ending(target, {"", ".csv", ".txt", ".mat", ".h5", ".hdf5", ".npz"});
+        !known) {
+        return known.error();
+    }
     if (ending == ".mat") {
         return TrackFormat::mat;
     }

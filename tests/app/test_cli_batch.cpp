@@ -5,6 +5,9 @@
 
 #include <QtTest>
 
+#include <array>
+#include <utility>
+
 namespace test_cli_batch {
 
 using namespace vybeg::test;
@@ -191,6 +194,132 @@ private slots:
                  object(file("c.json"))["differences"]);
     }
 
+    // Guarded as in the window: the value with its expanded uncertainty.
+    void a_table_of_limits_says_which_sets_pass() {
+        const double tau = field_of(table_, 0, "tau_s").toDouble();
+        const double u = field_of(table_, 0, "u_tau_s").toDouble();
+        const auto by = [&](double deviations) {
+            return QByteArray::number(tau + deviations * u, 'g', 17);
+        };
+        QVERIFY(put(path("one.csv"),
+                    "set;file;Тип гироскопа\ns1;a.wav;M1\ns1;b.wav;M1\ngone;gone.wav;M1\n"));
+        struct Case {
+            QByteArray limits;
+            QByteArray passed;
+            QByteArray failed_by;
+        };
+        const std::array cases{
+            Case{"parameter,least\ntau_s," + by(-2.1) + "\n", "yes", ""},
+            Case{"Parameter;Least;Greatest\ntau;;" + by(2.1) + "\n", "yes", ""},
+            Case{"parameter,least\ntau_s," + by(-1.9) + "\n", "undecided", "tau_s"},
+            Case{"parameter,least\ntau_s," + by(2.1) + "\n", "no", "tau_s"},
+            Case{"parameter,least,gyro_type\ntau_s," + by(2.1) + ",M2\n", "yes", ""},
+            Case{"parameter,least,gyro_type\ntau_s," + by(2.1) + ",\ntau_s,1,M1\n", "yes", ""},
+            Case{"parameter,least,greatest\ntau_s," + by(2.1) + ",\nsplit_hz,,1e-9\n", "no",
+                 "\"split_hz;tau_s\""}};
+        for (const Case& each : cases) {
+            QVERIFY(put(path("limits.csv"), each.limits));
+            const Outcome outcome =
+                run({"batch", "one.csv", "-o", "passed.csv", "--limits", "limits.csv"});
+            VYBEG_EQUAL(outcome.status, 0, outcome.err);
+            const QByteArray table = file("passed.csv");
+            QCOMPARE(field_of(table, 0, "passed"), each.passed);
+            QCOMPARE(field_of(table, 0, "failed_by"), each.failed_by);
+            QCOMPARE(field_of(table, 1, "passed"), QByteArray("undecided"));  // no result
+            QVERIFY2(outcome.err.contains(each.passed == "no" ? "1 sets do not keep the limits"
+                                                              : "0 sets do not keep the limits"),
+                     outcome.err);
+            const QList<QByteArray> names = names_of(table);
+            QCOMPARE(names.indexOf("passed"), names.indexOf("warnings") + 1);
+            QCOMPARE(names.indexOf("failed_by"), names.indexOf("bias_v") - 1);
+        }
+        for (const auto& [limits, part] :
+             {std::pair{"parameter,least\ntheta_w_rad,1\n", "\"theta_w_rad\" is none of f_mean_hz"},
+              std::pair{"parameter,least\ntau_s,much\n", "\"much\" is not a number"},
+              std::pair{"parameter,least\ntau_s,\n", "neither end of the limit is told"},
+              std::pair{"parameter,least,greatest\ntau_s,5,4\n", "above the greatest value"},
+              std::pair{"parameter,least\ntau_s,5\ntau_s,4\n", "has a limit above already"},
+              std::pair{"name,least\ntau_s,5\n", "its columns are name, least"}}) {
+            QVERIFY(put(path("limits.csv"), limits));
+            const Outcome outcome =
+                run({"batch", "one.csv", "-o", "p.csv", "--limits", "limits.csv"});
+            VYBEG_EQUAL(outcome.status, 3, outcome.err);
+            QVERIFY2(outcome.err.contains(part), outcome.err);
+        }
+    }
+
+    void passports_of_a_batch_compare_with_a_later_one() {
+        QVERIFY(put(path("months.csv"),
+                    "set,file,gyro,temperature_c,date\ns1,a.wav,P1,22,2026-03-01\ns1,b.wav,P1,22,\n"
+                    "s2,a.wav,P2,,\ns3,b.wav,P2,,\ns4,b.wav,,,\n"));
+        const QStringList batch{"batch", "months.csv", "-o", "m.csv", "--quiet"};
+        QCOMPARE(run(batch + QStringList{"--passports-out", "made"}).status, 0);
+        QCOMPARE(QDir(path("made")).entryList(QDir::Files),
+                 (QStringList{"P1.json", "s2.json", "s3.json", "s4.json"}));
+        const QJsonObject passport = object(file("made/P1.json"));
+        QCOMPARE(passport["gyro"].toString(), QString("P1"));
+        QCOMPARE(passport["date"].toString(), QString("2026-03-01"));
+        QCOMPARE(passport["conditions"]["temperature_c"].toString(), QString("22"));
+        const Outcome later = run(batch + QStringList{"--passport", "made"});
+        VYBEG_EQUAL(later.status, 0, later.err);
+        QCOMPARE(field_of(file("m.csv"), 0, "verdict"), QByteArray("unchanged"));
+        QCOMPARE(run(batch + QStringList{"--passport", "made", "--passports-out", "made"}).status,
+                 2);
+        QCOMPARE(run(batch + QStringList{"--json", "made", "--passports-out", "made"}).status, 2);
+    }
+
+    // Significance alone calls a change that nobody minds.
+    void a_practical_limit_keeps_small_changes_from_counting() {
+        QVERIFY(QDir(folder_.path()).mkpath("limit"));
+        for (const auto& [name, start] : {std::pair{"u.wav", "0"}, std::pair{"v.wav", "0.7854"}}) {
+            QCOMPARE(run({"simulate", "--seconds", "2", "--noise", "0.001", "--tau", "4", "--split",
+                          "0.02", "--theta-w", "0.2", "--two-theta-A", start, "-o", name})
+                         .status,
+                     0);
+            QString then = name;
+            QCOMPARE(
+                run({"simulate", "--seconds", "2", "--noise", "0.001", "--tau", "4.1", "--split",
+                     "0.02", "--theta-w", "0.2", "--two-theta-A", start, "-o", "then-" + then})
+                    .status,
+                0);
+        }
+        QCOMPARE(
+            run({"identify", "then-u.wav", "then-v.wav", "--passport", "limit/G1.json"}).status, 0);
+        QVERIFY(put(path("limit.csv"), "set,file,gyro\ns,u.wav,G1\ns,v.wav,G1\n"));
+        const auto verdict = [&](const QStringList& options) {
+            const Outcome outcome = run(
+                QStringList{"batch", "limit.csv", "-o", "l.csv", "--quiet", "--passport", "limit"} +
+                options);
+            return outcome.status == 0 ? field_of(file("l.csv"), 0, "verdict") : outcome.err;
+        };
+        QCOMPARE(verdict({}), QByteArray("changed"));
+        QCOMPARE(verdict({"--limit", "tau=1%"}), QByteArray("changed"));
+        QCOMPARE(verdict({"--limit", "tau=5%"}), QByteArray("unchanged"));
+        QCOMPARE(verdict({"--limit", "tau_s=0.2,split=1%"}), QByteArray("unchanged"));
+        QCOMPARE(verdict({"--limit", "tau=200ms"}), QByteArray("unchanged"));
+        QVERIFY(verdict({"--limit", "tao=5%"}).contains("\"tao\" is none of f_mean_hz"));
+        QVERIFY(verdict({"--limit", "tau"}).contains("NAME=X"));
+        QVERIFY(run({"batch", "limit.csv", "-o", "l.csv", "--limit", "tau=5%"})
+                    .err.contains("--limit"));
+    }
+
+    void a_table_for_excel_has_semicolons_and_decimal_commas() {
+        QCOMPARE(run({"batch", "list.csv", "-o", "excel.csv", "--excel", "--quiet"}).status, 0);
+        const QByteArray excel = file("excel.csv");
+        QVERIFY(excel.startsWith("\xEF\xBB\xBFset;gyro;date;files;status;"));
+        QVERIFY(!excel.contains("\n#"));
+        const QList<QByteArray> lines = excel.trimmed().split('\n');
+        QCOMPARE(lines.size(), rows_of(table_).size() + 1);
+        const QList<QByteArray> names = lines[0].mid(3).split(';');
+        QCOMPARE(names.join(','), names_of(table_).join(','));
+        const auto tau = names.indexOf("tau_s");
+        // The files of the first set stand in quotes with a semicolon between them.
+        QByteArray row = lines[1];
+        row.replace("\"a.wav;b.wav\"", "files");
+        QByteArray value = field_of(table_, 0, "tau_s");
+        QCOMPARE(row.split(';')[tau], value.replace('.', ','));
+    }
+
     // Conditions beside the result; a comparison that cannot be believed has no verdict.
     void a_serious_warning_takes_the_place_of_the_verdict() {
         QDir(folder_.path()).mkdir("others");
@@ -277,6 +406,7 @@ private slots:
         row("list.csv -o new.csv --channels 1,1", 2, "--channels cannot be");
         row("list.csv -o new.csv --only s99", 2, "--only cannot be \"s99\": the sets of the list");
         row("list.csv -o new.csv --algorithm in-phase", 2, "--algorithm");
+        row("list.csv -o new.xlsx", 5, "the ending \".xlsx\" is none of those");
         row("list.csv -o list.csv", 2, "it is the list of the recordings");
         row("list.csv -o a.wav", 2, "it is one of the recordings");
         row("list.csv -o - --resume", 2, "--resume needs a file");

@@ -1,5 +1,6 @@
 #include "ui/plots/plot_file.h"
 
+#include "core/output/file_ending.h"
 #include "core/output/output_file.h"
 
 #include <QBuffer>
@@ -147,7 +148,7 @@ Status writeDrawing(const Drawing& draw, const Paper& paper, const QString& path
         }
     });
     if (!known) {
-        return Error{ErrorCode::output_format_unknown, path.toStdString(), {ending.toStdString()}};
+        return check_ending(std::filesystem::path(path.toStdU16String()), {".png", ".svg", ".pdf"});
     }
     if (bytes.isEmpty()) {
         return Error{ErrorCode::out_of_memory, {}, {}};

@@ -39,6 +39,12 @@ double apart(const Estimate& one, const Estimate& other) {
     return std::abs(std::remainder(one.value - other.value, std::numbers::pi));
 }
 
+// Whether a limit of this parameter holds for a difference: "tau_s" for "modes[0].tau_s", too.
+bool is_of(const std::string& difference, const std::string& parameter) {
+    const std::string last = difference.substr(difference.find_last_of('.') + 1);
+    return last == parameter || (last == "f_hz" && parameter == "f_mean_hz");
+}
+
 // Collects the differences; the verdicts follow when all are known.
 class Comparison {
 public:
@@ -88,13 +94,23 @@ private:
         difference.u = std::hypot(then.uncertainty(), now.uncertainty(), besides);
         if (is_frequency) {
             difference.u = std::hypot(difference.u, spread_hz_);
-            difference.limit = options_.f_limit_ppm * 1e-6 * std::abs(then.value);
         }
+        set_limit(difference, is_frequency);
         // A relative change of a value near its noise is meaningless.
         if (period == 0 && std::abs(then.value) > single_changed_from * then.uncertainty()) {
             difference.relative = change / then.value;
         }
         differences_.push_back(std::move(difference));
+    }
+
+    void set_limit(Difference& difference, bool follows_temperature) const {
+        const double then = std::abs(difference.then.value);
+        difference.limit = follows_temperature ? options_.f_limit_ppm * 1e-6 * then : 0;
+        for (const PracticalLimit& limit : options_.limits) {
+            if (is_of(difference.name, limit.parameter)) {
+                difference.limit = limit.relative ? limit.size * then : limit.size;
+            }
+        }
     }
 
     void add_modes() {
@@ -162,7 +178,7 @@ private:
         for (Difference& each : differences_) {
             each.follows = follows(each);
             if (is_q(each) && !each.follows) {
-                each.limit = options_.f_limit_ppm * 1e-6 * std::abs(each.then.value);
+                set_limit(each, true);
             }
         }
         const double limit = changed_from(count_compared(differences_));

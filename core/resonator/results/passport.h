@@ -77,10 +77,18 @@ struct Difference {
     double deviations() const;  // |change| / u
 };
 
+// Smaller changes of a parameter do not matter to the engineer, significant or not.
+struct PracticalLimit {
+    std::string parameter;  // its name in resonator_parameters.h; holds for modes and runs, too
+    double size = 0;        // in its unit, or relative to the passport's value
+    bool relative = false;
+};
+
 struct CompareOptions {
     // Frequencies follow the temperature (some 20 ppm per 0.1 Hz at 5 kHz): smaller changes of them
     // do not count.
     double f_limit_ppm = 30;
+    std::vector<PracticalLimit> limits{};  // of a frequency, in place of f_limit_ppm
 };
 
 // English sentence of the last two, translated like those of messages.h; empty for the others.
@@ -98,12 +106,12 @@ std::size_t count_compared(const std::vector<Difference>& differences);
 
 // Compares every parameter of a resonator and of its modes with a value on at least one side.
 // Changed: the difference exceeds changed_from(number of compared parameters) combined deviations,
-// both sides independent, and for a frequency also the limit. Q follows from frequency and decay
-// time: it has changed only where one of these has. Not comparable: one side has no
-// value, with its reason. Modes are compared if both sides name them alike. If the mean frequency
-// or the decay time of the resonator is not comparable, those of the runs' directions are compared,
-// each with the run of the passport of the nearest 2theta_A, within 0.1 rad modulo pi; u then
-// includes the effect of the undetermined split and anisotropy on the remaining angle.
+// both sides independent, and also the limit of a frequency and what `options` tell. Q follows from
+// frequency and decay time: it has changed only where one of these has. Not comparable: one side
+// has no value, with its reason. Modes are compared if both sides name them alike. If the mean
+// frequency or the decay time of the resonator is not comparable, those of the runs' directions are
+// compared, each with the run of the passport of the nearest 2theta_A, within 0.1 rad modulo pi; u
+// then includes the effect of the undetermined split and anisotropy on the remaining angle.
 std::vector<Difference> compare(const Passport& passport, const ResonatorFit& now,
                                 const CompareOptions& options = {});
 

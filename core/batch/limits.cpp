@@ -1,0 +1,208 @@
+#include "core/batch/limits.h"
+
+#include "core/analysis/list_fields.h"
+#include "core/analysis/tolerance.h"
+#include "core/base/number_text.h"
+#include "core/recording/text/csv_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// The parameter of this name, which may lack its unit.
+const ResonatorParameter* parameter_named(std::span<const ResonatorParameter> parameters,
+                                          std::string_view name) {
+    constexpr std::array<std::string_view, 6> units{"", "_hz", "_s", "_rad", "_per_s", "_rad_s"};
+    const auto found = std::ranges::find_if(parameters, [&](const ResonatorParameter& each) {
+        return std::ranges::any_of(units, [&](std::string_view unit) {
+            return std::string(name).append(unit) == each.name;
+        });
+    });
+    return found == parameters.end() ? nullptr : &*found;
+}
+
+std::string names_of(std::span<const ResonatorParameter> parameters) {
+    std::string names;
+    for (const ResonatorParameter& parameter : parameters) {
+        names += (names.empty() ? "" : ", ") + std::string(parameter.name);
+    }
+    return names;
+}
+
+// A column of the table in other letters or in Russian.
+std::string column_name(const std::string& name) {
+    std::string usual = usual_column(name);
+    std::ranges::replace(usual, '-', '_');
+    return usual;
+}
+
+class Reader {
+public:
+    Reader(const std::filesystem::path& path, CsvRows table)
+        : path_(path), table_(std::move(table)), parameters_(limited_parameters()) {}
+
+    Result<std::vector<TypedLimit>> read() {
+        for (const CsvRow& row : table_.rows) {
+            const std::string name = field(row, "parameter");
+            const ResonatorParameter* const parameter = parameter_named(parameters_, name);
+            if (parameter == nullptr) {
+                return invalid(row, "parameter",
+                               words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2"),
+                                     {name, names_of(parameters_)}));
+            }
+            TypedLimit read{field(row, "gyro_type"), {parameter->name, {}, {}}};
+            for (const auto& [column, end] :
+                 {std::pair{"least", &read.limit.lower}, {"greatest", &read.limit.upper}}) {
+                const std::string text = usual_option(field(row, column), false);
+                *end = number_with_unit(text, parameter->unit);
+                if (!text.empty() && !*end) {
+                    return invalid(row, column,
+                                   words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {text}));
+                }
+            }
+            if (!read.limit.lower && !read.limit.upper) {
+                return invalid(row, "least",
+                               words(VYBEG_MESSAGE("Words", "neither end of the limit is told")));
+            }
+            if (read.limit.lower && read.limit.upper && *read.limit.lower > *read.limit.upper) {
+                return invalid(row, "least",
+                               words(VYBEG_MESSAGE("Words", "it is above the greatest value")));
+            }
+            const bool twice = std::ranges::any_of(limits_, [&read](const TypedLimit& each) {
+                return each.gyro_type == read.gyro_type &&
+                       each.limit.parameter == read.limit.parameter;
+            });
+            if (twice) {
+                return invalid(row, "parameter",
+                               words(VYBEG_MESSAGE("Words", "%1 has a limit above already"),
+                                     {read.limit.parameter}));
+            }
+            limits_.push_back(std::move(read));
+        }
+        return std::move(limits_);
+    }
+
+private:
+    std::string field(const CsvRow& row, const std::string& column) const {
+        const auto found = std::ranges::find(table_.names, column);
+        return found == table_.names.end()
+                   ? std::string()
+                   : row.fields[static_cast<std::size_t>(found - table_.names.begin())];
+    }
+
+    Error invalid(const CsvRow& row, const std::string& column, MessageArg reason) const {
+        return {ErrorCode::list_invalid,
+                path_.string(),
+                {count_arg(row.line), column, std::move(reason)}};
+    }
+
+    const std::filesystem::path& path_;
+    CsvRows table_;
+    std::vector<ResonatorParameter> parameters_;
+    std::vector<TypedLimit> limits_;
+};
+
+}  // namespace
+
+Result<std::vector<TypedLimit>> read_limits(const std::filesystem::path& path) {
+    Result<CsvRows> table = read_csv(path, "parameter", column_name);
+    if (!table) {
+        return table.error();
+    }
+    return Reader(path, std::move(*table)).read();
+}
+
+std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits,
+                                           const std::string& gyro_type) {
+    std::vector<ParameterLimit> of_type;
+    for (const bool own : {true, false}) {
+        for (const TypedLimit& each : limits) {
+            const bool fits = own ? !each.gyro_type.empty() && each.gyro_type == gyro_type
+                                  : each.gyro_type.empty();
+            if (fits && limit_of(of_type, each.limit.parameter.c_str()) == nullptr) {
+                of_type.push_back(each.limit);
+            }
+        }
+    }
+    return of_type;
+}
+
+const char* passed_text(Conformity conformity) {
+    switch (conformity) {
+        case Conformity::within: return "yes";
+        case Conformity::outside: return "no";
+        case Conformity::unknown: break;
+    }
+    return "undecided";
+}
+
+LimitVerdict keeps_limits(const ResonatorEstimate& resonator,
+                          const std::vector<ParameterLimit>& limits) {
+    LimitVerdict verdict;
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        const ParameterLimit* const limit = limit_of(limits, parameter.name);
+        if (limit == nullptr) {
+            continue;
+        }
+        const Conformity one = conformity(resonator.*parameter.member, *limit);
+        if (one != Conformity::within) {
+            verdict.failed.emplace_back(parameter.name);
+            const bool outside =
+                one == Conformity::outside || verdict.conformity == Conformity::outside;
+            verdict.conformity = outside ? Conformity::outside : Conformity::unknown;
+        }
+    }
+    return verdict;
+}
+
+Result<std::vector<PracticalLimit>> read_practical_limits(std::string_view text) {
+    const auto wrong = [text](const std::string& allowed) {
+        return Error{ErrorCode::setting_invalid, "", {"--limit", std::string(text), allowed}};
+    };
+    std::vector<PracticalLimit> limits;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string_view part = text.substr(begin, end - begin);
+        const std::size_t equals = part.find('=');
+        begin = end + 1;
+        if (equals == std::string_view::npos) {
+            return wrong("it is NAME=X with commas, as in tau=0.5%,f_mean=10ppm");
+        }
+        const std::string name(part.substr(0, equals));
+        const std::string_view size = part.substr(equals + 1);
+        const ResonatorParameter* const parameter = parameter_named(resonator_parameters, name);
+        if (parameter == nullptr) {
+            return wrong("\"" + name + "\" is none of " + names_of(resonator_parameters));
+        }
+        if (std::ranges::find(limits, parameter->name, &PracticalLimit::parameter) !=
+            limits.end()) {
+            return wrong(name + " is given twice");
+        }
+        const bool relative = size.ends_with('%') || size.ends_with("ppm");
+        const std::optional<double> value = number_with_unit(size, relative ? "" : parameter->unit);
+        if (!value || !(*value >= 0)) {
+            return wrong(name + " must be a number of zero or more");
+        }
+        limits.push_back({parameter->name, *value, relative});
+    }
+    return limits;
+}
+
+std::string practical_limits_text(const std::vector<PracticalLimit>& limits) {
+    std::string text;
+    for (const PracticalLimit& limit : limits) {
+        text += text.empty() ? "" : ",";
+        text += limit.parameter;
+        text += '=';
+        text +=
+            limit.relative ? round_trip_text(100 * limit.size) + "%" : round_trip_text(limit.size);
+    }
+    return text;
+}
+
+}  // namespace vybeg
