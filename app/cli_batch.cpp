@@ -16,7 +16,8 @@ namespace {
 // Writes the events of a batch into the log.
 class BatchLog {
 public:
-    explicit BatchLog(Log& log) : log_(log) {}
+    // `print`: rows go to standard output as they come.
+    BatchLog(Log& log, bool print) : log_(log), print_(print) {}
 
     BatchEvents events() {
         return {[this](const auto& warnings) { log_.warnings(warnings); },
@@ -37,6 +38,8 @@ public:
 
 private:
     void begin(const MeasurementList& list) {
+        names_.clear();
+        done_ = 0;
         for (const MeasurementSet& set : list.sets) {
             names_.push_back(set.name);
         }
@@ -47,6 +50,10 @@ private:
             return;
         }
         ++computed_;
+        if (print_) {
+            std::fputs((row.text + "\n").c_str(), stdout);
+            std::fflush(stdout);
+        }
         spent_.read_s += row.timing.read_s;
         spent_.carrier_s += row.timing.carrier_s;
         spent_.estimate_s += row.timing.estimate_s;
@@ -61,6 +68,7 @@ private:
     }
 
     Log& log_;
+    bool print_;
     std::vector<std::string> names_;  // of the sets
     std::size_t done_ = 0;
     std::size_t computed_ = 0;
@@ -71,7 +79,7 @@ private:
 }  // namespace
 
 int run_batch(const BatchCommand& request, Log& log, std::stop_token stop) {
-    BatchLog told(log);
+    BatchLog told(log, request.batch.watch);
     const double begun = seconds_now();
     const Status done = compute_batch(request.batch, told.events(), std::move(stop));
     if (done && request.timing) {

@@ -70,10 +70,20 @@ void add_timing(CLI::App& app, bool& timing) {
 
 void add_batch_options(CLI::App& app, BatchCommand& command) {
     BatchRequest& request = command.batch;
-    app.add_option("LIST", request.list,
-                   "Measurement list, CSV, or a folder in which each file is a set of its own")
-        ->type_name("")
-        ->required();
+    CLI::Option* const list =
+        app.add_option("LIST", request.list,
+                       "Measurement list, CSV, or a folder in which each file is a set of its own")
+            ->type_name("");
+    app.add_option_function<std::string>(
+           "--watch",
+           [&request](const std::string& folder) {
+               request.list = folder;
+               request.watch = true;
+           },
+           "In place of LIST: whatever comes to this folder, until it is interrupted; each row on "
+           "standard output, too")
+        ->type_name("DIR")
+        ->excludes(list);
     app.add_option("-o,--output", request.output,
                    "The table, CSV: a row for each set; - for standard output")
         ->type_name("RESULTS.csv")
@@ -264,6 +274,9 @@ int run(int argc, char** argv) {
                 log.warnings({{DiagnosticKind::option_without_effect,
                                {option, "there is no --passport to compare with"}}});
             }
+        }
+        if (batch.batch.list.empty()) {
+            return log.fail_usage("LIST is required.");
         }
         return run_batch(batch, log, interrupt.token());
     }

@@ -3677,6 +3677,10 @@
         <translation>в списке должен быть этот столбец; его столбцы: %1</translation>
     </message>
     <message>
+        <source>the folder has another list, %1</source>
+        <translation>в папке есть другой список, %1</translation>
+    </message>
+    <message>
         <source>neither end of the limit is told</source>
         <translation>не задан ни один из пределов</translation>
     </message>

@@ -21,6 +21,7 @@ struct BatchRequest {
     std::string only;           // this set alone; empty: all
     int jobs = 1;               // sets at once
     bool resume = false;
+    bool watch = false;  // the list is a folder that fills
     bool excel = false;  // the table with ";", decimal commas, a byte order mark, no comment lines
     OpenOptions open;
     IdentifySettings settings;

@@ -4,6 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
 #include "core/batch/batch_paths.h"
+#include "core/batch/folder_watch.h"
 #include "core/batch/limits.h"
 #include "core/batch/list_sets.h"
 #include "core/batch/set_work.h"
@@ -134,7 +135,8 @@ Status tell_kept_rows(const std::vector<SetTask>& tasks, const RowJournal& journ
             if (!row) {
                 return row.error();
             }
-            events.finished({.set = k, .text = *row, .kept = true, .warnings = {}, .error = {}});
+            events.finished(
+                {.set = k, .text = *row, .kept = true, .warnings = {}, .error = {}, .timing = {}});
         }
     }
     return {};
@@ -194,97 +196,179 @@ Error as_left(const Error& error, const OutputFile& output, RowJournal& journal,
                : output.as_it_stands(error);
 }
 
+// A batch, of one list or of all that come to a folder.
+class Batch {
+public:
+    Batch(const BatchRequest& request, const BatchEvents& events, std::stop_token stop)
+        : request_(request), events_(events), stop_(std::move(stop)), job_(stop_) {}
+
+    Status compute() {
+        if (Status valid = check_request(); !valid) {
+            return valid;
+        }
+        if (request_.watch) {
+            return watch();
+        }
+        const Result<MeasurementList> list = chosen_list(request_, events_);
+        if (!list) {
+            return list.error();
+        }
+        return compute(*list);
+    }
+
+private:
+    Status check_request() {
+        if (Status valid = validate(request_.settings); !valid) {
+            return valid;
+        }
+        if (Status valid = check_options(request_.open); !valid) {
+            return valid;
+        }
+        for (const std::string& folder :
+             {request_.passports, request_.watch ? request_.list : std::string()}) {
+            if (!folder.empty() && !is_folder(folder)) {
+                return Error{ErrorCode::file_missing, folder, {}};
+            }
+        }
+        if (request_.watch && request_.output == "-") {
+            return refused_value("-o", request_.output, "--watch needs a file");
+        }
+        if (!request_.limits.empty()) {
+            Result<std::vector<TypedLimit>> read = read_limits(request_.limits);
+            if (!read) {
+                return read.error();
+            }
+            limits_ = std::move(*read);
+        }
+        return {};
+    }
+
+    // Computes what has come whenever something has, until it is interrupted.
+    Status watch() {
+        FolderWatch folder(request_);
+        while (!stop_.stop_requested()) {
+            const Result<MeasurementList> list = folder.look();
+            if (!list) {
+                return list.error();
+            }
+            Status done = list->sets.empty() ? Status() : compute(*list);
+            if (!done) {
+                return done;
+            }
+            pause(stop_, FolderWatch::pause_s);
+        }
+        return Error{ErrorCode::interrupted, {}, {}};
+    }
+
+    // The table of these sets. Of a folder that is watched it stays as it is where all rows are in.
+    Status compute(const MeasurementList& list) {
+        Result<std::vector<SetTask>> tasks = tasks_of(request_, list, limits_);
+        const auto header = header_of(request_, job_);
+        if (!tasks || !header) {
+            return tasks ? header.error() : tasks.error();
+        }
+        Status possible = check_paths(request_, *tasks);
+        for (const std::string* folder : {&request_.json, &request_.new_passports}) {
+            possible = possible && !folder->empty() ? make_folder(*folder) : possible;
+        }
+        if (!possible) {
+            return possible;
+        }
+        const auto is_kept = [this](const SetTask& task) { return journal_->has(task.key); };
+        if (journal_) {
+            possible = set_keys(request_, identity_, *tasks);
+            if (!possible || std::ranges::all_of(*tasks, is_kept)) {
+                return possible;
+            }
+        }
+        Result<OutputFile> output = open_output(request_.output, job_);
+        if (!output) {
+            return output.error();
+        }
+        if (!journal_) {
+            if (possible = open_files(*output); !possible) {
+                return possible;
+            }
+            if (possible = set_keys(request_, identity_, *tasks); !possible) {
+                return possible;
+            }
+        }
+        if (events_.begun) {
+            events_.begun(list);
+        }
+        if (Status told = tell_kept_rows(*tasks, *journal_, events_); !told) {
+            return told;
+        }
+        return compute_rows(list, *tasks, *header, *output);
+    }
+
+    Status open_files(const OutputFile& output) {
+        if (request_.resume && !output.seekable()) {
+            return refused_value("-o", request_.output, "--resume needs a file");
+        }
+        if (Status opened = open_database(request_, events_, job_, database_, identity_); !opened) {
+            return opened;
+        }
+        Result<RowJournal> journal =
+            RowJournal::open(output.seekable() ? journal_of(request_.output) : "", request_.resume);
+        if (!journal) {
+            return journal.error();
+        }
+        journal_.emplace(std::move(*journal));
+        if (events_.warned && journal_->found() > 0) {
+            events_.warned({{DiagnosticKind::earlier_rows,
+                             {journal_of(request_.output),
+                              count_arg(static_cast<std::int64_t>(journal_->found()))}}});
+        }
+        return {};
+    }
+
+    Status compute_rows(const MeasurementList& list, const std::vector<SetTask>& tasks,
+                        const std::vector<std::string>& header, OutputFile& output) {
+        const Result<std::int64_t> last_id =
+            database_ ? database_->last_id() : Result<std::int64_t>(0);
+        if (!last_id) {
+            return last_id.error();
+        }
+        SetWork work({request_, tasks, list.other_columns, *journal_,
+                      database_ ? &*database_ : nullptr, *last_id},
+                     events_, stop_);
+        Status done = work.run();
+        LimitCounts counts;
+        if (done) {
+            done = write_table(output, request_,
+                               batch_head(header, list.other_columns, !request_.limits.empty()),
+                               tasks, *journal_, counts);
+        }
+        if (!done) {
+            return as_left(done.error(), output, *journal_, work.done(), tasks.size());
+        }
+        if (request_.watch) {
+            return {};
+        }
+        journal_->remove();
+        if (events_.warned && counts.failed + counts.undecided > 0) {
+            events_.warned({{DiagnosticKind::limits_not_kept,
+                             {count_arg(counts.failed), count_arg(counts.undecided),
+                              count_arg(std::ssize(tasks))}}});
+        }
+        return {};
+    }
+
+    const BatchRequest& request_;
+    const BatchEvents& events_;
+    std::stop_token stop_;
+    JobControl job_;
+    std::vector<TypedLimit> limits_;
+    std::optional<ResultsDatabase> database_;
+    std::string identity_;  // of the database
+    std::optional<RowJournal> journal_;
+};
+
 }  // namespace
 
 Status compute_batch(const BatchRequest& request, const BatchEvents& events, std::stop_token stop) {
-    const JobControl job(stop);
-    if (Status valid = validate(request.settings); !valid) {
-        return valid;
-    }
-    if (Status valid = check_options(request.open); !valid) {
-        return valid;
-    }
-    const Result<MeasurementList> list = chosen_list(request, events);
-    if (!list) {
-        return list.error();
-    }
-    if (!request.passports.empty() && !is_folder(request.passports)) {
-        return Error{ErrorCode::file_missing, request.passports, {}};
-    }
-    std::vector<TypedLimit> limits;
-    if (!request.limits.empty()) {
-        Result<std::vector<TypedLimit>> read = read_limits(request.limits);
-        if (!read) {
-            return read.error();
-        }
-        limits = std::move(*read);
-    }
-    Result<std::vector<SetTask>> tasks = tasks_of(request, *list, limits);
-    const auto header = header_of(request, job);
-    if (!tasks || !header) {
-        return tasks ? header.error() : tasks.error();
-    }
-    Status possible = check_paths(request, *tasks);
-    for (const std::string* folder : {&request.json, &request.new_passports}) {
-        possible = possible && !folder->empty() ? make_folder(*folder) : possible;
-    }
-    if (!possible) {
-        return possible;
-    }
-    Result<OutputFile> output = open_output(request.output, job);
-    if (!output) {
-        return output.error();
-    }
-    if (request.resume && !output->seekable()) {
-        return refused_value("-o", request.output, "--resume needs a file");
-    }
-    std::optional<ResultsDatabase> database;
-    std::string identity;
-    possible = open_database(request, events, job, database, identity);
-    possible = possible ? set_keys(request, identity, *tasks) : possible;
-    if (!possible) {
-        return possible;
-    }
-    Result<RowJournal> journal =
-        RowJournal::open(output->seekable() ? journal_of(request.output) : "", request.resume);
-    if (!journal) {
-        return journal.error();
-    }
-    if (events.warned && journal->found() > 0) {
-        events.warned({{DiagnosticKind::earlier_rows,
-                        {journal_of(request.output),
-                         count_arg(static_cast<std::int64_t>(journal->found()))}}});
-    }
-    if (events.begun) {
-        events.begun(*list);
-    }
-    if (Status told = tell_kept_rows(*tasks, *journal, events); !told) {
-        return told;
-    }
-    const Result<std::int64_t> last_id = database ? database->last_id() : Result<std::int64_t>(0);
-    if (!last_id) {
-        return last_id.error();
-    }
-    SetWork work(
-        {request, *tasks, list->other_columns, *journal, database ? &*database : nullptr, *last_id},
-        events, stop);
-    Status done = work.run();
-    LimitCounts counts;
-    if (done) {
-        done = write_table(*output, request,
-                           batch_head(*header, list->other_columns, !request.limits.empty()),
-                           *tasks, *journal, counts);
-    }
-    if (!done) {
-        return as_left(done.error(), *output, *journal, work.done(), tasks->size());
-    }
-    journal->remove();
-    if (events.warned && counts.failed + counts.undecided > 0) {
-        events.warned({{DiagnosticKind::limits_not_kept,
-                        {count_arg(counts.failed), count_arg(counts.undecided),
-                         count_arg(std::ssize(*tasks))}}});
-    }
-    return {};
+    return Batch(request, events, std::move(stop)).compute();
 }
 
 }  // namespace vybeg

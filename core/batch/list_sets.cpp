@@ -17,11 +17,12 @@ namespace {
 
 constexpr std::size_t most_names = 8;  // in a message
 
-// Size of a file and times of the last change of its bytes and of its inode; "-": there is none.
-std::string stamp(const std::filesystem::path& path) {
+}  // namespace
+
+std::string file_stamp(const std::filesystem::path& path) {
     struct stat status {};
     if (stat(path.c_str(), &status) != 0) {
-        return "-";
+        return no_file;
     }
     std::string text = integer_text(status.st_size);
     for (const timespec& time : {status.st_mtim, status.st_ctim}) {
@@ -32,8 +33,6 @@ std::string stamp(const std::filesystem::path& path) {
     }
     return text;
 }
-
-}  // namespace
 
 Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
                                  const std::string& name) {
@@ -92,7 +91,7 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
         text += std::to_string(part.size()) + ":" + part;
     };
     for (const std::string& part :
-         {request.program, set.name, task.passport, stamp(task.passport),
+         {request.program, set.name, task.passport, file_stamp(task.passport),
           round_trip_text(request.compare.f_limit_ppm),
           practical_limits_text(request.compare.limits), task.json, task.new_passport, database}) {
         add(part);
@@ -117,8 +116,8 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
         const Conditions& told = recording.conditions;
         const OpenOptions& open = recording.open;
         for (const std::string& part :
-             {recording.file, recording.path.string(), stamp(recording.path), told.gyro, told.date,
-              told.bias_v ? round_trip_text(*told.bias_v) : std::string(),
+             {recording.file, recording.path.string(), file_stamp(recording.path), told.gyro,
+              told.date, told.bias_v ? round_trip_text(*told.bias_v) : std::string(),
               told.temperature_c ? round_trip_text(*told.temperature_c) : std::string(),
               std::string(told.exchanged ? "yes" : "no"), told.operator_name, told.comment,
               options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),

@@ -25,6 +25,10 @@ std::filesystem::path json_in(const std::filesystem::path& folder, const std::st
 // none.
 std::string passport_in(const std::string& folder, const MeasurementSet& set);
 
+// Size of a file and times of the last change of its bytes and of its inode.
+std::string file_stamp(const std::filesystem::path& path);
+inline constexpr const char* no_file = "-";  // its stamp
+
 // Value of the list's column gyro_type for a set; empty: not told.
 std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set);
 

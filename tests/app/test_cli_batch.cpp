@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include <array>
+#include <csignal>
 #include <utility>
 
 namespace test_cli_batch {
@@ -320,6 +321,64 @@ private slots:
         QCOMPARE(row.split(';')[tau], value.replace('.', ','));
     }
 
+    // Whole recordings and complete sets of a folder that fills; nothing waits longer than it must.
+    void a_folder_that_fills_is_computed_as_it_does() {
+        QVERIFY(QDir(folder_.path()).mkdir("inbox"));
+        QProcess watching;
+        watching.setWorkingDirectory(folder_.path());
+        watching.start(VYBEG_CLI, {"batch", "--watch", "inbox", "-o", "watched.csv", "--database",
+                                   "watched.db", "--quiet"});
+        QVERIFY(watching.waitForStarted());
+        const auto rows = [this] {
+            QList<QByteArray> sets;
+            const QByteArray table = file("watched.csv");
+            for (int row = 0; row < rows_of(table).size(); ++row) {
+                sets << field_of(table, row, "set");
+            }
+            return sets.join(' ');
+        };
+        QVERIFY(QFile::copy(path("a.wav"), path("inbox/first.wav")));
+        QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("first.wav"), 30000);
+        // A set waits for its second recording, a file for its last byte.
+        QVERIFY(put(path("inbox/list.csv"), "set,file,gyro\npair,c.wav,G1\npair,d.wav,G1\n"));
+        QVERIFY(QFile::copy(path("a.wav"), path("inbox/c.wav")));
+        const QByteArray whole = file("b.wav");
+        QFile growing(path("inbox/growing.wav"));
+        QVERIFY(growing.open(QIODevice::WriteOnly));
+        for (int part = 0; part < 4; ++part) {
+            growing.write(whole.mid(part * whole.size() / 4, whole.size() / 4 + 1));
+            growing.flush();
+            QTest::qWait(300);
+            QVERIFY(!rows().contains("growing"));
+        }
+        growing.resize(0);
+        growing.seek(0);
+        growing.write(whole);
+        growing.close();
+        QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("first.wav growing.wav"), 30000);
+        QVERIFY(QFile::copy(path("b.wav"), path("inbox/d.wav")));
+        QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("pair first.wav growing.wav"), 30000);
+        ::kill(static_cast<pid_t>(watching.processId()), SIGINT);
+        QVERIFY(watching.waitForFinished());
+        QCOMPARE(watching.exitCode(), 130);
+        QCOMPARE(watching.readAllStandardOutput().count('\n'), 3);  // each once
+        const QByteArray table = file("watched.csv");
+        QCOMPARE(field_of(table, 0, "status"), QByteArray("ok"));
+        QCOMPARE(field_of(table, 0, "gyro"), QByteArray("G1"));
+        // Again with --resume: nothing is computed twice.
+        QVERIFY(QFile::copy(path("b.wav"), path("inbox/last.wav")));
+        watching.start(VYBEG_CLI, {"batch", "--watch", "inbox", "-o", "watched.csv", "--database",
+                                   "watched.db", "--quiet", "--resume"});
+        QVERIFY(watching.waitForStarted());
+        QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("pair first.wav growing.wav last.wav"), 30000);
+        ::kill(static_cast<pid_t>(watching.processId()), SIGTERM);
+        QVERIFY(watching.waitForFinished());
+        QCOMPARE(watching.readAllStandardOutput().count('\n'), 1);
+        QCOMPARE(run({"batch", "--watch", "none", "-o", "x.csv"}).status, 3);
+        QCOMPARE(run({"batch", "--watch", "inbox", "-o", "-"}).status, 2);
+        QCOMPARE(run({"batch", "--watch", "inbox", "list.csv", "-o", "x.csv"}).status, 2);
+    }
+
     // Conditions beside the result; a comparison that cannot be believed has no verdict.
     void a_serious_warning_takes_the_place_of_the_verdict() {
         QDir(folder_.path()).mkdir("others");
@@ -384,8 +443,8 @@ private slots:
         QVERIFY(QDir(folder_.path()).mkdir("same"));
         const Outcome outcome =
             run({"batch", "one.csv", "-o", "same/x.json", "--json", "./same/../same"});
-        QCOMPARE(outcome.status, 2);
-        QVERIFY2(outcome.err.contains("it is an input, the table or the database"), outcome.err);
+        QCOMPARE(outcome.status, 5);  // results and tables have other endings
+        QVERIFY2(outcome.err.contains("\".json\" is none of those"), outcome.err);
         QVERIFY(QDir(path("same")).isEmpty());
     }
 

@@ -95,6 +95,19 @@ private slots:
                  QStringList("14"));
     }
 
+    void numbers_of_the_results_follow_the_list() {
+        QStringList first;
+        for (const char* jobs : {"1", "2", "7"}) {
+            init();
+            QCOMPARE(run(work_ + QStringList{"--jobs", jobs}).status, 0);
+            const QStringList rows =
+                rows_by_sqlite(path("results.db"), "SELECT id, set_name FROM result ORDER BY id");
+            first = first.isEmpty() ? rows : first;
+            QCOMPARE(rows, first);
+        }
+        QVERIFY(first.size() > 3);
+    }
+
     void the_same_again_adds_nothing() {
         QCOMPARE(run(work_).status, 0);
         QCOMPARE(run(work_).status, 0);

@@ -234,6 +234,56 @@ private slots:
         QVERIFY(bool(database->add(made_result(1))));
     }
 
+    void a_long_wait_is_told_once() {
+        std::vector<Diagnostic> told;
+        auto database =
+            ResultsDatabase::open(path("waits.db"), Access::write, JobControl(), 0.7,
+                                  [&](const Diagnostic& each) { told.push_back(each); });
+        QVERIFY(bool(database));
+        QVERIFY(bool(database->add(made_result(1))));
+        QVERIFY(told.empty());
+        sqlite3* other = nullptr;
+        QCOMPARE(sqlite3_open(path("waits.db").c_str(), &other), SQLITE_OK);
+        QCOMPARE(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
+        QVERIFY(!database->add(made_result(2)));
+        QCOMPARE(told.size(), std::size_t{1});
+        QVERIFY(told[0].kind == DiagnosticKind::database_waits);
+        sqlite3_exec(other, "ROLLBACK", nullptr, nullptr, nullptr);
+        sqlite3_close(other);
+    }
+
+    void a_result_gets_the_number_that_is_wanted_where_it_is_free() {
+        auto database = open(path("numbers.db"));
+        QCOMPARE(*database->last_id(), std::int64_t{0});
+        QCOMPARE(*database->add(made_result(1), 7), std::int64_t{7});
+        QCOMPARE(*database->add(made_result(2), 5), std::int64_t{5});
+        QCOMPARE(*database->add(made_result(3), 7), std::int64_t{8});
+        QCOMPARE(*database->add(made_result(2), 20), std::int64_t{5});  // keeps its own
+        QCOMPARE(*database->last_id(), std::int64_t{8});
+    }
+
+    // The text of a document of 100 kB stands packed in the file, and comes back as it was.
+    void documents_are_packed() {
+        StoredResult result = made_result(1);
+        result.json = "{\n";
+        for (int k = 0; result.json.size() < 100000; ++k) {
+            result.json +=
+                "\"value_" + std::to_string(k) + "\": " + std::to_string(k * 1.2345e-3) + ",\n";
+        }
+        std::int64_t id = 0;
+        {
+            auto database = open(path("packed.db"));
+            id = *database->add(result);
+            QCOMPARE((**database->result(id)).json, result.json);
+        }
+        VYBEG_LESS(content(folder_.filePath("packed.db")).size(), 100000);
+        // As schemas 1 to 3 have it.
+        QVERIFY(run_sql(folder_.filePath("packed.db"), "UPDATE document SET json = '{}'"));
+        QCOMPARE((**open(path("packed.db"))->result(id)).json, "{}");
+        QVERIFY(run_sql(folder_.filePath("packed.db"), "UPDATE document SET json = x'00FF'"));
+        QVERIFY(!open(path("packed.db"))->result(id));
+    }
+
     // Schema 1 keeps the channels of a recording and no other option of opening it.
     void a_database_of_schema_1_is_read_and_goes_on() {
         const QString file = folder_.filePath("schema1.db");
@@ -304,7 +354,7 @@ private slots:
 
         QVERIFY(bool(open(path("newer.db"))));
         QVERIFY(run_sql(folder_.filePath("newer.db"), "PRAGMA user_version = 7"));
-        refuses("newer.db", "a later version of Vybeg has made it (schema 7; this one knows 3)");
+        refuses("newer.db", "a later version of Vybeg has made it (schema 7; this one knows 4)");
 
         QVERIFY(QDir(folder_.path()).mkdir("folder"));
         refuses("folder", "it is a folder");

@@ -1,0 +1,85 @@
+#include "core/batch/folder_watch.h"
+
+#include "core/batch/batch_paths.h"
+#include "core/batch/list_sets.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace vybeg {
+
+Result<MeasurementList> FolderWatch::look() {
+    Result<MeasurementList> files = wanted_list(request_);
+    if (!files) {
+        return files.error();
+    }
+    MeasurementList come;
+    std::set<std::filesystem::path> listed;
+    std::optional<std::filesystem::path> list_path;
+    std::vector<MeasurementSet> single;
+    for (MeasurementSet& file : files->sets) {
+        const std::filesystem::path& path = file.recordings.front().path;
+        if (!is_settled(path)) {
+            continue;
+        }
+        if (!is_measurement_list(path)) {
+            single.push_back(std::move(file));
+            continue;
+        }
+        if (list_path) {
+            return Error{ErrorCode::list_invalid,
+                         path.string(),
+                         {count_arg(1), "file",
+                          words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
+                                {list_path->filename().string()})}};
+        }
+        list_path = path;
+        Result<MeasurementList> list =
+            read_measurement_list(path, {request_.open, request_.settings});
+        if (!list) {
+            return list.error();
+        }
+        come = std::move(*list);
+    }
+    for (const MeasurementSet& set : come.sets) {
+        for (const ListedRecording& recording : set.recordings) {
+            listed.insert(recording.path.lexically_normal());
+        }
+    }
+    std::erase_if(come.sets, [this](const MeasurementSet& set) {
+        return !std::ranges::all_of(set.recordings, [this](const ListedRecording& recording) {
+            return is_settled(recording.path.lexically_normal());
+        });
+    });
+    for (MeasurementSet& file : single) {
+        ListedRecording& recording = file.recordings.front();
+        if (!listed.contains(recording.path.lexically_normal())) {
+            recording.others.resize(come.other_columns.size());
+            come.sets.push_back(std::move(file));
+        }
+    }
+    return come;
+}
+
+bool FolderWatch::is_settled(const std::filesystem::path& path) {
+    const std::string now = file_stamp(path);
+    std::string& before = stamps_[path.lexically_normal()];
+    const bool same = before == now && now != no_file;
+    before = now;
+    return same;
+}
+
+void pause(const std::stop_token& stop, double seconds) {
+    std::mutex mutex;
+    std::condition_variable_any never;
+    std::unique_lock lock(mutex);
+    never.wait_for(lock, stop, std::chrono::duration<double>(seconds), [] { return false; });
+}
+
+}  // namespace vybeg
