@@ -134,7 +134,8 @@ Status tell_kept_rows(const std::vector<SetTask>& tasks, const RowJournal& journ
             if (!row) {
                 return row.error();
             }
-            events.finished({.set = k, .text = *row, .kept = true, .warnings = {}, .error = {}});
+            events.finished(
+                {.set = k, .text = *row, .kept = true, .warnings = {}, .error = {}, .timing = {}});
         }
     }
     return {};

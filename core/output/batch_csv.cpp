@@ -159,10 +159,8 @@ std::string batch_head(std::span<const std::string> header,
     return text + in_row(names);
 }
 
-std::string batch_row(const MeasurementSet& set, const Error& error, bool limits) {
-    const PassedFields undecided{"undecided", ""};
-    return whole_row(set, std::to_string(exit_status(error.code)), english(error), {},
-                     limits ? &undecided : nullptr);
+std::string batch_row(const MeasurementSet& set, const Error& error, const PassedFields* passed) {
+    return whole_row(set, std::to_string(exit_status(error.code)), english(error), {}, passed);
 }
 
 std::string batch_row(const MeasurementSet& set, const Identification& found,
