@@ -38,10 +38,12 @@ constexpr std::array parameters{
 constexpr std::string_view excel_begin = "\xEF\xBB\xBFset;gyro;";
 
 // A text as a field: in quotes where it holds a separator, a quote or a blank at its end.
-std::string field(const std::string& text) {
+std::string field(const std::string& text, char separator) {
     const std::string plain = plain_text(text);
-    const bool quoted = plain.find_first_of(",;\"") != std::string::npos ||
-                        plain.starts_with(' ') || plain.ends_with(' ') || plain.starts_with('#');
+    // A decimal comma between semicolons needs none.
+    const bool quoted =
+        plain.find_first_of(separator == ';' ? ";\"" : ",;\"") != std::string::npos ||
+        plain.starts_with(' ') || plain.ends_with(' ') || plain.starts_with('#');
     if (!quoted) {
         return plain;
     }
@@ -58,7 +60,7 @@ std::string in_row(const std::vector<std::string>& texts, char separator = ',') 
         if (&text != &texts.front()) {
             row += separator;
         }
-        row += field(text);
+        row += field(text, separator);
     }
     return row;
 }

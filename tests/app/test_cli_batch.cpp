@@ -228,9 +228,9 @@ private slots:
             // Without a result; no limit is of the type.
             QCOMPARE(field_of(table, 1, "passed"),
                      QByteArray(each.passed.isEmpty() ? "" : "undecided"));
-            QVERIFY2(outcome.err.contains(each.passed == "no" ? "1 sets do not keep the limits"
-                                                              : "0 sets do not keep the limits"),
-                     outcome.err);
+            const QByteArray count = each.passed == "no" ? "1" : "0";
+            QCOMPARE(outcome.err.contains(count + " sets do not keep the limits"),
+                     !each.passed.isEmpty());
             const QList<QByteArray> names = names_of(table);
             QCOMPARE(names.indexOf("passed"), names.indexOf("warnings") + 1);
             QCOMPARE(names.indexOf("failed_by"), names.indexOf("bias_v") - 1);
