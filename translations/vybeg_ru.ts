@@ -1533,8 +1533,8 @@
         <translation>Прервано; готово наборов: %2 из %3.</translation>
     </message>
     <message>
-        <source>The column &quot;%1&quot; of the list is kept as it is and changes nothing. If &quot;%2&quot; is meant, rename it.</source>
-        <translation>Столбец «%1» списка сохраняется как есть и ничего не меняет. Если имеется в виду «%2», переименуйте его.</translation>
+        <source>The column &quot;%1&quot; of the list is kept as it is and changes nothing. Did you mean &quot;%2&quot;? Rename it then.</source>
+        <translation>Столбец «%1» списка сохраняется как есть и ничего не меняет. Имеется в виду «%2»? Тогда переименуйте его.</translation>
     </message>
     <message>
         <source>Line %1 of the list, column &quot;%2&quot;: &quot;%3&quot; begins as a formula does, and a table program that opens the results runs it.</source>
@@ -3695,6 +3695,10 @@
     <message>
         <source>&quot;%1&quot; is none of %2</source>
         <translation>«%1» нет среди %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2; did you mean %3?</source>
+        <translation>«%1» нет среди %2; имеется в виду %3?</translation>
     </message>
     <message>
         <source>another result of this batch goes there</source>

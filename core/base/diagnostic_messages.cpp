@@ -455,10 +455,10 @@ MessageRow message_row(DiagnosticKind kind) {
             return {"option-without-effect", warning,
                     VYBEG_MESSAGE("Message", "%1 has no effect: %2.")};
         case DiagnosticKind::column_like_option:
-            return {"column-like-option", note,
+            return {"column-like-option", warning,
                     VYBEG_MESSAGE("Message",
                                   "The column \"%1\" of the list is kept as it is and changes "
-                                  "nothing. If \"%2\" is meant, rename it.")};
+                                  "nothing. Did you mean \"%2\"? Rename it then.")};
         case DiagnosticKind::formula_in_list:
             return {"formula-in-list", warning,
                     VYBEG_MESSAGE("Message",

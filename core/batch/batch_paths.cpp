@@ -112,10 +112,6 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
         !possible) {
         return possible;
     }
-    if (const Status known = check_ending(request.output, {"", ".csv", ".txt"});
-        request.output != "-" && !known) {
-        return known;
-    }
     if (!request.database.empty()) {
         if (same_file(request.database, journal_of(request.output)) ||
             same_file(rollback_of(request.database), request.output)) {
@@ -160,7 +156,8 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
             }
         }
     }
-    return {};
+    const Status known = check_ending(request.output, {"", ".csv", ".txt"});
+    return request.output == "-" ? Status() : known;
 }
 
 Status make_folder(const std::string& path) {

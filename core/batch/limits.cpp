@@ -14,24 +14,30 @@
 namespace vybeg {
 namespace {
 
-// The parameter of this name, which may lack its unit.
-const ResonatorParameter* parameter_named(std::span<const ResonatorParameter> parameters,
-                                          std::string_view name) {
+// The parameter whose name is `alike` this one, which may lack its unit.
+const ResonatorParameter* parameter_named(
+    std::span<const ResonatorParameter> parameters, std::string_view name,
+    bool (*alike)(const std::string&, const std::string&) =
+        [](const std::string& a, const std::string& b) { return a == b; }) {
     constexpr std::array<std::string_view, 6> units{"", "_hz", "_s", "_rad", "_per_s", "_rad_s"};
     const auto found = std::ranges::find_if(parameters, [&](const ResonatorParameter& each) {
         return std::ranges::any_of(units, [&](std::string_view unit) {
-            return std::string(name).append(unit) == each.name;
+            return alike(std::string(name).append(unit), each.name);
         });
     });
     return found == parameters.end() ? nullptr : &*found;
 }
 
-std::string names_of(std::span<const ResonatorParameter> parameters) {
+// Why a name is no parameter: those that there are, and the one that it resembles.
+MessageArg no_parameter(std::span<const ResonatorParameter> parameters, const std::string& name) {
     std::string names;
     for (const ResonatorParameter& parameter : parameters) {
         names += (names.empty() ? "" : ", ") + std::string(parameter.name);
     }
-    return names;
+    const ResonatorParameter* const like = parameter_named(parameters, name, names_resemble);
+    return like == nullptr ? words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2"), {name, names})
+                           : words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2; did you mean %3?"),
+                                   {name, names, like->name});
 }
 
 // A column of the table in other letters or in Russian.
@@ -51,9 +57,7 @@ public:
             const std::string name = field(row, "parameter");
             const ResonatorParameter* const parameter = parameter_named(parameters_, name);
             if (parameter == nullptr) {
-                return invalid(row, "parameter",
-                               words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2"),
-                                     {name, names_of(parameters_)}));
+                return invalid(row, "parameter", no_parameter(parameters_, name));
             }
             TypedLimit read{field(row, "gyro_type"), {parameter->name, {}, {}}};
             for (const auto& [column, end] :
@@ -161,7 +165,7 @@ LimitVerdict keeps_limits(const ResonatorEstimate& resonator,
 }
 
 Result<std::vector<PracticalLimit>> read_practical_limits(std::string_view text) {
-    const auto wrong = [text](const std::string& allowed) {
+    const auto wrong = [text](const MessageArg& allowed) {
         return Error{ErrorCode::setting_invalid, "", {"--limit", std::string(text), allowed}};
     };
     std::vector<PracticalLimit> limits;
@@ -177,13 +181,16 @@ Result<std::vector<PracticalLimit>> read_practical_limits(std::string_view text)
         const std::string_view size = part.substr(equals + 1);
         const ResonatorParameter* const parameter = parameter_named(resonator_parameters, name);
         if (parameter == nullptr) {
-            return wrong("\"" + name + "\" is none of " + names_of(resonator_parameters));
+            return wrong(no_parameter(resonator_parameters, name));
         }
         if (std::ranges::find(limits, parameter->name, &PracticalLimit::parameter) !=
             limits.end()) {
             return wrong(name + " is given twice");
         }
         const bool relative = size.ends_with('%') || size.ends_with("ppm");
+        if (relative && parameter->period > 0) {
+            return wrong(name + " is an angle, whose limit is in rad or deg");
+        }
         const std::optional<double> value = number_with_unit(size, relative ? "" : parameter->unit);
         if (!value || !(*value >= 0)) {
             return wrong(name + " must be a number of zero or more");

@@ -30,13 +30,20 @@ MessageArg label(const StoredName& name) {
                              : words(VYBEG_MESSAGE("Words", "%1 (gyro %2)"), {name.set, name.gyro});
 }
 
-// Numbers that may be wrong decide nothing.
-std::optional<PassedFields> passed_fields(const SetTask& task, const Identification& found) {
+// Numbers that may be wrong decide nothing, nor does a set without a result (null). A set of which
+// no limit is does not pass.
+std::optional<PassedFields> passed_fields(const SetTask& task, const Identification* found) {
     if (!task.limits) {
         return {};
     }
-    const LimitVerdict verdict = keeps_limits(found.fit.resonator, *task.limits);
-    PassedFields fields{passed_text(is_doubtful(found) ? Conformity::unknown : verdict.conformity),
+    if (task.limits->empty()) {
+        return PassedFields{};
+    }
+    if (found == nullptr) {
+        return PassedFields{passed_text(Conformity::unknown), ""};
+    }
+    const LimitVerdict verdict = keeps_limits(found->fit.resonator, *task.limits);
+    PassedFields fields{passed_text(is_doubtful(*found) ? Conformity::unknown : verdict.conformity),
                         ""};
     for (const std::string& name : verdict.failed) {
         fields.failed_by += fields.failed_by.empty() ? "" : ";";
@@ -140,7 +147,7 @@ void SetWork::finish(const SetTask& task) {
             result->warnings.emplace_back("", std::move(*stored));
         }
     }
-    const std::optional<PassedFields> passed = passed_fields(task, result->found);
+    const std::optional<PassedFields> passed = passed_fields(task, &result->found);
     FinishedRow row{.text = batch_row(set, result->found, compared, passed ? &*passed : nullptr),
                     .warnings = std::move(result->warnings),
                     .error = {},
@@ -194,7 +201,8 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
     if (ends_batch(error.code)) {
         give_up(error);
     } else {
-        add_row(task, {.text = batch_row(*task.set, error, task.limits.has_value()),
+        const std::optional<PassedFields> passed = passed_fields(task, nullptr);
+        add_row(task, {.text = batch_row(*task.set, error, passed ? &*passed : nullptr),
                        .warnings = warnings,
                        .error = error,
                        .timing = {}});

@@ -40,8 +40,9 @@ constexpr std::string_view excel_begin = "\xEF\xBB\xBFset;gyro;";
 // A text as a field: in quotes where it holds a separator, a quote or a blank at its end.
 std::string field(const std::string& text, char separator) {
     const std::string plain = plain_text(text);
+    // A decimal comma between semicolons needs none.
     const bool quoted =
-        plain.find_first_of(separator == ',' ? ",;\"" : ";\"") != std::string::npos ||
+        plain.find_first_of(separator == ';' ? ";\"" : ",;\"") != std::string::npos ||
         plain.starts_with(' ') || plain.ends_with(' ') || plain.starts_with('#');
     if (!quoted) {
         return plain;
@@ -160,10 +161,8 @@ std::string batch_head(std::span<const std::string> header,
     return text + in_row(names);
 }
 
-std::string batch_row(const MeasurementSet& set, const Error& error, bool limits) {
-    const PassedFields undecided{"undecided", ""};
-    return whole_row(set, std::to_string(exit_status(error.code)), english(error), {},
-                     limits ? &undecided : nullptr);
+std::string batch_row(const MeasurementSet& set, const Error& error, const PassedFields* passed) {
+    return whole_row(set, std::to_string(exit_status(error.code)), english(error), {}, passed);
 }
 
 std::string batch_row(const MeasurementSet& set, const Identification& found,

@@ -14,7 +14,8 @@ namespace vybeg {
 
 // The table of a batch, RESULTS.csv of the help, line by line without line feeds.
 
-// Fields `passed` (yes, no, undecided) and `failed_by` of a table with limits.
+// Fields `passed` (yes, no, undecided; empty: no limit is one of this set) and `failed_by` of a
+// table with limits.
 struct PassedFields {
     std::string passed;
     std::string failed_by;
@@ -33,8 +34,9 @@ bool is_batch_table(const std::filesystem::path& path);
 std::string batch_head(std::span<const std::string> header,
                        std::span<const std::string> other_columns, bool limits = false);
 
-// The row of a set that has no result. `limits`: the table has them, and the set is undecided.
-std::string batch_row(const MeasurementSet& set, const Error& error, bool limits = false);
+// The row of a set that has no result; `passed` as below.
+std::string batch_row(const MeasurementSet& set, const Error& error,
+                      const PassedFields* passed = nullptr);
 
 // The row of a set; `comparison`: with its gyro's passport, null: there is none. A serious warning
 // stands as the message, in place of a verdict. `passed`: null, the table has no limits.
