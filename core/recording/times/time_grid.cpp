@@ -196,7 +196,12 @@ double TimeResolution::at(double time_s) const {
     const double relative =
         magnitude > 0 ? std::pow(10.0, std::floor(std::log10(magnitude)) + 1 - significant_digits)
                       : 0;
-    return std::max(absolute_s, relative);
+    const double single =
+        magnitude > 0 && single_unit_s > 0
+            ? std::ldexp(single_unit_s, std::ilogb(magnitude / single_unit_s) + 1 -
+                                            std::numeric_limits<float>::digits)
+            : 0;
+    return std::max(absolute_s, relative) + single;
 }
 
 double longest_rounded_step(double step_s, const TimeResolution& resolution, double time_s) {
