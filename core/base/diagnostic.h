@@ -28,6 +28,7 @@ enum class DiagnosticKind {
     leakage,             // args: windows, of. The closed form is off by more than its deviation.
     wave_moves,          // args: windows, of. Inside a window or between two.
     text_lines_ignored,  // args: count; header and comment lines
+    words_passed_over,   // args: columns that hold words where channels hold numbers
     clipped,             // args: channel, samples at the rail, its level
     samples_lost,        // args: samples, at time (s). A phase step common to both channels.
     samples_doubled,     // args: samples, at time (s)

@@ -122,6 +122,11 @@ MessageRow message_row(DiagnosticKind kind) {
         case DiagnosticKind::text_lines_ignored:
             return {"text-lines-ignored", note,
                     VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.")};
+        case DiagnosticKind::words_passed_over:
+            return {"words-passed-over", note,
+                    VYBEG_MESSAGE("Message",
+                                  "Columns that hold words are no channels and were passed over: "
+                                  "%1.")};
         case DiagnosticKind::clipped:
             return {"clipped", warning,
                     VYBEG_MESSAGE("Message",

@@ -21,6 +21,7 @@ enum class ErrorCode {
     format_unknown,        // neither a known binary format nor text
     format_damaged,        // args: format, reason
     format_unsupported,    // args: format, what in it is not read
+    format_limit,          // args: format, what in it is beyond which limit, what to do
     text_not_a_number,     // args: line, column, the text found there
     text_no_data,          // no line with at least two numbers
     text_time_backwards,   // args: line, the time there, the time before it

@@ -61,6 +61,10 @@ MessageRow message_row(ErrorCode code) {
                     VYBEG_MESSAGE("Message",
                                   "%1: this %2 file holds %3, which is not read here. Export the "
                                   "recording as WAV or CSV.")};
+        case ErrorCode::format_limit:
+            return {"format-limit", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: this %2 file is beyond a limit of this program: %3. %4.")};
         case ErrorCode::text_not_a_number:
             return {"text-not-a-number", bad_input,
                     VYBEG_MESSAGE("Message",

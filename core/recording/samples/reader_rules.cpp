@@ -146,7 +146,8 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     recording.path = file.path();
     recording.format = std::move(found.format);
     recording.rate_hz = rate->hz;
-    recording.rate_relative_sd = rate->relative_sd;
+    constexpr double arithmetic = 1e-12;  // what is less comes from the times' sums
+    recording.rate_relative_sd = rate->relative_sd > arithmetic ? rate->relative_sd : 0;
     recording.rate_from = rate->from;
     recording.channels = std::move(found.channels);
     recording.channel_c = options.channel_c;

@@ -180,10 +180,6 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     // Samples that were brought onto a grid have its rate.
     found.own_rate = uneven ? samples->rate : better_rate(samples->rate, looked_at);
     note_disagreement(samples->rate, looked_at, found);
-    constexpr double arithmetic = 1e-12;  // what is less comes from the times' sums
-    if (found.own_rate && !(found.own_rate->relative_sd > arithmetic)) {
-        found.own_rate->relative_sd = 0;
-    }
     found.diagnostics.insert(found.diagnostics.end(), samples->diagnostics.begin(),
                              samples->diagnostics.end());
     if (missing > 0) {

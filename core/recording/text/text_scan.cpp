@@ -17,37 +17,47 @@ namespace {
 // Blocks between two looks at the stop token: some ten milliseconds.
 constexpr std::int64_t blocks_at_once = 16;
 
-// The finest digits of the times seen so far, in the column's unit.
+// The finest digits of the times seen so far.
 class FinestDigits {
 public:
-    void add(double time, const NumberDigits& digits) {
-        of_32_bits_ = of_32_bits_ && is_float(time, digits);
-        decimals_ = std::max(decimals_, digits.decimals);
-        significant_ = std::max(significant_, digits.significant);
+    void add(const NumberDigits& digits, double time) {
+        include(digits);
+        if (single_) {
+            if (digits.decimals != last_decimals_) {
+                last_decimals_ = digits.decimals;
+                half_digit_ = half_digit_of(digits.decimals);
+            }
+            single_ = is_single(time, half_digit_);
+        }
     }
     void add(const FinestDigits& other) {
-        of_32_bits_ = of_32_bits_ && other.of_32_bits_;
-        decimals_ = std::max(decimals_, other.decimals_);
-        significant_ = std::max(significant_, other.significant_);
+        include({other.decimals_, other.significant_});
+        single_ = single_ && other.single_;
     }
 
     TimeResolution resolution(double unit_s) const {
-        return {std::pow(10.0, -static_cast<double>(decimals_)) * unit_s, significant_,
-                of_32_bits_};
+        return {std::pow(10.0, -static_cast<double>(decimals_)) * unit_s, significant_};
+    }
+    // Of times that were 32 bit floats before they were written, if all of these may have been.
+    TimeResolution of_singles(double unit_s) const {
+        TimeResolution resolution = this->resolution(unit_s);
+        resolution.single_unit_s = single_ ? unit_s : 0;
+        return resolution;
     }
 
 private:
-    // Whether a float may stand behind these digits. Of seven digits any number may be one.
-    static bool is_float(double time, const NumberDigits& digits) {
-        constexpr int digits_of_floats = 7;
-        const double off = std::abs(time - static_cast<double>(static_cast<float>(time)));
-        return digits.significant <= digits_of_floats || off == 0 ||
-               off <= 0.5 * (1 + 1e-6) * std::pow(10.0, -static_cast<double>(digits.decimals));
+    static double half_digit_of(int decimals) { return 0.5 * std::pow(10.0, -decimals); }
+
+    void include(const NumberDigits& digits) {
+        decimals_ = std::max(decimals_, digits.decimals);
+        significant_ = std::max(significant_, digits.significant);
     }
 
-    bool of_32_bits_ = true;
     int decimals_ = std::numeric_limits<int>::min();
     int significant_ = 1;
+    bool single_ = true;
+    int last_decimals_ = 0;
+    double half_digit_ = half_digit_of(0);
 };
 
 // What is found in one block; rows and lines are counted from its start.
@@ -130,7 +140,7 @@ private:
             }
         }
         found.last_time = row.time();
-        found.digits.add(row.time(), row.time_digits());
+        found.digits.add(row.time_digits(), row.time());
         found.times.add(row.time() * table_.format.time_unit_s);
         return true;
     }
@@ -186,8 +196,14 @@ public:
 
     Result<TextScan> finish() {
         if (table_.columns.time >= 0 && scan_.rows() > 0) {
-            scan_.resolution = digits_.resolution(table_.format.time_unit_s);
-            scan_.even = times_.judge(scan_.resolution);
+            scan_.resolution = digits_.of_singles(table_.format.time_unit_s);
+            // Of rounded floats, no line passes all texts of more digits than a float has.
+            constexpr int digits_beyond_a_float = 9;
+            const TimeResolution plain = digits_.resolution(table_.format.time_unit_s);
+            if (plain.significant_digits >= digits_beyond_a_float) {
+                scan_.even = times_.judge(plain);
+            }
+            scan_.even = scan_.even ? scan_.even : times_.judge(scan_.resolution);
         }
         if (repeated_ && !scan_.even) {
             return *repeated_;
@@ -236,9 +252,9 @@ Result<UniformTimeDetector> empty_line(const TextTable& table) {
         TextRows rows(table.format, table.columns, block, SampleUse::check);
         while (rows.next()) {
             samples.time_s.push_back(rows.time() * table.format.time_unit_s);
-            digits.add(rows.time(), rows.time_digits());
+            digits.add(rows.time_digits(), rows.time());
         }
-        samples.resolution = digits.resolution(table.format.time_unit_s);
+        samples.resolution = digits.of_singles(table.format.time_unit_s);
         const double step_s = samples.time_s.size() > 1 ? typical_step(samples) : 0;
         if (step_s > 0) {
             return UniformTimeDetector(step_s, samples.resolution);

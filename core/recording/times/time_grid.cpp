@@ -182,12 +182,6 @@ UniformSamples interpolate(const TimedSamples& samples, std::span<const Segment>
     return grid;
 }
 
-// The unit of the last of so many digits of a number.
-double unit_of(double number, int digits) {
-    const double magnitude = std::abs(number);
-    return magnitude > 0 ? std::pow(10.0, std::floor(std::log10(magnitude)) + 1 - digits) : 0;
-}
-
 Diagnostic gap_diagnostic(std::int64_t first, std::int64_t count, double rate_hz) {
     return {DiagnosticKind::time_gap,
             {count_arg(count), number_arg(static_cast<double>(first) / rate_hz, 9)},
@@ -198,12 +192,16 @@ Diagnostic gap_diagnostic(std::int64_t first, std::int64_t count, double rate_hz
 }  // namespace
 
 double TimeResolution::at(double time_s) const {
-    return std::max(absolute_s, unit_of(time_s, significant_digits));
-}
-
-double TimeResolution::of_both(double time_s) const {
-    constexpr int digits_of_floats = 7;  // which lie no further apart than their last
-    return at(time_s) + (of_32_bits ? unit_of(time_s, digits_of_floats) : 0);
+    const double magnitude = std::abs(time_s);
+    const double relative =
+        magnitude > 0 ? std::pow(10.0, std::floor(std::log10(magnitude)) + 1 - significant_digits)
+                      : 0;
+    const double single =
+        magnitude > 0 && single_unit_s > 0
+            ? std::ldexp(single_unit_s, std::ilogb(magnitude / single_unit_s) + 1 -
+                                            std::numeric_limits<float>::digits)
+            : 0;
+    return std::max(absolute_s, relative) + single;
 }
 
 double longest_rounded_step(double step_s, const TimeResolution& resolution, double time_s) {
@@ -213,7 +211,7 @@ double longest_rounded_step(double step_s, const TimeResolution& resolution, dou
 
 double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s) {
     // Half of the last digit from rounding, and half of that again for what it does to the line.
-    return even_tolerance * step_s + 0.75 * resolution.of_both(time_s);
+    return even_tolerance * step_s + 0.75 * resolution.at(time_s);
 }
 
 bool is_plausible_grid(double frames, double rows) {

@@ -3,6 +3,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/result.h"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -10,15 +11,24 @@
 
 namespace vybeg {
 
-// How finely a column of times is written: no time is known better than to the coarser of the two.
+// How finely a column of times is written: no time is known better than to the coarser of decimals
+// and digits. Times that were 32 bit floats before have been rounded twice.
 struct TimeResolution {
     double absolute_s = 0;        // one unit of the last decimal that any of them has
     int significant_digits = 17;  // the most that any of them has
-    bool of_32_bits = false;      // each of them may have been rounded to a float before
+    double single_unit_s = 0;     // unit (s) in which all of them were 32 bit floats; 0: in none
 
-    double at(double time_s) const;       // seconds
-    double of_both(double time_s) const;  // the same, with that of the float
+    double at(double time_s) const;  // seconds
 };
+
+// Whether a 32 bit float lies within `half_digit` of the number, which is a float's where the digit
+// is 0.
+inline bool is_single(double number, double half_digit) {
+    constexpr double ties = 1 + 1e-6;  // a float halfway between two texts, and its parsing
+    constexpr double parsing = 1.2e-16;
+    const double apart = std::abs(number - static_cast<double>(static_cast<float>(number)));
+    return apart <= half_digit * ties + parsing * std::abs(number);
+}
 
 // Samples with a time for each, strictly rising but for what its digits leave open.
 struct TimedSamples {

@@ -20,13 +20,6 @@ constexpr double rows_left_out = 16;  // at most, behind a point of a hull
 constexpr std::size_t most_bounds = 1000;   // on each side, for the interval of the slope
 constexpr double arithmetic_error = 1e-15;  // of a time, relative to the largest
 
-constexpr int no_decade = std::numeric_limits<int>::min();  // of the time 0
-
-// A time well inside of a decade, whatever way its edges are rounded.
-double time_within(int decade) {
-    return decade == no_decade ? 0 : 2 * std::pow(10.0, decade);
-}
-
 // Sum of the squares of n whole numbers round their mean.
 double spread(double n) {
     return n * (n * n - 1) / 12;
@@ -67,9 +60,9 @@ void UniformTimeDetector::Chain::add_row(const Point& row) {
     }
 }
 
-UniformTimeDetector::Hull& UniformTimeDetector::Segment::hull(int decade) {
-    if (hulls.empty() || hulls.back().decade != decade) {
-        hulls.push_back({.decade = decade});
+UniformTimeDetector::Hull& UniformTimeDetector::Segment::hull(double time_s) {
+    if (hulls.empty() || hulls.back().time_s != time_s) {
+        hulls.push_back({.time_s = time_s});
     }
     return hulls.back();
 }
@@ -85,7 +78,7 @@ void UniformTimeDetector::Segment::join(const Segment& next, double step_s) {
     rows += next.rows;
     last_s = next.last_s;
     for (const Hull& part : next.hulls) {
-        Hull& whole = hull(part.decade);
+        Hull& whole = hull(part.time_s);
         for (const Point& point : part.early.points) {
             whole.early.add({before + point.row, point.late_s + shift});
         }
@@ -95,21 +88,29 @@ void UniformTimeDetector::Segment::join(const Segment& next, double step_s) {
     }
 }
 
-int UniformTimeDetector::decade_of(double time_s) {
+// The middle of the times with the resolution of this one; 0 of the time 0.
+double UniformTimeDetector::decade_of(double time_s) {
     const double magnitude = std::abs(time_s);
     if (magnitude == 0) {
-        return no_decade;
+        return 0;
     }
     if (magnitude < decade_.from || magnitude >= decade_.to) {
         enter_decade(time_s);
     }
-    return decade_.exponent;
+    return decade_.inside;
 }
 
 void UniformTimeDetector::enter_decade(double time_s) {
-    decade_.exponent = static_cast<int>(std::floor(std::log10(std::abs(time_s))));
-    decade_.from = std::pow(10.0, decade_.exponent);
-    decade_.to = std::pow(10.0, decade_.exponent + 1);
+    const double magnitude = std::abs(time_s);
+    const int exponent = static_cast<int>(std::floor(std::log10(magnitude)));
+    decade_.from = std::pow(10.0, exponent);
+    decade_.to = std::pow(10.0, exponent + 1);
+    if (const double unit_s = expected_.single_unit_s; unit_s > 0) {
+        const int octave = std::ilogb(magnitude / unit_s);
+        decade_.from = std::max(decade_.from, std::ldexp(unit_s, octave));
+        decade_.to = std::min(decade_.to, std::ldexp(unit_s, octave + 1));
+    }
+    decade_.inside = 0.5 * (decade_.from + decade_.to);
     // Of the coarser decade, where the times pass from one to the other.
     decade_.rounding =
         std::max(decade_.rounding, longest_rounded_step(step_s_, expected_, time_s) / step_s_);
@@ -128,7 +129,7 @@ bool UniformTimeDetector::continues(double time_s) {
 }
 
 void UniformTimeDetector::add(double time_s) {
-    const int decade = decade_of(time_s);
+    const double decade = decade_of(time_s);
     if (!continues(time_s)) {
         segments_.emplace_back().first_s = time_s;
         doubtful_ = doubtful_ || segments_.size() > most_segments;
@@ -235,8 +236,7 @@ UniformTimeDetector::Bounds UniformTimeDetector::bounds(const std::vector<RowSeg
     for (std::size_t s = 0; s < segments.size(); ++s) {
         const auto first = static_cast<double>(segments[s].first_frame);
         for (const Hull& hull : segments_[s].hulls) {
-            const double time_s = time_within(hull.decade);
-            const double half_s = 0.5 * resolution.of_both(time_s) + arithmetic_error * reach_s;
+            const double half_s = 0.5 * resolution.at(hull.time_s) + arithmetic_error * reach_s;
             for (const Point& point : hull.early.points) {
                 result.most.push_back({first + point.row, line.offsets[s] + point.late_s + half_s});
             }
@@ -249,7 +249,7 @@ UniformTimeDetector::Bounds UniformTimeDetector::bounds(const std::vector<RowSeg
         const Segment& segment = segments_[s];
         const auto last = static_cast<double>(segment.rows - 1);
         const double late_s = line.offsets[s] + segment.last_s - segment.first_s - step_s_ * last;
-        const double half_s = 0.5 * resolution.of_both(segment.last_s) + arithmetic_error * reach_s;
+        const double half_s = 0.5 * resolution.at(segment.last_s) + arithmetic_error * reach_s;
         result.most.push_back({first + last, late_s + half_s});
         result.least.push_back({first + last, late_s - half_s});
     }
@@ -310,9 +310,9 @@ bool UniformTimeDetector::pass_nearly(const std::vector<RowSegment>& segments,
     double largest_s = 0;
     for (std::size_t s = 0; s < segments.size(); ++s) {
         for (const Hull& hull : segments_[s].hulls) {
-            const double time_s = time_within(hull.decade);
-            const double allowed = allowed_deviation(step_s_ + line.slope, resolution, time_s) -
-                                   rows_left_out * std::abs(line.slope);
+            const double allowed =
+                allowed_deviation(step_s_ + line.slope, resolution, hull.time_s) -
+                rows_left_out * std::abs(line.slope);
             const auto fits = [&](const Point& point) {
                 const double frame = static_cast<double>(segments[s].first_frame) + point.row;
                 const double expected = line.mean_late_s + line.slope * (frame - line.mean_frame);
@@ -345,14 +345,8 @@ std::optional<EvenTimes> UniformTimeDetector::judge(const TimeResolution& resolu
     }
     EvenTimes even{.segments = number_rows(*step_s)};
     Line line = fit_line(even.segments);
-    const auto passes = [&](const TimeResolution& each) {
-        return pass_all(bounds(even.segments, each, line), line) ||
-               pass_nearly(even.segments, each, line);
-    };
-    // Digits alone leave less open than digits of floats.
-    TimeResolution of_digits = resolution;
-    of_digits.of_32_bits = false;
-    if (!passes(of_digits) && !passes(resolution)) {
+    if (!pass_all(bounds(even.segments, resolution, line), line) &&
+        !pass_nearly(even.segments, resolution, line)) {
         return std::nullopt;
     }
     even.rate_hz = 1 / (step_s_ + line.slope);

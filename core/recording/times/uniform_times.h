@@ -62,11 +62,12 @@ private:
         void add_row(const Point& row);
     };
 
-    // The hull of the rows whose times have equally many digits before the decimal point, for which
-    // the same deviation is allowed: no straight line is further from any row than from one of its
-    // points, but for what the line rises over the rows left out behind it.
+    // The hull of the rows for whose times the same deviation is allowed, because they have equally
+    // many digits before the decimal point, of 32 bit floats before the binary one, too: no
+    // straight line is further from any row than from one of its points, but for what the line
+    // rises over the rows left out behind it.
     struct Hull {
-        int decade = 0;
+        double time_s = 0;  // well inside of theirs
         Chain early{1, {}};
         Chain late{-1, {}};
     };
@@ -79,12 +80,13 @@ private:
         double late_row_sum = 0;  // of row late_s
         std::vector<Hull> hulls;
 
-        Hull& hull(int decade);
+        Hull& hull(double time_s);
         void join(const Segment& next, double step_s);
     };
 
+    // Times of one resolution.
     struct Decade {
-        int exponent = 0;
+        double inside = 0;  // the time in their middle
         double from = 0;
         double to = 0;
         double rounding = 0;  // longest step that rounding makes of one, in steps
@@ -105,7 +107,7 @@ private:
 
     bool continues(double time_s);
     void enter_decade(double time_s);
-    int decade_of(double time_s);
+    double decade_of(double time_s);
     std::optional<double> fitted_step() const;
     std::vector<RowSegment> number_rows(double step_s) const;
     Line fit_line(const std::vector<RowSegment>& segments) const;

@@ -2,13 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 namespace vybeg {
 namespace {
 
 constexpr double longest_step_s = 1;
+
+// What the times may have been rounded to before they were stored.
+class StoredDigits {
+public:
+    void add(std::span<const double> times_s, double unit_s) {
+        for (const double time_s : times_s) {
+            const double time = time_s / unit_s;
+            whole_ = whole_ && time == std::round(time);
+            single_ = single_ && is_single(time, 0);
+        }
+    }
+
+    TimeResolution resolution(double unit_s) const {
+        return {.absolute_s = whole_ ? unit_s : 0, .single_unit_s = single_ ? unit_s : 0};
+    }
+
+private:
+    bool whole_ = true;
+    bool single_ = true;
+};
+
+// About the time from row to row: of the first ones, where rounding does not make them equal.
+double step_of(std::span<const double> first_times_s, double mean_step_s,
+               const TimeResolution& resolution) {
+    const TimedSamples samples{{first_times_s.begin(), first_times_s.end()}, {}, {}, resolution};
+    const double step_s = typical_step(samples);
+    return step_s > 0 ? step_s : mean_step_s;
+}
 
 }  // namespace
 
@@ -29,7 +56,7 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
     if (const Status status = time.read(reader, 0, block); !status) {
         return status.error();
     }
-    if (std::adjacent_find(block.begin(), block.end(), std::not_fn(std::less{})) != block.end()) {
+    if (!std::ranges::is_sorted(block)) {
         return TimeSteps{};
     }
     double first = 0;
@@ -40,14 +67,17 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
         }
     }
     TimeSteps steps;
-    steps.step_s = (last - first) / static_cast<double>(frames - 1);
-    if (!(steps.step_s > 0 && steps.step_s < longest_step_s)) {
+    const double mean_step_s = (last - first) / static_cast<double>(frames - 1);
+    if (!(mean_step_s > 0 && mean_step_s < longest_step_s)) {
         return steps;
     }
-    steps.is_time = true;
-    steps.even = true;
-    double before = first - 1;
-    for (std::int64_t at = 0; at < frames && steps.is_time; at += frames_per_request) {
+    StoredDigits digits;
+    digits.add(block, time.unit_s);
+    const TimeResolution expected = digits.resolution(time.unit_s);
+    UniformTimeDetector detector(step_of(block, mean_step_s, expected), expected);
+    bool repeated = false;
+    double before = first;
+    for (std::int64_t at = 0; at < frames; at += frames_per_request) {
         if (job.cancelled()) {
             return file.error(ErrorCode::interrupted);
         }
@@ -56,15 +86,23 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
         if (const Status status = time.read(reader, at, times); !status) {
             return status.error();
         }
+        digits.add(times, time.unit_s);
         for (std::size_t i = 0; i < times.size(); ++i) {
-            const double expected = first + steps.step_s * static_cast<double>(at + i);
-            const double allowed = allowed_deviation(steps.step_s, time.resolution, times[i]);
-            steps.even = steps.even && std::abs(times[i] - expected) <= allowed;
-            steps.is_time = steps.is_time && times[i] > before;
+            if (!(times[i] >= before)) {
+                return steps;
+            }
+            repeated = repeated || (times[i] == before && at + static_cast<std::int64_t>(i) > 0);
+            detector.add(times[i]);
             before = times[i];
         }
         job.report(static_cast<double>(at) / static_cast<double>(frames));
     }
+    steps.resolution = digits.resolution(time.unit_s);
+    steps.even = detector.judge({});
+    if (!steps.even) {
+        steps.even = detector.judge(steps.resolution);
+    }
+    steps.is_time = steps.even || !repeated;
     return steps;
 }
 

@@ -1,25 +1,25 @@
 #pragma once
 
 #include "core/base/job_control.h"
-#include "core/recording/times/time_grid.h"
+#include "core/recording/times/uniform_times.h"
 #include "core/recording/variables/variable_reader.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace vybeg {
 
 // How a vector of times runs.
 struct TimeSteps {
     bool is_time = false;  // rises, in steps below a second: else it counts something
-    bool even = false;     // no time further from the line than allowed_deviation()
-    double step_s = 0;     // mean
+    TimeResolution resolution;
+    std::optional<EvenTimes> even;
 };
 
 // Times that count in `unit_s` seconds.
 struct TimeVariable {
     ChannelPlace place;
     double unit_s = 1;
-    TimeResolution resolution;  // of their number type
 
     // Fills `out` with the times from the frame `first` on, in seconds.
     Status read(const VariableReader& reader, std::int64_t first, std::span<double> out) const;

@@ -20,11 +20,11 @@ struct Opening {
 };
 
 // All three columns at once: only where the times are uneven, which nothing but all of them tells.
-Status take_uneven(const Opening& opening, FoundSamples& found) {
+Status take_uneven(const Opening& opening, const TimeResolution& resolution, FoundSamples& found) {
     const VariableReader& reader = *opening.variables.reader;
     const auto frames = static_cast<std::size_t>(opening.choice.frames);
     TimedSamples samples{std::vector<double>(frames), std::vector<double>(frames),
-                         std::vector<double>(frames), opening.time->resolution};
+                         std::vector<double>(frames), resolution};
     for (std::size_t at = 0; at < frames; at += frames_per_request) {
         const std::size_t count = std::min<std::size_t>(frames_per_request, frames - at);
         const auto block = [&](std::vector<double>& column) {
@@ -42,7 +42,7 @@ Status take_uneven(const Opening& opening, FoundSamples& found) {
     if (!grid) {
         return grid.error();
     }
-    found.own_rate = SampleRate{grid->rate_hz, RateOrigin::time_column};
+    found.own_rate = SampleRate{grid->rate_hz, RateOrigin::time_column, grid->rate_relative_sd};
     found.diagnostics = std::move(grid->diagnostics);
     found.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
     return {};
@@ -57,11 +57,13 @@ Status take_samples(const Opening& opening, const OpenOptions& options, const Jo
         if (!steps) {
             return steps.error();
         }
-        if (steps->is_time && !steps->even) {
-            return take_uneven(opening, found);
+        const bool even = steps->even && steps->even->segments.size() == 1;
+        if (steps->is_time && !even) {
+            return take_uneven(opening, steps->resolution, found);
         }
         if (steps->is_time) {
-            found.own_rate = SampleRate{1 / steps->step_s, RateOrigin::time_column};
+            found.own_rate = SampleRate{steps->even->rate_hz, RateOrigin::time_column,
+                                        steps->even->rate_relative_sd};
         }
     }
     // Before the work of unpacking.
@@ -104,12 +106,7 @@ Result<Recording> open_variables(const VariableFile& from, const OpenOptions& op
                     FormatPart::words(variables[static_cast<std::size_t>(opening.c.variable)].type),
                     FormatPart::channels(channels)};
     if (choice->time) {
-        opening.time = TimeVariable{{*choice->time, 0}, choice->time_unit_s, {}};
-        const std::string& type = variables[static_cast<std::size_t>(*choice->time)].type;
-        constexpr int digits_of_32_bits = 7;
-        if (type == "32 bit float") {
-            opening.time->resolution.significant_digits = digits_of_32_bits;
-        }
+        opening.time = TimeVariable{{*choice->time, 0}, choice->time_unit_s};
     }
     opening.choice = std::move(*choice);
     if (const Status status = take_samples(opening, options, job, found); !status) {

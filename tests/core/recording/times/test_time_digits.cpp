@@ -19,9 +19,12 @@ private slots:
     void rounded_times_are_even_and_give_the_rate_as_well_as_their_digits_allow();
     void times_of_few_digits_give_the_rate_within_two_of_its_deviations_data();
     void times_of_few_digits_give_the_rate_within_two_of_its_deviations();
-    void times_of_floats_are_even_whatever_their_digits_data();
-    void times_of_floats_are_even_whatever_their_digits();
+    void rounded_times_are_even_at_any_rate_length_start_and_number_of_digits_data();
+    void rounded_times_are_even_at_any_rate_length_start_and_number_of_digits();
+    void jitter_beyond_the_rounding_is_reported_data();
+    void jitter_beyond_the_rounding_is_reported();
     void lost_samples_are_found_where_the_digits_become_coarser();
+    void lost_samples_are_found_in_times_that_were_32_bit_floats();
     void equal_times_are_an_error_where_their_digits_do_not_explain_them();
 };
 
@@ -97,34 +100,104 @@ void TestTimeDigits::times_of_few_digits_give_the_rate_within_two_of_its_deviati
     VYBEG_LESS(sd, 0.82 * coarsest / seconds);
 }
 
-// Exports in single precision round twice: to a float, then to the digits of the text.
-void TestTimeDigits::times_of_floats_are_even_whatever_their_digits_data() {
+// What a time is stored as before it is written.
+static double stored(double time_s, bool single) {
+    return single ? static_cast<double>(static_cast<float>(time_s)) : time_s;
+}
+
+static std::string rows_at(const std::vector<double>& times, const char* format) {
+    std::string text = "t,C,D\n";
+    for (const double time : times) {
+        char row[80];
+        text.append(row, static_cast<std::size_t>(std::snprintf(row, sizeof row, format, time)));
+        text += text.size() % 2 == 0 ? ",1,2\n" : ",2,1\n";
+    }
+    return text;
+}
+
+void TestTimeDigits::rounded_times_are_even_at_any_rate_length_start_and_number_of_digits_data() {
     QTest::addColumn<QByteArray>("format");
+    QTest::addColumn<bool>("single");
     QTest::addColumn<double>("rate_hz");
-    QTest::addColumn<double>("start");
     QTest::addColumn<double>("seconds");
-    for (const char* const format : {"%.7g", "%.8g", "%.9g", "%.17g", "%.8f", "%.6e"}) {
-        QTest::addRow("%s", format) << QByteArray(format) << 33333.0 << 0.0 << 14.1;
-        QTest::addRow("%s from 3 s on", format) << QByteArray(format) << 44100.0 << 3.0 << 1.5;
-        QTest::addRow("%s at 5 kHz", format) << QByteArray(format) << 5000.0 << 0.0 << 60.0;
+    QTest::addColumn<double>("start_s");
+    for (const char* format : {"%.5g", "%.6g", "%.7g", "%.8g", "%.9g", "%.6f", "%.6e", "%.17g"}) {
+        for (const bool single : {false, true}) {
+            for (const auto& [rate_hz, seconds] :
+                 {std::pair(1e3, 1.0), {1e3, 20.0}, {33e3, 0.5}, {33333.3, 1.0}, {2e5, 0.2}}) {
+                for (const double start_s : {0.0, 9.7, 123.0}) {
+                    QTest::addRow("%s%s, %g Hz, %g s from %g s", format, single ? " single" : "",
+                                  rate_hz, seconds, start_s)
+                        << QByteArray(format) << single << rate_hz << seconds << start_s;
+                }
+            }
+        }
+    }
+    for (const char* format : {"%.7g", "%.9g"}) {
+        QTest::addRow("%s single, 1 kHz, 10 min", format)
+            << QByteArray(format) << true << 1e3 << 600.0 << 0.0;
+        QTest::addRow("%s single, 33 kHz, 14 s", format)
+            << QByteArray(format) << true << 33e3 << 14.0 << 0.0;
     }
 }
 
-void TestTimeDigits::times_of_floats_are_even_whatever_their_digits() {
+void TestTimeDigits::rounded_times_are_even_at_any_rate_length_start_and_number_of_digits() {
     QFETCH(QByteArray, format);
+    QFETCH(bool, single);
     QFETCH(double, rate_hz);
-    QFETCH(double, start);
     QFETCH(double, seconds);
-    const Folder folder;
+    QFETCH(double, start_s);
     std::vector<double> times;
-    const auto frames = static_cast<std::int64_t>(seconds * rate_hz);
-    for (std::int64_t i = 0; i < frames; ++i) {
-        times.push_back(static_cast<float>(start + static_cast<double>(i) / rate_hz));
+    for (int i = 0; i < static_cast<int>(seconds * rate_hz); ++i) {
+        times.push_back(stored(start_s + i / rate_hz, single));
     }
-    const Recording recording = opened(folder.write("run", text_of(times, format)));
-    QCOMPARE(recording.frames(), frames);
-    QVERIFY(recording.diagnostics.empty());
-    VYBEG_WITHIN(recording.rate_hz / rate_hz - 1, 0, 4 * recording.rate_relative_sd + 1e-14);
+    const Folder folder;
+    const Recording recording = opened(folder.write("run", rows_at(times, format)));
+    QCOMPARE(recording.frames(), std::ssize(times));
+    QVERIFY(!find(recording, DiagnosticKind::time_uneven));
+    QVERIFY(!find(recording, DiagnosticKind::time_gap));
+    const double sd = recording.rate_relative_sd;
+    VYBEG_WITHIN(recording.rate_hz / rate_hz, 1, 2.001 * sd + 1e-12);
+}
+
+void TestTimeDigits::jitter_beyond_the_rounding_is_reported_data() {
+    QTest::addColumn<QByteArray>("format");
+    QTest::addColumn<bool>("single");
+    QTest::addColumn<double>("late_s");  // of one time near 5 s
+    QTest::newRow("6 decimals") << QByteArray("%.6f") << false << 2e-6;
+    QTest::newRow("7 digits of 32 bits") << QByteArray("%.7g") << true << 3e-6;
+    QTest::newRow("9 digits of 32 bits") << QByteArray("%.9g") << true << 1.2e-6;
+    QTest::newRow("17 digits of 32 bits") << QByteArray("%.17g") << true << 1.2e-6;
+    QTest::newRow("17 digits") << QByteArray("%.17g") << false << 5e-8;
+}
+
+void TestTimeDigits::jitter_beyond_the_rounding_is_reported() {
+    QFETCH(QByteArray, format);
+    QFETCH(bool, single);
+    QFETCH(double, late_s);
+    std::vector<double> times;
+    for (int i = 0; i < 200000; ++i) {
+        times.push_back(stored(i / rate + (i == 166665 ? late_s : 0), single));
+    }
+    const Folder folder;
+    const Recording recording = opened(folder.write("run", rows_at(times, format)));
+    QVERIFY(find(recording, DiagnosticKind::time_uneven));
+}
+
+void TestTimeDigits::lost_samples_are_found_in_times_that_were_32_bit_floats() {
+    std::vector<double> times;
+    for (int i = 0; i < 400000; ++i) {
+        if (i < 300000 || i >= 300004) {
+            times.push_back(stored(i / rate, true));
+        }
+    }
+    const Folder folder;
+    const Recording recording = opened(folder.write("run", rows_at(times, "%.9g")));
+    QCOMPARE(recording.frames(), 400000);
+    QCOMPARE(recording.diagnostics.size(), 1u);
+    QCOMPARE(recording.diagnostics[0].kind, DiagnosticKind::time_gap);
+    QCOMPARE(recording.diagnostics[0].first_frame, 300000);
+    QCOMPARE(recording.diagnostics[0].count, 4);
 }
 
 void TestTimeDigits::lost_samples_are_found_where_the_digits_become_coarser() {
