@@ -21,7 +21,8 @@ public:
 
     BatchEvents events() {
         return {[this](const auto& warnings) { log_.warnings(warnings); },
-                [this](const auto& list) { begin(list); }, [this](const auto& row) { add(row); }};
+                [this](const auto& list) { begin(list); }, [this](const auto& row) { add(row); },
+                [this](const auto& error) { log_.fail(error); }};
     }
 
     std::string timing_line(double batch_s, int jobs) const {

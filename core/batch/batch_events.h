@@ -33,6 +33,8 @@ struct BatchEvents {
     // Everything has been checked; the rows come next, those of an earlier batch first.
     std::function<void(const MeasurementList&)> begun;
     std::function<void(const FinishedRow&)> finished;
+    // Of a watched folder: why its list does not count now.
+    std::function<void(const Error&)> failed;
 };
 
 }  // namespace vybeg

@@ -246,10 +246,17 @@ private:
     // Computes what has come whenever something has, until it is interrupted.
     Status watch() {
         FolderWatch folder(request_);
+        std::optional<Error> told;
         while (!stop_.stop_requested()) {
             const Result<MeasurementList> list = folder.look();
             if (!list) {
                 return list.error();
+            }
+            if (folder.fault() != told) {
+                told = folder.fault();
+                if (told && events_.failed) {
+                    events_.failed(*told);
+                }
             }
             Status done = list->sets.empty() ? Status() : compute(*list);
             if (!done) {

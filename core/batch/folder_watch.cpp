@@ -19,6 +19,7 @@ Result<MeasurementList> FolderWatch::look() {
     if (!files) {
         return files.error();
     }
+    fault_.reset();
     MeasurementList come;
     std::set<std::filesystem::path> listed;
     std::optional<std::filesystem::path> list_path;
@@ -33,17 +34,19 @@ Result<MeasurementList> FolderWatch::look() {
             continue;
         }
         if (list_path) {
-            return Error{ErrorCode::list_invalid,
-                         path.string(),
-                         {count_arg(1), "file",
-                          words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
-                                {list_path->filename().string()})}};
+            fault_ = Error{ErrorCode::list_invalid,
+                           path.string(),
+                           {count_arg(1), "file",
+                            words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
+                                  {list_path->filename().string()})}};
+            continue;
         }
         list_path = path;
         Result<MeasurementList> list =
             read_measurement_list(path, {request_.open, request_.settings});
         if (!list) {
-            return list.error();
+            fault_ = list.error();
+            continue;
         }
         come = std::move(*list);
     }

@@ -4,7 +4,9 @@
 #include "core/base/result.h"
 #include "core/batch/batch_request.h"
 
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -20,14 +22,18 @@ public:
     // `request` must outlive this object.
     explicit FolderWatch(const BatchRequest& request) : request_(request) {}
 
-    // Errors: those of list_of_folder() and read_measurement_list(); list_invalid for a second
-    // list.
+    // Errors: those of list_of_folder().
     Result<MeasurementList> look();
+
+    // Why the folder's list does not count at the last look: those of read_measurement_list(), and
+    // list_invalid for a second list.
+    const std::optional<Error>& fault() const { return fault_; }
 
 private:
     bool is_settled(const std::filesystem::path& path);
 
     const BatchRequest& request_;
+    std::optional<Error> fault_;
     std::map<std::filesystem::path, std::string> stamps_;  // of the look before, and of this one
 };
 
