@@ -50,6 +50,9 @@ Result<MeasurementList> FolderWatch::look() {
         }
         come = std::move(*list);
     }
+    if (fault_) {  // which files are of its sets is unknown
+        return MeasurementList{};
+    }
     for (const MeasurementSet& set : come.sets) {
         for (const ListedRecording& recording : set.recordings) {
             listed.insert(recording.path.lexically_normal());
