@@ -64,6 +64,12 @@ void add_list(CLI::App& app, IdentifyRequest& request) {
         ->needs(list);
 }
 
+void add_database(CLI::App& app, std::string& database) {
+    app.add_option("--database", database,
+                   "Also the result of each set, into a database (SQLite) that many runs share")
+        ->type_name("FILE");
+}
+
 void add_batch_options(CLI::App& app, BatchRequest& request) {
     app.add_option("LIST", request.list,
                    "Measurement list, CSV, or a folder in which each file is a set of its own")
@@ -78,9 +84,7 @@ void add_batch_options(CLI::App& app, BatchRequest& request) {
     app.add_option("--passport", request.passports,
                    "Compare each set with the passport of its gyro, DIR/GYRO.json")
         ->type_name("DIR");
-    app.add_option("--database", request.database,
-                   "Also the result of each set, into a database (SQLite) that many runs share")
-        ->type_name("FILE");
+    add_database(app, request.database);
     add_value(app, "--jobs", "N", "Sets computed at once (default 1)",
               [&request](const auto& option, const auto& text) {
                   constexpr int most_jobs = 1024;
@@ -171,6 +175,7 @@ int run(int argc, char** argv) {
         ->add_option("--passport", identification.new_passport,
                      "Also write the gyro's passport, to compare with later")
         ->type_name("PASSPORT.json");
+    add_database(*identify_command, identification.database);
     add_log_options(*identify_command, log_options);
     add_verbose(*identify_command, log_options.verbose);
 

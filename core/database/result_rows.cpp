@@ -227,6 +227,36 @@ std::vector<StoredRecording> read_recordings(const SqliteConnection& connection,
     return recordings;
 }
 
+// Row by row up to the diagonal: a covariance is symmetric, but for the rounding of its numbers.
+std::vector<double> lower_part(const RawParameters& raw) {
+    const std::size_t count = raw.names.size();
+    std::vector<double> part;
+    for (std::size_t row = 0; row < count; ++row) {
+        for (std::size_t column = 0; column <= row; ++column) {
+            part.push_back(raw.covariance[row * count + column]);
+        }
+    }
+    return part;
+}
+
+// Its inverse. A document of schema 3 has the whole covariance.
+std::vector<double> whole_covariance(const std::vector<double>& part, std::size_t count) {
+    if (part.size() == count * count) {
+        return part;
+    }
+    if (part.size() != count * (count + 1) / 2) {
+        throw DamagedRow("parameters and covariance differ in size");
+    }
+    std::vector<double> whole(count * count);
+    auto next = part.begin();
+    for (std::size_t row = 0; row < count; ++row) {
+        for (std::size_t column = 0; column <= row; ++column) {
+            whole[row * count + column] = whole[column * count + row] = *next++;
+        }
+    }
+    return whole;
+}
+
 }  // namespace
 
 std::int64_t write_result(SqliteConnection& connection, const StoredResult& result) {
@@ -240,7 +270,7 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
     write_parameters(connection, id, result);
     SqliteStatement document(connection, "INSERT INTO document VALUES (?, ?, ?, ?, ?)");
     document.bind(id).bind(line_of(result.raw.names)).bind(line_of(result.raw.values));
-    document.bind(line_of(result.raw.covariance)).bind(result.json).run();
+    document.bind_packed(line_of(lower_part(result.raw))).bind_packed(result.json).run();
     return id;
 }
 
@@ -262,9 +292,9 @@ std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64
     result.date = {head.text(3), source_of(head.text(4))};
     result.program = head.text(5);
     result.model = head.text(6);
-    result.raw = {texts_in(head.text(7)), numbers_in(head.text(8)), numbers_in(head.text(9))};
-    const std::size_t count = result.raw.names.size();
-    if (result.raw.values.size() != count || result.raw.covariance.size() != count * count) {
+    result.raw = {texts_in(head.text(7)), numbers_in(head.text(8)), {}};
+    result.raw.covariance = whole_covariance(numbers_in(head.text(9)), result.raw.names.size());
+    if (result.raw.values.size() != result.raw.names.size()) {
         throw DamagedRow("parameters and covariance differ in size");
     }
     result.json = head.text(10);

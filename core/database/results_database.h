@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/database/history_point.h"
@@ -28,6 +29,9 @@ struct StoredName {
 
     friend bool operator==(const StoredName&, const StoredName&) = default;
 };
+
+// The warning that a database keeps one result for these two names.
+Diagnostic same_recordings(const StoredName& kept, const StoredName& lost);
 
 // Results of a laboratory in one SQLite file, which several programs on several machines may write
 // at once. Each result is there whole or not at all. Not for two threads at once.

@@ -2,8 +2,8 @@
 
 namespace vybeg {
 
-// The tables of a database of results, `PRAGMA user_version` 3. README.md has the columns.
-inline constexpr int results_schema = 3;
+// The tables of a database of results, `PRAGMA user_version` 4. README.md has the columns.
+inline constexpr int results_schema = 4;
 // `PRAGMA application_id`: "VybR".
 inline constexpr int results_application = 0x56796252;
 
@@ -71,7 +71,8 @@ CREATE TABLE document (
 );
 )sql";
 
-// What a database of schema 1 lacks, and what one of schema 2 does, besides the view.
+// What a database of schema 1 lacks, and what one of schema 2 does, besides the view. One of schema
+// 3 has the long texts of its documents as they are.
 inline constexpr const char* opening_column =
     "ALTER TABLE recording ADD COLUMN opening TEXT NOT NULL DEFAULT '[]'";
 inline constexpr const char* warnings_column =
