@@ -174,4 +174,8 @@ std::string batch_row(const MeasurementSet& set, const Identification& found,
     return whole_row(set, "ok", doubtful ? english(findings.front()) : "", results);
 }
 
+std::string csv_row(const std::vector<std::string>& texts) {
+    return in_row(texts);
+}
+
 }  // namespace vybeg

@@ -33,4 +33,7 @@ std::string batch_row(const MeasurementSet& set, const Error& error);
 std::string batch_row(const MeasurementSet& set, const Identification& found,
                       const PassportComparison* comparison);
 
+// Texts as a row of such a table: in quotes where they hold a separator.
+std::string csv_row(const std::vector<std::string>& texts);
+
 }  // namespace vybeg
