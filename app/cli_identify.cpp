@@ -4,6 +4,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/batch/list_sets.h"
 #include "core/batch/set_identification.h"
+#include "core/database/results_database.h"
 #include "core/output/file_ending.h"
 #include "core/output/identify_json.h"
 #include "core/output/output_paths.h"
@@ -19,14 +20,14 @@
 namespace vybeg::cli {
 namespace {
 
-// The recordings of the command line as one set, or those of the list.
-Result<MeasurementSet> wanted_set(const IdentifyRequest& request, Log& log) {
+// The recordings of the command line as one set, or that of the list.
+Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
     if (request.list.empty()) {
-        MeasurementSet set{"", {}, request.settings};
+        MeasurementSet set{request.inputs.front(), {}, request.settings};
         for (const std::string& name : request.inputs) {
             set.recordings.push_back({name, name, request.open, {}, {}});
         }
-        return set;
+        return MeasurementList{{}, {std::move(set)}, {}};
     }
     Result<MeasurementList> list =
         read_measurement_list(request.list, {request.open, request.settings});
@@ -34,10 +35,14 @@ Result<MeasurementSet> wanted_set(const IdentifyRequest& request, Log& log) {
         return list.error();
     }
     log.warnings(list->warnings);
-    if (request.set.empty() && list->sets.size() == 1) {
-        return std::move(list->sets.front());
+    if (!request.set.empty() || list->sets.size() > 1) {
+        Result<MeasurementSet> set = set_named(*list, "--set", request.set);
+        if (!set) {
+            return set.error();
+        }
+        list->sets = {std::move(*set)};
     }
-    return set_named(*list, "--set", request.set);
+    return list;
 }
 
 Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
@@ -46,11 +51,15 @@ Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
     for (const ListedRecording& recording : set.recordings) {
         inputs.push_back({recording.path.string(), "it is one of the recordings"});
     }
+    if (request.database == "-") {
+        return refused_value("--database", request.database, "it must be a file");
+    }
     const bool summary = request.output.empty();
     Status possible = check_outputs(
         {{"-o", summary ? "-" : request.output,
           summary ? "the summary goes there already" : "the result goes there already"},
-         {"--passport", request.new_passport, ""}},
+         {"--passport", request.new_passport, "the passport goes there already"},
+         {"--database", request.database, ""}},
         inputs);
     for (const std::string& output : {request.output, request.new_passport}) {
         if (const Status known = check_ending(output, {"", ".json"});
@@ -65,6 +74,7 @@ Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
 struct Outputs {
     std::optional<OutputFile> result;
     std::optional<OutputFile> passport;
+    std::optional<ResultsDatabase> database;
 };
 
 Status open_into(const std::string& name, std::optional<OutputFile>& output,
@@ -78,6 +88,35 @@ Status open_into(const std::string& name, std::optional<OutputFile>& output,
     }
     output.emplace(std::move(*file));
     return {};
+}
+
+Status open_into(const std::string& name, std::optional<ResultsDatabase>& database,
+                 const JobControl& job) {
+    if (name.empty()) {
+        return {};
+    }
+    Result<ResultsDatabase> opened =
+        ResultsDatabase::open(name, ResultsDatabase::Access::write, job);
+    if (!opened) {
+        return opened.error();
+    }
+    database.emplace(std::move(*opened));
+    return {};
+}
+
+// Before the files, as batch does: the same again replaces what a failure of them leaves. Warns of
+// another name that the database has for this result.
+Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
+    const Result<std::optional<StoredName>> holder = database.holder(result.key);
+    if (!holder) {
+        return holder.error();
+    }
+    const StoredName own{result.set, result.gyro};
+    if (*holder && **holder != own) {
+        log.warnings(std::vector{same_recordings(own, **holder)});
+    }
+    const Result<std::int64_t> added = database.add(result);
+    return added ? Status() : added.error();
 }
 
 // All of them appear, or none.
@@ -123,10 +162,11 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
     if (const Status valid = check_options(request.open); !valid) {
         return log.fail(valid.error());
     }
-    const Result<MeasurementSet> set = wanted_set(request, log);
-    if (!set) {
-        return log.fail(set.error());
+    const Result<MeasurementList> list = wanted_set(request, log);
+    if (!list) {
+        return log.fail(list.error());
     }
+    const MeasurementSet* const set = &list->sets.front();
     const double begun = seconds_now();
     Result<OpenSet> open = open_set(*set, request.old_passport, stop);
     if (!open) {
@@ -144,6 +184,10 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
             return log.fail(opened.error());
         }
     }
+    if (const Status there = open_into(request.database, outputs.database, silent_job(stop));
+        !there) {
+        return log.fail(there.error());
+    }
     const double opened = seconds_now();
     const Result<IdentifiedSet> result =
         identify_set(*open, *set, request.compare, job_of(stop, log));
@@ -155,6 +199,16 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
     const double identified = seconds_now();
     const Identification& found = result->found;
     const PassportComparison* const compared = open->comparison ? &*open->comparison : nullptr;
+    if (outputs.database) {
+        const auto result_of_set =
+            stored_result(program, *set, list->other_columns, open->told, found,
+                          identify_json(program, open->told, found, compared));
+        const Status stored = result_of_set ? store(*outputs.database, *result_of_set, log)
+                                            : Status(result_of_set.error());
+        if (!stored) {
+            return log.fail(stored.error());
+        }
+    }
     const Status written = write_outputs(
         outputs,
         summary ? identify_text(open->told, found, compared)

@@ -68,6 +68,12 @@ void add_timing(CLI::App& app, bool& timing) {
     app.add_flag("--timing", timing, "Last line of standard error: where the time went, JSON, s");
 }
 
+void add_database(CLI::App& app, std::string& database) {
+    app.add_option("--database", database,
+                   "Also the result of each set, into a database (SQLite) that many runs share")
+        ->type_name("FILE");
+}
+
 void add_batch_options(CLI::App& app, BatchCommand& command) {
     BatchRequest& request = command.batch;
     CLI::Option* const list =
@@ -104,9 +110,7 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
         ->type_name("LIMITS.csv");
     app.add_flag("--excel", request.excel,
                  "The table for table programs with a decimal comma: semicolons, no comment lines");
-    app.add_option("--database", request.database,
-                   "Also the result of each set, into a database (SQLite) that many runs share")
-        ->type_name("FILE");
+    add_database(app, request.database);
     add_value(app, "--jobs", "N", "Sets computed at once (default 1)",
               [&request](const auto& option, const auto& text) {
                   constexpr int most_jobs = 1024;
@@ -197,6 +201,7 @@ int run(int argc, char** argv) {
         ->add_option("--passport", identification.new_passport,
                      "Also write the gyro's passport, to compare with later")
         ->type_name("PASSPORT.json");
+    add_database(*identify_command, identification.database);
     add_log_options(*identify_command, log_options);
     add_verbose(*identify_command, log_options.verbose);
 

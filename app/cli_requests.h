@@ -36,6 +36,7 @@ struct IdentifyRequest {
     std::string set;           // of the list; empty: its only one
     std::string output;        // empty: a summary for people on standard output; "-": JSON there
     std::string new_passport;  // --passport; empty: none
+    std::string database;      // --database; empty: none
     std::string old_passport;  // of compare; empty: none
     OpenOptions open;
     IdentifySettings settings;

@@ -272,6 +272,8 @@ int main(int argc, char** argv) {
     open_missing_descriptors();
     make_write_signals_errors();
     end_with_a_sentence();
+    // Qt writes the fonts of a PDF in the order of a hash: the same document is the same bytes.
+    QHashSeed::setDeterministicGlobalSeed();
     try {
         return run(argc, argv);
     } catch (...) {

@@ -11,7 +11,6 @@
 #include "ui/session/session_keeper.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QFileInfo>
 
 #include <iterator>
@@ -96,7 +95,7 @@ Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementLis
     if (!content) {
         return content.error();
     }
-    return ui::reportPdf(ui::reportTextOf(*content, program_text(), QDateTime::currentDateTime()),
+    return ui::reportPdf(ui::reportTextOf(*content, program_text(), ui::reportDay()),
                          ui::drawnFigures(*content));
 }
 
@@ -127,9 +126,8 @@ Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementLis
         std::ranges::move(ui::drawnFigures(*content), std::back_inserter(pictures));
     }
     const QString about = QFileInfo(QString::fromStdString(request.list)).fileName();
-    return ui::reportPdf(
-        ui::reportTextOf(about, chapters, units, program_text(), QDateTime::currentDateTime()),
-        pictures);
+    return ui::reportPdf(ui::reportTextOf(about, chapters, units, program_text(), ui::reportDay()),
+                         pictures);
 }
 
 }  // namespace

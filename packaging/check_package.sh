@@ -34,6 +34,8 @@ inside() {
         fail "sessions are not opened by the program"
     man --where vybeg vybeg-cli
     man vybeg | grep -q 'standing waves' || fail "man vybeg"
+    LC_ALL=C.UTF-8 man -L ru vybeg-cli | grep -q 'базы данных' || fail "man -L ru vybeg-cli"
+    [ -e /usr/share/doc/vybeg/help/ru/files.html ] || fail "the help pages"
 
     apt-get purge --yes --quiet=2 vybeg >/dev/null
     all_files >/tmp/after

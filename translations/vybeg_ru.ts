@@ -993,6 +993,22 @@
         <source>A change needs two results of one gyro in their order.</source>
         <translation>Для изменения нужны два результата одного гироскопа подряд.</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>Результаты</translation>
+    </message>
+    <message>
+        <source>All gyros</source>
+        <translation>Все гироскопы</translation>
+    </message>
+    <message>
+        <source>History of a parameter</source>
+        <translation>История параметра</translation>
+    </message>
+    <message>
+        <source>Database: %1; %2, %3</source>
+        <translation>База данных: %1; %2, %3</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>
@@ -5001,6 +5017,10 @@
         <source>Table (*.csv)</source>
         <translation>Таблица (*.csv)</translation>
     </message>
+    <message>
+        <source>Export history</source>
+        <translation>Экспорт истории</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::GyroDialog</name>
@@ -5216,6 +5236,18 @@
     <message>
         <source>How often each value occurs among the results shown</source>
         <translation>Как часто каждое значение встречается среди показанных результатов</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Экспорт…</translation>
+    </message>
+    <message>
+        <source>Export the results shown</source>
+        <translation>Экспорт показанных результатов</translation>
+    </message>
+    <message>
+        <source>The results shown as a table (CSV), or as a report with the charts (PDF)</source>
+        <translation>Показанные результаты таблицей (CSV) или отчётом с картами (PDF)</translation>
     </message>
 </context>
 <context>

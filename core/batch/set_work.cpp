@@ -25,11 +25,6 @@ bool ends_batch(ErrorCode code) {
            status == exit_status(ErrorCode::interrupted);
 }
 
-MessageArg label(const StoredName& name) {
-    return name.gyro.empty() ? MessageArg(name.set)
-                             : words(VYBEG_MESSAGE("Words", "%1 (gyro %2)"), {name.set, name.gyro});
-}
-
 // Numbers that may be wrong decide nothing, nor does a set without a result (null). A set of which
 // no limit is does not pass.
 std::optional<PassedFields> passed_fields(const SetTask& task, const Identification* found) {
@@ -180,9 +175,8 @@ Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const OpenSe
     const bool holds_later = last != nullptr && last > &task;
     const StoredName own{stored->set, stored->gyro};
     if (*holder && **holder != own) {
-        const StoredName& kept = holds_later ? **holder : own;
-        warnings.push_back(
-            {DiagnosticKind::same_recordings, {label(kept), label(holds_later ? own : **holder)}});
+        warnings.push_back(holds_later ? same_recordings(**holder, own)
+                                       : same_recordings(own, **holder));
     }
     if (!holds_later) {
         // The same numbers of the results whichever set is computed first.

@@ -5,13 +5,11 @@
 #include "core/recording/samples/open_table.h"
 
 #include <nlohmann/json.hpp>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <utility>
 
 namespace vybeg {
@@ -100,37 +98,6 @@ Estimate read_estimate(const SqliteStatement& row, int column) {
 
 double or_nan(const std::optional<double>& value) {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
-// zlib: a document is about eight times as large as its packed bytes.
-std::string deflated(const std::string& text) {
-    uLongf size = compressBound(text.size());
-    std::string packed(size, '\0');
-    if (compress(reinterpret_cast<Bytef*>(packed.data()), &size,
-                 reinterpret_cast<const Bytef*>(text.data()), text.size()) != Z_OK) {
-        throw std::bad_alloc();
-    }
-    packed.resize(size);
-    return packed;
-}
-
-std::string inflated(const std::string& packed) {
-    constexpr std::size_t most = std::size_t{1} << 28;
-    std::string text;
-    for (std::size_t size = 16 * packed.size() + 1024; size <= most; size *= 4) {
-        text.resize(size);
-        uLongf unpacked = size;
-        const int result = uncompress(reinterpret_cast<Bytef*>(text.data()), &unpacked,
-                                      reinterpret_cast<const Bytef*>(packed.data()), packed.size());
-        if (result == Z_OK) {
-            text.resize(unpacked);
-            return text;
-        }
-        if (result != Z_BUF_ERROR) {
-            break;
-        }
-    }
-    throw DamagedRow("a document cannot be unpacked");
 }
 
 std::optional<double> told(const SqliteStatement& row, int column) {
@@ -263,6 +230,36 @@ std::vector<StoredRecording> read_recordings(const SqliteConnection& connection,
     return recordings;
 }
 
+// Row by row up to the diagonal: a covariance is symmetric, but for the rounding of its numbers.
+std::vector<double> lower_part(const RawParameters& raw) {
+    const std::size_t count = raw.names.size();
+    std::vector<double> part;
+    for (std::size_t row = 0; row < count; ++row) {
+        for (std::size_t column = 0; column <= row; ++column) {
+            part.push_back(raw.covariance[row * count + column]);
+        }
+    }
+    return part;
+}
+
+// Its inverse. A document of schema 3 has the whole covariance.
+std::vector<double> whole_covariance(const std::vector<double>& part, std::size_t count) {
+    if (part.size() == count * count) {
+        return part;
+    }
+    if (part.size() != count * (count + 1) / 2) {
+        throw DamagedRow("parameters and covariance differ in size");
+    }
+    std::vector<double> whole(count * count);
+    auto next = part.begin();
+    for (std::size_t row = 0; row < count; ++row) {
+        for (std::size_t column = 0; column <= row; ++column) {
+            whole[row * count + column] = whole[column * count + row] = *next++;
+        }
+    }
+    return whole;
+}
+
 }  // namespace
 
 std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
@@ -277,7 +274,7 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
     write_parameters(connection, id, result);
     SqliteStatement document(connection, "INSERT INTO document VALUES (?, ?, ?, ?, ?)");
     document.bind(id).bind(line_of(result.raw.names)).bind(line_of(result.raw.values));
-    document.bind(line_of(result.raw.covariance)).bind_bytes(deflated(result.json)).run();
+    document.bind_packed(line_of(lower_part(result.raw))).bind_packed(result.json).run();
     return id;
 }
 
@@ -299,12 +296,12 @@ std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64
     result.date = {head.text(3), source_of(head.text(4))};
     result.program = head.text(5);
     result.model = head.text(6);
-    result.raw = {texts_in(head.text(7)), numbers_in(head.text(8)), numbers_in(head.text(9))};
-    const std::size_t count = result.raw.names.size();
-    if (result.raw.values.size() != count || result.raw.covariance.size() != count * count) {
+    result.raw = {texts_in(head.text(7)), numbers_in(head.text(8)), {}};
+    result.raw.covariance = whole_covariance(numbers_in(head.text(9)), result.raw.names.size());
+    if (result.raw.values.size() != result.raw.names.size()) {
         throw DamagedRow("parameters and covariance differ in size");
     }
-    result.json = head.is_bytes(10) ? inflated(head.text(10)) : head.text(10);
+    result.json = head.text(10);
     result.warnings = head.text(11);
     result.recordings = read_recordings(connection, id);
     SqliteStatement row(connection, R"sql(

@@ -106,6 +106,11 @@ std::string history_view() {
 FROM result r LEFT JOIN parameter p ON p.result = r.id GROUP BY r.id)sql";
 }
 
+MessageArg label(const StoredName& name) {
+    return name.gyro.empty() ? MessageArg(name.set)
+                             : words(VYBEG_MESSAGE("Words", "%1 (gyro %2)"), {name.set, name.gyro});
+}
+
 // Several programs may do it at once: the first one does.
 void make_tables(SqliteConnection& connection) {
     SqliteTransaction transaction(connection, "BEGIN IMMEDIATE");
@@ -121,9 +126,10 @@ void make_tables(SqliteConnection& connection) {
             connection.run(warnings_column);
         }
     }
-    if (is_new(found) || found.schema < results_schema) {
-        connection.run("DROP VIEW IF EXISTS history");
+    if (found.schema < 3) {
         connection.run(history_view().c_str());
+    }
+    if (found.schema < results_schema) {
         const std::string marks = "PRAGMA application_id = " + std::to_string(results_application) +
                                   "; PRAGMA user_version = " + std::to_string(results_schema);
         connection.run(marks.c_str());
@@ -132,6 +138,10 @@ void make_tables(SqliteConnection& connection) {
 }
 
 }  // namespace
+
+Diagnostic same_recordings(const StoredName& kept, const StoredName& lost) {
+    return {DiagnosticKind::same_recordings, {label(kept), label(lost)}};
+}
 
 ResultsDatabase::ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
                                  double patience_s, WhenWaiting waits)
@@ -224,7 +234,7 @@ void ResultsDatabase::connect() {
     if (connection_->read_only()) {
         throw SqliteFailure(SQLITE_READONLY, 0, "");
     }
-    if (is_new(found) || found.schema < results_schema) {
+    if (found.schema < results_schema) {
         make_tables(*connection_);
     }
 }

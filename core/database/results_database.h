@@ -32,6 +32,9 @@ struct StoredName {
     friend bool operator==(const StoredName&, const StoredName&) = default;
 };
 
+// The warning that a database keeps one result for these two names.
+Diagnostic same_recordings(const StoredName& kept, const StoredName& lost);
+
 // Results of a laboratory in one SQLite file, which several programs on several machines may write
 // at once. Each result is there whole or not at all. Not for two threads at once.
 class ResultsDatabase {

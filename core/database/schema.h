@@ -71,8 +71,8 @@ CREATE TABLE document (
 );
 )sql";
 
-// What a database of schema 1 lacks, and what one of schema 2 does, besides the view. Those before
-// schema 4 have the document as text.
+// What a database of schema 1 lacks, and what one of schema 2 does, besides the view. One of schema
+// 3 has the long texts of its documents as they are.
 inline constexpr const char* opening_column =
     "ALTER TABLE recording ADD COLUMN opening TEXT NOT NULL DEFAULT '[]'";
 inline constexpr const char* warnings_column =

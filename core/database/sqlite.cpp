@@ -1,9 +1,11 @@
 #include "core/database/sqlite.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
 #include <sqlite3.h>
+#include <zlib.h>
 
 namespace vybeg {
 namespace {
@@ -20,6 +22,45 @@ void check(int result, sqlite3* connection) {
     throw SqliteFailure(
         extended, connection != nullptr ? sqlite3_system_errno(connection) : 0,
         connection != nullptr ? sqlite3_errmsg(connection) : sqlite3_errstr(result));
+}
+
+// The file is untrusted: its packed texts may be of any length. 500 recordings have 10 MB.
+constexpr std::size_t longest_packed = std::size_t{64} << 20;
+
+std::string deflated(std::string_view text) {
+    uLongf size = compressBound(text.size());
+    std::string packed(size, '\0');
+    if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                  reinterpret_cast<const Bytef*>(text.data()), text.size(),
+                  Z_BEST_COMPRESSION) != Z_OK) {
+        throw std::bad_alloc();
+    }
+    packed.resize(size);
+    return packed;
+}
+
+std::string inflated(std::string_view packed) {
+    constexpr std::size_t least_room = 4096;
+    constexpr std::size_t usual_ratio = 8;
+    std::string text;
+    int state = Z_BUF_ERROR;
+    for (std::size_t room = std::max(least_room, usual_ratio * packed.size());
+         state == Z_BUF_ERROR && text.size() < longest_packed; room *= 2) {
+        text.resize(std::min(room, longest_packed));
+        uLongf size = text.size();
+        state = uncompress(reinterpret_cast<Bytef*>(text.data()), &size,
+                           reinterpret_cast<const Bytef*>(packed.data()), packed.size());
+        if (state == Z_OK) {
+            text.resize(size);
+        }
+    }
+    if (state == Z_MEM_ERROR) {
+        throw std::bad_alloc();
+    }
+    if (state != Z_OK) {
+        throw SqliteFailure(SQLITE_CORRUPT, 0, "packed data are wrong or too long");
+    }
+    return text;
 }
 
 int ask(void* wait, int times) {
@@ -93,9 +134,10 @@ SqliteStatement& SqliteStatement::bind(std::string_view text) {
     return *this;
 }
 
-SqliteStatement& SqliteStatement::bind_bytes(std::string_view bytes) {
-    check(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.empty() ? "" : bytes.data(),
-                              bytes.size(), SQLITE_TRANSIENT),
+SqliteStatement& SqliteStatement::bind_packed(std::string_view text) {
+    const std::string packed = deflated(text);
+    check(sqlite3_bind_blob64(statement_.get(), ++bound_, packed.data(), packed.size(),
+                              SQLITE_TRANSIENT),
           sqlite3_db_handle(statement_.get()));
     return *this;
 }
@@ -127,14 +169,15 @@ double SqliteStatement::number(int column) const {
                            : sqlite3_column_double(statement_.get(), column);
 }
 
-bool SqliteStatement::is_bytes(int column) const {
-    return sqlite3_column_type(statement_.get(), column) == SQLITE_BLOB;
-}
-
 std::string SqliteStatement::text(int column) const {
-    const void* const content = is_bytes(column) ? sqlite3_column_blob(statement_.get(), column)
-                                                 : sqlite3_column_text(statement_.get(), column);
-    const auto* bytes = static_cast<const char*>(content);
+    if (sqlite3_column_type(statement_.get(), column) == SQLITE_BLOB) {
+        const auto* packed =
+            static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
+        const int length = sqlite3_column_bytes(statement_.get(), column);
+        return inflated({packed != nullptr ? packed : "", static_cast<std::size_t>(length)});
+    }
+    const auto* bytes =
+        reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
     const int size = sqlite3_column_bytes(statement_.get(), column);
     return bytes != nullptr ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
 }

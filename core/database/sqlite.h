@@ -55,16 +55,17 @@ public:
     SqliteStatement& bind(std::int64_t value);
     SqliteStatement& bind(double value);  // NaN: NULL
     SqliteStatement& bind(std::string_view text);
-    SqliteStatement& bind_bytes(std::string_view bytes);  // as a BLOB
+    // A long text, as a BLOB that is zlib's stream of it.
+    SqliteStatement& bind_packed(std::string_view text);
 
     // The next row; false: there is none.
     bool step();
     // Runs it to its end and clears its values for the next time.
     void run();
 
-    // Columns of the row, from 0; NULL is NaN, 0 or an empty text.
+    // Columns of the row, from 0; NULL is NaN, 0 or an empty text. A text that is a BLOB is
+    // unpacked.
     bool is_null(int column) const;
-    bool is_bytes(int column) const;  // a BLOB, which text() returns as it is
     std::int64_t whole(int column) const;
     double number(int column) const;
     std::string text(int column) const;

@@ -208,4 +208,8 @@ bool is_doubtful(const Identification& found) {
     return !findings.empty() && severity(findings.front().diagnostic.kind) == Severity::serious;
 }
 
+std::string csv_row(const std::vector<std::string>& texts) {
+    return in_row(texts);
+}
+
 }  // namespace vybeg

@@ -50,4 +50,7 @@ std::string excel_row(const std::string& row, bool limits);
 // Whether a serious warning says that the numbers may be wrong.
 bool is_doubtful(const Identification& found);
 
+// Texts as a row of such a table: in quotes where they hold a separator.
+std::string csv_row(const std::vector<std::string>& texts);
+
 }  // namespace vybeg

@@ -3,6 +3,7 @@
 #include "core/analysis/set_conditions.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
+#include "core/base/number_text.h"
 #include "core/output/quantity_json.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/run_parameters.h"
@@ -276,6 +277,22 @@ Json drift_json(const Identification& identification) {
             {"curve", drift.order > 0 ? curve_json(drift, identification.fit) : Json(nullptr)}};
 }
 
+// Six digits of the deviation, and the value to their last place: each recording has 200 points,
+// and the digits below are of the noise.
+Json rounded_json(std::span<const double> values, std::span<const double> sds) {
+    constexpr int digits = 6;
+    constexpr int all_digits = 17;
+    std::vector<double> rounded;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const double above = std::ceil(std::log10(std::abs(values[k] / sds[k])));
+        const int kept = std::isfinite(above)
+                             ? digits + static_cast<int>(std::clamp(above, 0.0, 11.0))
+                             : all_digits;
+        rounded.push_back(*parse_number(short_text(values[k], std::min(kept, all_digits))));
+    }
+    return numbers_json(rounded);
+}
+
 Json balance_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
     if (identification.balance.empty()) {
         return nullptr;
@@ -285,8 +302,8 @@ Json balance_json(const Identification& identification, std::span<const Identifi
         const ChannelBalance& balance = identification.balance[k];
         list.push_back({{"name", inputs[k].name},
                         {"time_s", numbers_json(balance.time_s)},
-                        {"orthogonality", numbers_json(balance.orthogonality)},
-                        {"sd", numbers_json(balance.sd)}});
+                        {"orthogonality", rounded_json(balance.orthogonality, balance.sd)},
+                        {"sd", rounded_json(balance.sd, balance.sd)}});
     }
     return list;
 }

@@ -2,7 +2,7 @@
 #
 # The page's own text is in PAGE.in. Commands and options come from the program's --help, so that
 # they stand in one place, the program's source:
-#   @VERSION@, @DATE@    the values given
+#   @VERSION@, @DATE@, @DOCDIR@   the values given
 #   @SYNOPSIS@           how the program and each of its commands are called
 #   @OPTIONS@            the options of the program itself
 #   @COMMANDS@           a section for each command; an option that an earlier command describes in
@@ -158,6 +158,7 @@ function print_commands(    i) {
 {
     gsub(/@VERSION@/, version)
     gsub(/@DATE@/, date)
+    if (/@DOCDIR@/) gsub(/@DOCDIR@/, roff(docdir))
     print
 }
 

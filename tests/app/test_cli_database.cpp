@@ -1,5 +1,5 @@
-// batch --database: several processes on one file, interruption, resuming, and files that cannot
-// be a database.
+// batch --database and identify --database: several processes on one file, interruption, resuming,
+// and files that cannot be a database.
 #include "tests/app/batch_run.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
@@ -9,6 +9,7 @@
 #include <csignal>
 #include <memory>
 #include <sqlite3.h>
+#include <tuple>
 #include <vector>
 
 namespace test_cli_database {
@@ -106,6 +107,39 @@ private slots:
             QCOMPARE(rows, first);
         }
         QVERIFY(first.size() > 3);
+    }
+
+    // 10,000 results of four recordings in 300 MB. The documents are repeated by SQL.
+    void a_result_of_four_recordings_takes_30_kB() {
+        QByteArray list = "set,file\n";
+        for (const char* name : {"w.wav", "x.wav", "y.wav", "z.wav"}) {
+            list += QByteArray("W,") + name + "\n";
+            QCOMPARE(run({"simulate", "--seconds", "4", "--noise", "0.001", "--tau", "40",
+                          "--split", "0.05", "--theta-w", "0.2", "--two-theta-A",
+                          QString("0.%1").arg(name[0] - 'v'), "-o", name})
+                         .status,
+                     0);
+        }
+        QVERIFY(put(path("four.csv"), list));
+        QCOMPARE(
+            run({"batch", "four.csv", "-o", "four-results.csv", "--database", "results.db"}).status,
+            0);
+        constexpr int times = 100;
+        const QString results =
+            "WITH RECURSIVE n(k) AS (VALUES (2) UNION ALL SELECT k + 1 FROM n "
+            "WHERE k < %1) INSERT INTO %2 SELECT %3 FROM n, %2";
+        for (const auto& [table, columns] :
+             {std::pair{"result",
+                        "k, k || key, set_name, gyro, date, date_from, program, model, warnings"},
+              std::pair{"document", "k, raw_names, raw_values, raw_covariance, json"},
+              std::pair{"parameter", "name, k, position, value, sd, u, reason, reason_args"}}) {
+            QCOMPARE(rows_by_sqlite(path("results.db"),
+                                    results.arg(times).arg(table, columns).toUtf8().constData()),
+                     QStringList());
+        }
+        QCOMPARE(rows_by_sqlite(path("results.db"), "SELECT count(tau_s) FROM history"),
+                 QStringList(QString::number(times)));
+        VYBEG_AT_MOST(QFileInfo(path("results.db")).size() / times, 30000);
     }
 
     void the_same_again_adds_nothing() {
@@ -225,6 +259,49 @@ private slots:
             QVERIFY2(outcome.err.contains("results.db cannot be written: "), outcome.err);
             QVERIFY(QFileInfo(path("results.db")).size() == 0 || sound());
         }
+    }
+
+    // The same recordings and settings have the same result, whichever command computes it.
+    void identify_stores_what_batch_stores() {
+        QCOMPARE(run(work_ + QStringList{"--only", "s1"}).status, 0);
+        const auto stored = [this] {
+            return rows_by_sqlite(
+                path("results.db"),
+                "SELECT key, r.set_name, r.gyro, r.date, tau_s, u_tau_s, file, "
+                "json_extract(others, '$[0][1]') FROM result r JOIN history h ON id = h.result "
+                "JOIN recording c ON id = c.result ORDER BY position");
+        };
+        const QStringList by_batch = stored();
+        QCOMPARE(by_batch.size(), 2);
+        QFile::remove(path("results.db"));
+        const Outcome outcome = run({"identify", "--list", "list.csv", "--set", "s1", "-o",
+                                     "s1.json", "--database", "results.db"});
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
+        QCOMPARE(stored(), by_batch);
+        QVERIFY(sound());
+        // The files of the command line have their first one as name, and no gyro.
+        const Outcome plain = run({"identify", "a.wav", "b.wav", "--database", "results.db"});
+        VYBEG_EQUAL(plain.status, 0, plain.err);
+        QVERIFY2(plain.err.contains("a.wav and s1 (gyro G1) have the same recordings"), plain.err);
+        QCOMPARE(rows_by_sqlite(path("results.db"), "SELECT set_name, gyro FROM result"),
+                 QStringList("a.wav|"));
+    }
+
+    void identify_refuses_what_cannot_be_a_database() {
+        QVERIFY(put(path("list2.db"), twelve_sets));
+        for (const auto& [file, status, sentence] :
+             {std::tuple{"list2.db", 5, "it is another kind of file"},
+              std::tuple{"-", 2, "it must be a file"},
+              std::tuple{"a.wav", 2, "it is one of the recordings"},
+              std::tuple{"s1.json", 2, "the result goes there already"},
+              std::tuple{"none/results.db", 5, "No such file or directory"}}) {
+            QFile::remove(path("s1.json"));
+            const Outcome outcome = run({"identify", "a.wav", "-o", "s1.json", "--database", file});
+            QCOMPARE(outcome.status, status);
+            QVERIFY2(outcome.err.contains(sentence), outcome.err);
+            QVERIFY(!QFile::exists(path("s1.json")));
+        }
+        QCOMPARE(content(path("list2.db")), twelve_sets);
     }
 
     void what_cannot_be_a_database_is_told_before_the_work_data() {

@@ -20,6 +20,7 @@ class TestInstallation : public QObject {
 private slots:
     void initTestCase();
     void every_file_has_its_place();
+    void the_package_names_no_invented_address();
     void nothing_installed_names_the_build();
     void the_programs_run_from_where_they_are();
     void the_helper_is_found();
@@ -64,10 +65,28 @@ void TestInstallation::every_file_has_its_place() {
                          "share/icons/hicolor/scalable/apps/" + id + ".svg",
                          "share/man/man1/vybeg-cli.1",
                          "share/man/man1/vybeg.1",
+                         "share/man/ru/man1/vybeg-cli.1",
+                         "share/man/ru/man1/vybeg.1",
                          "share/metainfo/" + id + ".metainfo.xml",
                          "share/mime/packages/" + id + ".xml"};
+    // Each page of the help, for a browser, as the program has it inside.
+    const QDir help(VYBEG_ROOT "/resources/help");
+    for (QDirIterator found(help.path(), QDir::Files, QDirIterator::Subdirectories);
+         found.hasNext();) {
+        const QString path = found.next();
+        const QString place = "share/doc/vybeg/help/" + help.relativeFilePath(path);
+        expected += place;
+        QCOMPARE(content(installed(place)), content(path));
+    }
+    QVERIFY(expected.contains("share/doc/vybeg/help/ru/files.html"));
     expected.sort();
     QCOMPARE(files, expected);
+}
+
+void TestInstallation::the_package_names_no_invented_address() {
+    const QByteArray package = content(VYBEG_ROOT "/packaging/CMakeLists.txt");
+    QVERIFY(package.contains("VYBEG_MAINTAINER \"The Vybeg developers ("));
+    QVERIFY(!package.contains('@'));
 }
 
 void TestInstallation::nothing_installed_names_the_build() {

@@ -39,6 +39,7 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
       open_(new QPushButton(this)),
       new_(new QPushButton(this)),
       add_(new QPushButton(this)),
+      export_(new QPushButton(this)),
       state_(new QLabel(this)) {
     setObjectName(QStringLiteral("history"));
     auto* scroll = new QScrollArea(this);
@@ -219,6 +220,7 @@ void HistoryPage::refresh() {
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
     choices_->setVisible(history_.has_value());
+    export_->setEnabled(history_ && !history_->points.empty());
 }
 
 void HistoryPage::choose(const HistoryPlot& shown, int place) {
@@ -289,6 +291,13 @@ void HistoryPage::askToAdd() {
     }
     if (!path_.isEmpty()) {
         adder_.ask(path_, gyros, this);
+    }
+}
+
+void HistoryPage::exportAll() {
+    if (history_) {
+        emit exportAllWanted(historyExport(*history_, charts_, view(), QFileInfo(path_).fileName(),
+                                           choices_->gyro(), choices_->baseline()));
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
-#include "ui/history/history_plots.h"
+#include "ui/history/history_export.h"
 #include "ui/history/result_adder.h"
 #include "ui/plots/figure_source.h"
 #include "ui/widgets/theme.h"
@@ -41,6 +41,7 @@ public:
 
 signals:
     void exportWanted(const Figure& figure);
+    void exportAllWanted(const HistoryExport& all);
     void figuresChanged();  // figures() are others, or there are some now
     void openWanted();
     void newWanted();
@@ -75,6 +76,7 @@ private:
     void openChosen();
     void openStored(const StoredResult& result);
     void askToAdd();
+    void exportAll();
 
     Document& document_;
     QGridLayout* grid_ = nullptr;
@@ -94,6 +96,7 @@ private:
     QPushButton* open_;
     QPushButton* new_;
     QPushButton* add_;
+    QPushButton* export_;
     HistoryChoices* choices_ = nullptr;
     QLabel* state_;
     QWidget* content_ = nullptr;

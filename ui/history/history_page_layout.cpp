@@ -31,12 +31,14 @@ QLayout* HistoryPage::buildHead() {
     open_->setObjectName(QStringLiteral("historyOpen"));
     new_->setObjectName(QStringLiteral("historyNew"));
     add_->setObjectName(QStringLiteral("historyAdd"));
+    export_->setObjectName(QStringLiteral("historyExport"));
     makeSentence(state_, "historyState");
     auto* first = new QHBoxLayout;
     first->addWidget(database_, 1);
     first->addWidget(open_);
     first->addWidget(new_);
     first->addWidget(add_);
+    first->addWidget(export_);
 
     choices_ = new HistoryChoices(this);
     auto* rows = new QVBoxLayout;
@@ -111,6 +113,7 @@ void HistoryPage::connectWidgets() {
     connect(open_, &QPushButton::clicked, this, &HistoryPage::openWanted);
     connect(new_, &QPushButton::clicked, this, &HistoryPage::newWanted);
     connect(add_, &QPushButton::clicked, this, &HistoryPage::askToAdd);
+    connect(export_, &QPushButton::clicked, this, &HistoryPage::exportAll);
     connect(&adder_, &ResultAdder::added, this, [this](const QString& path) {
         if (path == path_) {
             read();
@@ -143,6 +146,10 @@ void HistoryPage::retranslate() {
     new_->setAccessibleName(tr("Make a database"));
     new_->setToolTip(richTip(tr("An empty database of results in a new file")));
     add_->setText(tr("Add this result…"));
+    export_->setText(tr("Export…"));
+    export_->setAccessibleName(tr("Export the results shown"));
+    export_->setToolTip(
+        richTip(tr("The results shown as a table (CSV), or as a report with the charts (PDF)")));
     recordings_->setText(tr("Open its recordings"));
     recordings_->setToolTip(
         richTip(tr("As a set, with the settings and conditions of the result; a double click on "

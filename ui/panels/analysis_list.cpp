@@ -147,7 +147,7 @@ void AnalysisList::fill(QTreeWidgetItem& item, const AnalysisEntry& entry) {
                  std::isfinite(entry.summary.mean_at_s)
                      ? tr("%1 at %2 s").arg(mean, shortNumberText(entry.summary.mean_at_s, 4))
                      : mean);
-    item.setText(noise, locale.toString(entry.summary.noise, 'g', 4));
+    item.setText(noise, noiseText(entry.summary.noise));
     const double ms = 1e3 * entry.shown.seconds_taken;
     item.setText(time, entry.partial() ? QString() : locale.toString(ms, 'f', ms < 10 ? 2 : 0));
     for (int column = 0; column < column_count; ++column) {

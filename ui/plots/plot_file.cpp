@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace vybeg::ui {
 namespace {
@@ -136,7 +137,7 @@ Drawing withCaption(const Drawing& draw, const QString& title, const QString& se
 Status writeDrawing(const Drawing& draw, const Paper& paper, const QString& path) {
     const QString ending = QFileInfo(path).suffix().toLower();
     bool known = true;
-    const QByteArray bytes = drawn([&](QIODevice& device) {
+    QByteArray bytes = drawn([&](QIODevice& device) {
         if (ending == QStringLiteral("png")) {
             toImage(draw, paper).save(&device, "PNG", png_quality);
         } else if (ending == QStringLiteral("svg")) {
@@ -153,8 +154,16 @@ Status writeDrawing(const Drawing& draw, const Paper& paper, const QString& path
     if (bytes.isEmpty()) {
         return Error{ErrorCode::out_of_memory, {}, {}};
     }
+    bytes = ending == QStringLiteral("pdf") ? withoutInstant(std::move(bytes)) : bytes;
     return write_file(std::filesystem::path(path.toStdU16String()),
                       {bytes.constData(), static_cast<std::size_t>(bytes.size())}, JobControl());
+}
+
+// Blanks, because the document's table has the place of each object.
+QByteArray withoutInstant(QByteArray pdf) {
+    const qsizetype from = pdf.indexOf("/CreationDate (D:");
+    const qsizetype to = from < 0 ? from : pdf.indexOf(')', from);
+    return to < 0 ? pdf : pdf.replace(from, to + 1 - from, QByteArray(to + 1 - from, ' '));
 }
 
 void copyDrawing(const Drawing& draw, const Paper& paper) {

@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 
+#include <QByteArray>
 #include <QImage>
 #include <QPicture>
 #include <QSize>
@@ -43,6 +44,9 @@ int captionHeight(const QString& title, const QString& settings, int width);
 // Format by the ending of `path`: .png, .svg or .pdf (vectors, text as text). Drawn in memory and
 // written by write_file(). Errors: output_format_unknown, output_failed, out_of_memory.
 Status writeDrawing(const Drawing& draw, const Paper& paper, const QString& path);
+
+// A PDF of Qt without the instant of its making, so that the same document is the same bytes.
+QByteArray withoutInstant(QByteArray pdf);
 
 // To the clipboard: as image and, for programs that take vectors, as SVG.
 void copyDrawing(const Drawing& draw, const Paper& paper);

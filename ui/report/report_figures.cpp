@@ -11,10 +11,6 @@ namespace {
 
 constexpr double reduced = 0.8;
 
-ReportFigure figure(const QString& name, Drawing draw, QSizeF paper) {
-    return {name, std::move(draw), (paper / reduced).toSize(), paper};
-}
-
 PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
     PlotContent plots;
     plots.variables = content.variables;
@@ -30,6 +26,10 @@ PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
 }
 
 }  // namespace
+
+ReportFigure reportFigure(const QString& name, Drawing draw, QSizeF paper) {
+    return {name, std::move(draw), (paper / reduced).toSize(), paper};
+}
 
 QString figureName(const ReportContent& content, const char* figure) {
     return QStringLiteral("%1-%2").arg(content.chapter).arg(QLatin1String(figure));
@@ -47,21 +47,22 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content) {
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
         const PlotContent plots = plotsOf(content, k);
         if (!plots.analyses.empty()) {
-            figures.push_back(figure(plotsName(content, k), plotsDrawing(plots),
-                                     {report_page.width(), report_page.height() - heading}));
+            figures.push_back(reportFigure(plotsName(content, k), plotsDrawing(plots),
+                                           {report_page.width(), report_page.height() - heading}));
         }
     }
     if (content.outcome &&
         content.outcome->identification.fit.model == ResonatorModel::structured) {
         const QSizeF side(half * report_page.width(), half * report_page.width());
+        figures.push_back(reportFigure(figureName(content, rim_figure),
+                                       roundDrawing(rimPlot(*content.outcome)), side));
+        figures.push_back(reportFigure(figureName(content, drift_figure),
+                                       xyDrawing(driftPlot(*content.outcome, content.units)),
+                                       side));
         figures.push_back(
-            figure(figureName(content, rim_figure), roundDrawing(rimPlot(*content.outcome)), side));
-        figures.push_back(figure(figureName(content, drift_figure),
-                                 xyDrawing(driftPlot(*content.outcome, content.units)), side));
-        figures.push_back(
-            figure(figureName(content, balance_figure),
-                   xyDrawing(balancePlot(*content.outcome, BalanceAxis::time, content.units)),
-                   {report_page.width(), 0.33 * report_page.width()}));
+            reportFigure(figureName(content, balance_figure),
+                         xyDrawing(balancePlot(*content.outcome, BalanceAxis::time, content.units)),
+                         {report_page.width(), 0.33 * report_page.width()}));
     }
     return figures;
 }

@@ -23,6 +23,9 @@ struct ReportFigure {
 // Content of a page between its margins, pixels of pixels_per_inch.
 inline constexpr QSizeF report_page{657, 950};
 
+// Of a size in the report; texts of its drawing become smaller than on screen.
+ReportFigure reportFigure(const QString& name, Drawing draw, QSizeF paper);
+
 inline constexpr const char* rim_figure = "rim";
 inline constexpr const char* drift_figure = "drift";
 inline constexpr const char* balance_figure = "balance";

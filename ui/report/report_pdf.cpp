@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -243,7 +244,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
         painter.restore();
     }
     painter.end();
-    return bytes;
+    return withoutInstant(std::move(bytes));
 }
 
 }  // namespace vybeg::ui

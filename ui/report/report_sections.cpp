@@ -124,7 +124,7 @@ QString settingsSection(const ReportContent& content) {
                               locale.toString(static_cast<qint64>(analysis.plan.count)),
                               valueText(each.means.mean_f_hz, each.means.sd_mean_f_hz),
                               shortNumberText(each.means.mean_at_s, 4),
-                              shortNumberText(each.means.noise, 3)});
+                              noiseText(each.means.noise)});
         if (const QString options = optionsText(analysis.settings); !options.isEmpty()) {
             table.rows.push_back({monospaced(options)});
         }

@@ -8,6 +8,7 @@
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/unit_text.h"
 
+#include <QDateTime>
 #include <QLocale>
 
 #include <algorithm>
@@ -17,18 +18,8 @@ namespace vybeg::ui {
 
 namespace {
 
-QString madeText(const QString& program, const QDateTime& made) {
-    return QStringLiteral("%1, %2").arg(made.toString("yyyy-MM-dd HH:mm"), program);
-}
-
-ReportText framed(const QString& report, const QString& about, const QString& program) {
-    ReportText text;
-    text.title = QStringLiteral("%1: %2").arg(report, about);
-    text.program = program;
-    text.head = text.title;
-    text.foot = reportText(QT_TRANSLATE_NOOP("Report", "Page %1 of %2"));
-    text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped());
-    return text;
+QString madeText(const QString& program, QDate made) {
+    return QStringLiteral("%1, %2").arg(made.toString(Qt::ISODate), program);
 }
 
 // "Set, gyro" where they differ.
@@ -58,8 +49,24 @@ QStringList lineOf(const ReportContent& content) {
 
 }  // namespace
 
-ReportText reportTextOf(const ReportContent& content, const QString& program,
-                        const QDateTime& made) {
+ReportText framedReport(const QString& report, const QString& about, const QString& program) {
+    ReportText text;
+    text.title = QStringLiteral("%1: %2").arg(report, about);
+    text.program = program;
+    text.head = text.title;
+    text.foot = reportText(QT_TRANSLATE_NOOP("Report", "Page %1 of %2"));
+    text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped());
+    return text;
+}
+
+QDate reportDay() {
+    bool told = false;
+    const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&told);
+    const QDate day = QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC).date();
+    return told && day.isValid() ? day : QDate::currentDate();
+}
+
+ReportText reportTextOf(const ReportContent& content, const QString& program, QDate made) {
     QString about = content.title.gyro;
     if (about.isEmpty() && !content.recordings.empty()) {
         about = content.recordings.front().name;
@@ -67,8 +74,8 @@ ReportText reportTextOf(const ReportContent& content, const QString& program,
             about += QStringLiteral(" … ") + content.recordings.back().name;
         }
     }
-    ReportText text =
-        framed(reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay")), about, program);
+    ReportText text = framedReport(
+        reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay")), about, program);
     text.author = content.title.engineer;
     text.html += titleBlock(content.title, madeText(program, made)) + reportSections(content);
     return text;
@@ -84,7 +91,7 @@ ReportChapter chapterOf(const ReportContent& content) {
 }
 
 ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
-                        const DisplayUnits& units, const QString& program, const QDateTime& made) {
+                        const DisplayUnits& units, const QString& program, QDate made) {
     const auto head = [](const char* text, const QString& unit = {}) {
         return withIndices(withUnit(reportText(text), unit));
     };
@@ -112,8 +119,8 @@ ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& 
         table.rows.push_back(chapter.line);
         pages += chapter.html;
     }
-    ReportText text =
-        framed(reportText(QT_TRANSLATE_NOOP("Report", "Report of free decays")), about, program);
+    ReportText text = framedReport(reportText(QT_TRANSLATE_NOOP("Report", "Report of free decays")),
+                                   about, program);
     text.html +=
         paragraph(QStringLiteral("%1: %2").arg(
             reportText(QT_TRANSLATE_NOOP("Report", "Report made")), madeText(program, made))) +

@@ -2,7 +2,7 @@
 
 #include "ui/report/report_content.h"
 
-#include <QDateTime>
+#include <QDate>
 #include <QString>
 #include <QStringList>
 
@@ -21,9 +21,15 @@ struct ReportText {
     QString html;
 };
 
-// Of one set or recording. `program`: name and version. `made`: when.
-ReportText reportTextOf(const ReportContent& content, const QString& program,
-                        const QDateTime& made);
+// When a report is made: today, or as SOURCE_DATE_EPOCH says. A day, so that the same report made
+// twice is the same bytes.
+QDate reportDay();
+
+// Title, head and foot of each page; its text begins with the title. `report`: what it is.
+ReportText framedReport(const QString& report, const QString& about, const QString& program);
+
+// Of one set or recording. `program`: name and version. `made`: reportDay().
+ReportText reportTextOf(const ReportContent& content, const QString& program, QDate made);
 
 // One set in a report of several.
 struct ReportChapter {
@@ -37,7 +43,7 @@ ReportChapter chapterOf(const ReportContent& content);
 
 // Of several sets: a table of all, then a chapter for each. `about`: what they are.
 ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
-                        const DisplayUnits& units, const QString& program, const QDateTime& made);
+                        const DisplayUnits& units, const QString& program, QDate made);
 
 // Stands in the table for the page of a chapter, which the layout tells.
 QString chapterMark(int number);

@@ -1,9 +1,7 @@
 #include "ui/report/report_writer.h"
 
 #include "core/output/output_file.h"
-#include "ui/report/report_figures.h"
 #include "ui/report/report_pdf.h"
-#include "ui/report/report_text.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -28,7 +26,7 @@ namespace {
 
 ReportText textOf(const std::vector<ReportContent>& contents, const QString& about) {
     const QString program = QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
-    const QDateTime made = QDateTime::currentDateTime();
+    const QDate made = reportDay();
     if (contents.size() == 1) {
         return reportTextOf(contents.front(), program, made);
     }
@@ -41,11 +39,18 @@ ReportText textOf(const std::vector<ReportContent>& contents, const QString& abo
 
 void ReportWriter::write(const std::vector<ReportContent>& contents, const QString& about,
                          const QString& path, std::function<void(const Status&)> done) {
-    auto work = std::make_shared<Work>();
+    std::vector<ReportFigure> figures;
     for (const ReportContent& content : contents) {
-        std::ranges::move(reportFigures(content), std::back_inserter(work->figures));
+        std::ranges::move(reportFigures(content), std::back_inserter(figures));
     }
-    work->text = textOf(contents, about);
+    write(textOf(contents, about), std::move(figures), path, std::move(done));
+}
+
+void ReportWriter::write(ReportText text, std::vector<ReportFigure> figures, const QString& path,
+                         std::function<void(const Status&)> done) {
+    auto work = std::make_shared<Work>();
+    work->figures = std::move(figures);
+    work->text = std::move(text);
     work->path = path;
     work->done = std::move(done);
     drawNext(work);

@@ -2,7 +2,8 @@
 
 #include "core/base/result.h"
 #include "ui/document/background_jobs.h"
-#include "ui/report/report_content.h"
+#include "ui/report/report_figures.h"
+#include "ui/report/report_text.h"
 
 #include <QObject>
 #include <QString>
@@ -23,6 +24,10 @@ public:
     // A content is a report of its own, several are its chapters; `about` says of what.
     void write(const std::vector<ReportContent>& contents, const QString& about,
                const QString& path, std::function<void(const Status&)> done);
+
+    // A text with its figures.
+    void write(ReportText text, std::vector<ReportFigure> figures, const QString& path,
+               std::function<void(const Status&)> done);
 
 private:
     struct Work;

@@ -269,7 +269,8 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
     add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Noise σ")), amplitude,
         QT_TRANSLATE_NOOP("Resonator", "Standard deviation per sample and channel"),
         [&found](std::size_t k) {
-            return valueCell(found.runs[k].noise_sd, std::numeric_limits<double>::quiet_NaN());
+            const double sd = found.runs[k].noise_sd;
+            return QuantityCell{noiseText(sd), {exactText(sd), QString(), QString()}, {}};
         });
     add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Windows used")), {},
         QT_TRANSLATE_NOOP("Resonator", "Without gaps and faults, of all; samples in each"),

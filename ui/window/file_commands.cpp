@@ -1,5 +1,6 @@
 #include "ui/window/file_commands.h"
 
+#include "core/output/output_file.h"
 #include "core/output/same_file.h"
 #include "ui/import/import_dialog.h"
 #include "ui/panels/analysis_list.h"
@@ -16,6 +17,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <string_view>
 
@@ -231,6 +233,21 @@ void FileCommands::exportPlots(const FigureSource& source) {
 
 void FileCommands::exportPlot(const Figure& figure) {
     exportPlots({{figure.name}, [figure](const auto&) { return figure; }, {}, {}});
+}
+
+void FileCommands::exportHistory(const HistoryExport& all) {
+    ask_.historyTarget(all.name, [this, all](const QString& path) { exportHistoryTo(path, all); });
+}
+
+void FileCommands::exportHistoryTo(const QString& path, const HistoryExport& all) {
+    const auto done = [this, path](const Status& status) { reportSaved(status, path); };
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        done(possible);
+    } else if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
+        reports_.write(all.report, all.figures, path, done);
+    } else {
+        done(write_file(std::filesystem::path(path.toStdU16String()), all.table, JobControl()));
+    }
 }
 
 void FileCommands::askForReport(bool of_set) {

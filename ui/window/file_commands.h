@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/history/history_export.h"
 #include "ui/plots/figure_source.h"
 #include "ui/report/report_writer.h"
 #include "ui/values/ids.h"
@@ -56,6 +57,9 @@ public:
     // By a dialog: plots, size, caption.
     void exportPlots(const FigureSource& source);
     void exportPlot(const Figure& figure);
+    // The page History, as a table or, where the path ends in .pdf, as a report.
+    void exportHistory(const HistoryExport& all);
+    void exportHistoryTo(const QString& path, const HistoryExport& all);
     // By a dialog: subject, title block, plots. Written in the background.
     // Of the current recording, or of the current set.
     void askForReport(bool of_set);

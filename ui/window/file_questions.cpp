@@ -159,6 +159,11 @@ void FileQuestions::figureTarget(const Save& save) {
     pictureTarget(tr("Export figure"), QStringLiteral("figure.pdf"), save);
 }
 
+void FileQuestions::historyTarget(const QString& name, const Save& save) {
+    target(tr("Export history"), name + QStringLiteral(".csv"),
+           {tr("Table (*.csv)"), tr("PDF document (*.pdf)")}, save);
+}
+
 void FileQuestions::reportTarget(const QString& name, const Save& save) {
     target(tr("Save report"), name + QStringLiteral(".pdf"), {tr("PDF document (*.pdf)")}, save);
 }

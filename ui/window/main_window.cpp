@@ -257,6 +257,7 @@ void MainWindow::connectPanels() {
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(history_, &HistoryPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(history_, &HistoryPage::exportAllWanted, files_, &FileCommands::exportHistory);
     connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
     connect(history_, &HistoryPage::newWanted, files_, &FileCommands::askForNewDatabase);
     connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });

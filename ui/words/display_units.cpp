@@ -1,5 +1,6 @@
 #include "ui/words/display_units.h"
 
+#include "core/base/number_text.h"
 #include "core/output/quantity_text.h"
 #include "ui/words/number_label.h"
 
@@ -15,6 +16,25 @@ namespace {
 
 double amplitudeFactor(const DisplayUnits& units) {
     return units.amplitude == AmplitudeUnit::volts ? units.volts_per_unit : 1;
+}
+
+QString textOf(const QuantityText& quantity) {
+    const auto localised = [](const std::string& number) {
+        QString text = QString::fromStdString(number);
+        return text.replace('-', QChar(0x2212)).replace('.', QLocale().decimalPoint());
+    };
+    QString text = localised(quantity.value);
+    if (!quantity.sd.empty()) {
+        text += QStringLiteral(" ± ") + localised(quantity.sd);
+    }
+    const QString power =
+        quantity.exponent == 0 ? QString() : QStringLiteral("·") + powerOfTen(quantity.exponent);
+    if (!power.isEmpty()) {
+        text = (quantity.sd.empty() ? text : QStringLiteral("(%1)").arg(text)) + power;
+    }
+    return quantity.u.empty()
+               ? text
+               : QStringLiteral("%1 (u %2)").arg(text, localised(quantity.u) + power);
 }
 
 }  // namespace
@@ -119,6 +139,19 @@ bool isWrapped(SlowVariable variable) {
     return variable == SlowVariable::delta_phi_CD || variable == SlowVariable::alpha;
 }
 
+QString noiseText(double sd) {
+    constexpr int digits = 3;
+    if (!std::isfinite(sd) || sd <= 0) {
+        return valueText(sd, 0);
+    }
+    const double rounded = *parse_number(short_text(sd, digits));
+    // The deviation whose only digit stands in the place of the last one.
+    QuantityText quantity =
+        quantity_text(rounded, 3 * std::pow(10.0, std::floor(std::log10(rounded)) - (digits - 1)));
+    quantity.sd.clear();
+    return textOf(quantity);
+}
+
 QString valueText(double value, double sd) {
     return valueText(value, sd, std::numeric_limits<double>::quiet_NaN());
 }
@@ -127,23 +160,7 @@ QString valueText(double value, double sd, double u) {
     if (!std::isfinite(value)) {
         return QStringLiteral("—");
     }
-    const QuantityText quantity = quantity_text(value, sd, u);
-    const auto localised = [](const std::string& number) {
-        QString text = QString::fromStdString(number);
-        return text.replace('-', QChar(0x2212)).replace('.', QLocale().decimalPoint());
-    };
-    QString text = localised(quantity.value);
-    if (!quantity.sd.empty()) {
-        text += QStringLiteral(" ± ") + localised(quantity.sd);
-    }
-    const QString power =
-        quantity.exponent == 0 ? QString() : QStringLiteral("·") + powerOfTen(quantity.exponent);
-    if (!power.isEmpty()) {
-        text = (quantity.sd.empty() ? text : QStringLiteral("(%1)").arg(text)) + power;
-    }
-    return quantity.u.empty()
-               ? text
-               : QStringLiteral("%1 (u %2)").arg(text, localised(quantity.u) + power);
+    return textOf(quantity_text(value, sd, u));
 }
 
 }  // namespace vybeg::ui

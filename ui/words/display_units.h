@@ -54,6 +54,10 @@ QString displayMeaning(SlowVariable variable);
 // Angles of which only the value modulo one turn is stored: no curve joins pi to -pi.
 bool isWrapped(SlowVariable variable);
 
+// A standard deviation of noise, with the three digits that a recording's length gives it:
+// "0.000100".
+QString noiseText(double sd);
+
 // "0.99987 ± 0.00012": core/output/quantity_text.h with the default locale's decimal sign and a
 // true minus; "—" for NaN.
 QString valueText(double value, double sd);

@@ -321,6 +321,53 @@ private slots:
         QCOMPARE(rows_of(file, "SELECT set_name, tau_s FROM history").size(), qsizetype(2));
     }
 
+    // Long texts lie deflated; those of schema 3, which had them as they are, stay.
+    void long_texts_are_packed_and_plain_ones_are_read() {
+        const QString file = folder_.filePath("packed.db");
+        StoredResult result = made_result(1);
+        for (int k = 0; k < 2000; ++k) {
+            result.json += "{\"value\": 0.5, \"sd\": 0.25}\n";
+        }
+        auto database = open(path("packed.db"));
+        QVERIFY(bool(database));
+        const auto id = database->add(result);
+        QVERIFY(bool(id));
+        const auto stored = rows_of(file,
+                                    "SELECT typeof(json), length(json) < 2000, "
+                                    "typeof(raw_covariance) FROM document");
+        QCOMPARE(stored, (QList<QStringList>{{"blob", "1", "blob"}}));
+        QCOMPARE((**database->result(*id)).json, result.json);
+
+        QVERIFY(run_sql(file,
+                        "UPDATE document SET json = '{\"a\": 1}', "
+                        "raw_covariance = '[1.0,2.0,2.0,null]'; PRAGMA user_version = 3"));
+        const auto plain = open(path("packed.db"), Access::read)->result(*id);
+        QVERIFY(plain && *plain);
+        QCOMPARE((**plain).json, std::string("{\"a\": 1}"));
+        QCOMPARE((**plain).raw.covariance[2], 2.0);
+        QVERIFY(bool(open(path("packed.db"))));
+        QCOMPARE(rows_of(file, "PRAGMA user_version"), (QList<QStringList>{{"4"}}));
+        QCOMPARE(rows_of(file, "SELECT set_name FROM history").size(), qsizetype(1));
+    }
+
+    void a_packed_text_that_is_damaged_or_too_long_is_an_error() {
+        const QString file = folder_.filePath("bomb.db");
+        auto database = open(path("bomb.db"));
+        const auto id = database->add(made_result(1));
+        QVERIFY(bool(id));
+        // qCompress() writes four bytes of size before zlib's stream.
+        const QByteArray packed = qCompress(QByteArray(70 << 20, ' '), 9).mid(4);
+        for (const QByteArray& blob :
+             {QByteArray("no stream"), packed.left(packed.size() / 2), packed}) {
+            const QByteArray sql = "UPDATE document SET json = x'" + blob.toHex() + "'";
+            QVERIFY(run_sql(file, sql.constData()));
+            const auto read = database->result(*id);
+            QVERIFY(!read);
+            const QString sentence = QString::fromStdString(english(read.error()));
+            QVERIFY2(sentence.contains("the database is damaged"), qPrintable(sentence));
+        }
+    }
+
     // For other programs: a row for each result, a column for each parameter.
     void the_view_history_has_a_row_for_each_result() {
         {

@@ -20,8 +20,10 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStandardPaths>
 #include <QTabBar>
 #include <QtTest>
 
@@ -310,6 +312,53 @@ private slots:
                           Qt::LeftButton);
         QTRY_VERIFY(page().history() && !page().reading() && page().history()->gyros.size() == 1 &&
                     page().history()->gyros[0].name == "HRG-18");
+    }
+
+    // By the button and the dialog: the table to read elsewhere, the report to show.
+    void what_is_shown_is_exported_as_table_and_as_report() {
+        QVERIFY(!the<QPushButton>("historyExport").isEnabled());
+        open(database("export.db", 120, 3, 90));
+        chooseGyro(1);
+        const auto exported = [&](const char* name) {
+            const QString path = home_.path(name);
+            click("historyExport");
+            auto* dialog = window_->findChild<QFileDialog*>("files");
+            emit dialog->fileSelected(path);
+            dialog->close();
+            (void)QTest::qWaitFor([&] { return QFile::exists(path); }, 20000);
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QList<QByteArray> lines = exported("history.csv").trimmed().split('\n');
+        QCOMPARE(lines.size(), 5 + 1 + 40);
+        QCOMPARE(lines[1], QByteArray("# database: export.db"));
+        QCOMPARE(lines[2], QByteArray("# gyro: G0"));
+        QCOMPARE(lines[3], QByteArray("# parameter: split_hz"));
+        const QList<QByteArray> names = lines[5].split(',');
+        const QList<QByteArray> row = lines[6 + 30].split(',');
+        QCOMPARE(row.size(), names.size());
+        const auto field = [&](const char* name) { return row[names.indexOf(name)]; };
+        QCOMPARE(field("set"), QByteArray("set 90"));
+        QCOMPARE(field("date"), QByteArray("2024-03-31"));
+        QCOMPARE(field("split_hz").toDouble(), page().history()->points[30].value.value);
+        QCOMPARE(field("u_split_hz").toDouble(), 2e-5);
+        QCOMPARE(field("temperature_c").toDouble(), 21.0);
+        QVERIFY(field("outside").startsWith("\"value;step"));
+
+        const QByteArray pdf = exported("history.pdf");
+        QVERIFY(pdf.startsWith("%PDF-"));
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            QSKIP("pdftotext is missing: the report's text is not tested.");
+        }
+        QProcess reader;
+        reader.start("pdftotext", {"-layout", home_.path("history.pdf"), "-"});
+        QVERIFY(reader.waitForFinished());
+        const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+        for (const char* told : {"History of a parameter", "export.db", "G0, 2024-03-31, set 90",
+                                 "above the limit", "first 20 results", "G0, 2024-01-01, set 0"}) {
+            QVERIFY2(text.contains(told), told);
+        }
+        QCOMPARE(exported("again.pdf"), pdf);
     }
 
     void a_wrong_file_is_refused_and_the_path_is_remembered() {

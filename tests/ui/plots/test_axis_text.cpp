@@ -160,6 +160,11 @@ private slots:
     void a_value_is_rounded_to_its_deviation() {
         QCOMPARE(valueText(5300.012345, 0.0012), QStringLiteral("5300.0123 ± 0.0012"));
         QCOMPARE(valueText(2e-6, 1.5e-7), QStringLiteral("(2.00 ± 0.15)·10⁻⁶"));
+        QCOMPARE(noiseText(1.00121e-4), QStringLiteral("0.000100"));
+        QCOMPARE(noiseText(9.998e-5), QStringLiteral("0.000100"));
+        QCOMPARE(noiseText(9.994e-5), QStringLiteral("9.99·10⁻⁵"));
+        QCOMPARE(noiseText(12.0), QStringLiteral("12.0"));
+        QCOMPARE(noiseText(NAN), QStringLiteral("—"));
         QCOMPARE(valueText(NAN, 1), QStringLiteral("—"));
         QCOMPARE(valueText(0.25, NAN), QStringLiteral("0.25"));
     }

@@ -4,6 +4,7 @@
 #include "tests/ui/gui_test.h"
 
 #include <QCryptographicHash>
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -192,6 +193,44 @@ private slots:
         const QByteArray hash =
             QCryptographicHash::hash(samples.readAll(), QCryptographicHash::Sha256).toHex();
         QVERIFY(text.contains(QString::fromLatin1(hash)));
+    }
+
+    // In different seconds, by different processes.
+    void the_same_figure_and_report_are_the_same_bytes() {
+        const QString recording = home_.recording("same.wav");
+        const auto written = [&](const QString& name, const QStringList& arguments,
+                                 const QMap<QString, QString>& variables = {}) {
+            const QString path = home_.path(name);
+            const Outcome outcome = run(arguments + QStringList{path}, variables);
+            QFile file(path);
+            return outcome.status == 0 && file.open(QIODevice::ReadOnly) ? file.readAll()
+                                                                         : QByteArray();
+        };
+        const QMap<QString, QString> day{{"SOURCE_DATE_EPOCH", "1774958400"}};  // 2026-03-31 12:00Z
+        std::vector<QByteArray> first;
+        for (int round = 0; round < 2; ++round) {
+            std::vector<QByteArray> all;
+            for (const char* figure : {"a.pdf", "a.svg", "a.png"}) {
+                all.push_back(written(figure, {recording, "--figure"}));
+            }
+            all.push_back(written("a-report.pdf", {recording, "--report"}, day));
+            for (const QByteArray& bytes : all) {
+                QVERIFY(!bytes.isEmpty());
+            }
+            if (round == 0) {
+                first = all;
+                const auto second = QDateTime::currentSecsSinceEpoch();
+                QTRY_VERIFY(QDateTime::currentSecsSinceEpoch() > second);
+            }
+            QVERIFY(all == first);
+        }
+        if (!QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            QProcess reader;
+            reader.start("pdftotext", {"-layout", home_.path("a-report.pdf"), "-"});
+            QVERIFY(reader.waitForFinished());
+            const QByteArray text = reader.readAllStandardOutput();
+            QVERIFY2(text.contains("2026-03-31, Vybeg"), text);
+        }
     }
 
     // A chapter for each set of a list, also for the one that has no result; the title block from

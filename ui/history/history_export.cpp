@@ -1,0 +1,122 @@
+#include "ui/history/history_export.h"
+
+#include "core/base/number_text.h"
+#include "core/output/batch_csv.h"
+#include "ui/history/history_text.h"
+#include "ui/report/report_html.h"
+#include "ui/words/program_name.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+// As a column of the view `history` of the database: "mode_0_f_hz".
+std::string columnOf(const HistoryParameter& parameter) {
+    return QString::fromStdString(parameter.name)
+        .replace(QLatin1String("modes["), QLatin1String("mode_"))
+        .replace(QLatin1String("]."), QLatin1String("_"))
+        .toStdString();
+}
+
+// An empty field is "not told".
+std::string fieldOf(double value) {
+    return std::isfinite(value) ? round_trip_text(value) : "";
+}
+
+// The charts in which a point lies outside.
+std::string outsideCodes(const HistoryCharts& charts, std::size_t point) {
+    std::string codes;
+    for (const auto& [chart, code] : {std::pair{&charts.control.individuals, "value"},
+                                      std::pair{&charts.control.ranges, "step"},
+                                      std::pair{&charts.control.average, "average"}}) {
+        if (chart->out[point]) {
+            codes += codes.empty() ? "" : ";";
+            codes += code;
+        }
+    }
+    return codes;
+}
+
+std::string tableOf(const StoredHistory& history, const HistoryCharts& charts,
+                    const HistoryView& view, const std::vector<std::string>& header) {
+    const std::string name = columnOf(view.parameter);
+    std::string text;
+    for (const std::string& line : header) {
+        text += "# ";
+        text += line;
+        text += '\n';
+    }
+    text += csv_row({"result", "set", "gyro", "date", name, "sd_" + name, "u_" + name, "reason",
+                     "f_mean_hz", "sd_f_mean_hz", "u_f_mean_hz", "bias_v", "temperature_c",
+                     "exchanged", "outside", "warnings", "program"});
+    text += '\n';
+    for (std::size_t k = 0; k < history.points.size(); ++k) {
+        const HistoryPoint& at = history.points[k];
+        text +=
+            csv_row({integer_text(at.id), at.set, at.gyro, at.date.text, fieldOf(at.value.value),
+                     fieldOf(at.value.sd), fieldOf(at.value.u),
+                     at.value.given() ? std::string() : english(at.value.reason),
+                     fieldOf(at.f_mean_hz.value), fieldOf(at.f_mean_hz.sd), fieldOf(at.f_mean_hz.u),
+                     fieldOf(at.bias_v), fieldOf(at.temperature_c), at.exchanged ? "yes" : "no",
+                     outsideCodes(charts, k), at.warnings, at.program});
+        text += '\n';
+    }
+    return text;
+}
+
+QString resultsOf(const StoredHistory& history, const HistoryCharts& charts,
+                  const HistoryView& view) {
+    HtmlTable table{{historyText(QT_TRANSLATE_NOOP("History", "Results"))}, {}, {100}, true};
+    for (std::size_t k = 0; k < history.points.size(); ++k) {
+        table.rows.push_back({withIndices(pointText(history, charts, view, k))});
+    }
+    return html(table);
+}
+
+}  // namespace
+
+HistoryExport historyExport(const StoredHistory& history, const HistoryCharts& charts,
+                            const HistoryView& view, const QString& database,
+                            const std::optional<std::string>& gyro, std::size_t baseline) {
+    const QString parameter = parameterTitle(view.parameter);
+    const QString whose = gyro ? QString::fromStdString(*gyro)
+                               : historyText(QT_TRANSLATE_NOOP("History", "All gyros"));
+    HistoryExport all;
+    all.name = QStringLiteral("history");
+    all.table = tableOf(history, charts, view,
+                        {programName().toStdString(), "database: " + database.toStdString(),
+                         "gyro: " + gyro.value_or("all"), "parameter: " + columnOf(view.parameter),
+                         "baseline: " + integer_text(static_cast<std::int64_t>(baseline))});
+    const QString about = QStringLiteral("%1, %2").arg(whose, parameter);
+    all.report = framedReport(historyText(QT_TRANSLATE_NOOP("History", "History of a parameter")),
+                              about, programName());
+    all.report.html += paragraph(about);
+    all.report.html +=
+        paragraph(historyText(QT_TRANSLATE_NOOP("History", "Database: %1; %2, %3"))
+                      .arg(database, reportDay().toString(Qt::ISODate), programName()));
+    all.report.html += paragraph(verdictText(history, charts, view, baseline));
+    constexpr double height = 0.36;  // of the width
+    std::vector<XYPlot> plots{valuesPlot(history, charts, view).plot};
+    if (charts.one_gyro) {
+        plots.push_back(rangesPlot(history, charts, view).plot);
+        plots.push_back(averagePlot(history, charts, view).plot);
+    }
+    plots.push_back(distributionPlot(charts, view));
+    for (const XYPlot& plot : plots) {
+        const QString name = QStringLiteral("history-%1").arg(all.figures.size());
+        all.figures.push_back(reportFigure(name, xyDrawing(plot),
+                                           {report_page.width(), height * report_page.width()}));
+        all.report.html += figureHtml(name);
+    }
+    all.report.html += resultsOf(history, charts, view);
+    return all;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ui/history/history_plots.h"
+#include "ui/report/report_figures.h"
+#include "ui/report/report_text.h"
+
+#include <string>
+#include <vector>
+
+namespace vybeg::ui {
+
+// What the page shows, on its way into a file.
+struct HistoryExport {
+    QString name;       // of the file, as proposed, without its ending
+    std::string table;  // CSV: a row a result, in the units of the database
+    ReportText report;
+    std::vector<ReportFigure> figures;  // of the report
+};
+
+// `database`: its name; `gyro`: nothing for all; `baseline`: results that set the limits.
+HistoryExport historyExport(const StoredHistory& history, const HistoryCharts& charts,
+                            const HistoryView& view, const QString& database,
+                            const std::optional<std::string>& gyro, std::size_t baseline);
+
+}  // namespace vybeg::ui
