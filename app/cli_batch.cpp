@@ -22,7 +22,7 @@ public:
     BatchEvents events() {
         return {[this](const auto& warnings) { log_.warnings(warnings); },
                 [this](const auto& list) { begin(list); }, [this](const auto& row) { add(row); },
-                [this](const auto& error) { log_.fail(error); }};
+                seconds_now, [this](const auto& error) { log_.fail(error); }};
     }
 
     std::string timing_line(double batch_s, int jobs) const {
@@ -30,9 +30,11 @@ public:
                                           {"carrier_s", spent_.carrier_s},
                                           {"estimate_s", spent_.estimate_s},
                                           {"fit_s", spent_.fit_s},
+                                          {"write_s", write_s_},
                                           {"batch_s", batch_s},
                                           {"sets", computed_},
                                           {"windows", windows_},
+                                          {"threads", spent_.threads},
                                           {"jobs", jobs}};
         return line.dump() + "\n";
     }
@@ -59,6 +61,8 @@ private:
         spent_.carrier_s += row.timing.carrier_s;
         spent_.estimate_s += row.timing.estimate_s;
         spent_.fit_s += row.timing.fit_s;
+        spent_.threads = row.timing.threads;
+        write_s_ += row.write_s;
         windows_ += row.windows;
         const std::string& name = names_[row.set];
         log_.warnings(row.warnings, name);
@@ -74,6 +78,7 @@ private:
     std::size_t done_ = 0;
     std::size_t computed_ = 0;
     IdentifyTiming spent_;  // summed over the sets that were computed
+    double write_s_ = 0;
     std::int64_t windows_ = 0;
 };
 

@@ -299,10 +299,11 @@ MessageRow message_row(ErrorCode code) {
                 "output-failed", no_output,
                 VYBEG_MESSAGE("Message", "%1 cannot be written: %2. Nothing was changed there.")};
         case ErrorCode::output_format_unknown:
-            return {"output-format-unknown", no_output,
-                    VYBEG_MESSAGE("Message",
-                                  "%1: the ending \"%2\" is none of those that can be written here: "
-                                  "%3.")};
+            return {
+                "output-format-unknown", no_output,
+                VYBEG_MESSAGE("Message",
+                              "%1: the ending \"%2\" is none of those that can be written here: "
+                              "%3.")};
         case ErrorCode::output_is_recording:
             return {
                 "output-is-recording", no_output,

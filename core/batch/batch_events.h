@@ -23,6 +23,7 @@ struct FinishedRow {
     std::vector<NamedWarnings> warnings;
     std::optional<Error> error;  // why the set has no result
     IdentifyTiming timing;
+    double write_s = 0;  // files and database
     std::int64_t windows = 0;
 };
 
@@ -33,6 +34,8 @@ struct BatchEvents {
     // Everything has been checked; the rows come next, those of an earlier batch first.
     std::function<void(const MeasurementList&)> begun;
     std::function<void(const FinishedRow&)> finished;
+    // The caller's monotonic clock, s (job_control.h); empty: no durations.
+    std::function<double()> clock;
     // Of a watched folder: why its list does not count now.
     std::function<void(const Error&)> failed;
 };

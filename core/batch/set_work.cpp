@@ -102,7 +102,7 @@ void SetWork::work() {
 
 void SetWork::finish(const SetTask& task) {
     const MeasurementSet set = with_threads(*task.set);
-    const JobControl job = JobControl(halt_.get_token());
+    const JobControl job(halt_.get_token(), {}, events_.clock);
     Result<OpenSet> open = open_set(set, task.passport, halt_.get_token());
     if (!open) {
         add_failure(task, open.error(), {});
@@ -114,6 +114,7 @@ void SetWork::finish(const SetTask& task) {
         return;
     }
     const PassportComparison* const compared = open->comparison ? &*open->comparison : nullptr;
+    const double identified = job.now();
     // Before the row: a row in the journal means that its files and its result in the database are
     // there.
     if (!task.new_passport.empty()) {
@@ -146,7 +147,8 @@ void SetWork::finish(const SetTask& task) {
     FinishedRow row{.text = batch_row(set, result->found, compared, passed ? &*passed : nullptr),
                     .warnings = std::move(result->warnings),
                     .error = {},
-                    .timing = result->found.timing};
+                    .timing = result->found.timing,
+                    .write_s = job.now() - identified};
     for (const IdentifiedRun& run : result->found.runs) {
         row.windows += run.windows;
     }

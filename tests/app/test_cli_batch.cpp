@@ -328,6 +328,27 @@ private slots:
         QCOMPARE(row.split(';')[tau], value.replace('.', ','));
     }
 
+    void the_time_of_every_command_is_told_data() {
+        QTest::addColumn<QString>("arguments");
+        QTest::newRow("info") << "info a.wav";
+        QTest::newRow("simulate") << "simulate --seconds 1 -o timed.wav";
+        QTest::newRow("batch") << "batch list.csv -o timed.csv --only s1";
+        QTest::newRow("identify") << "identify a.wav b.wav -o timed.json";
+    }
+    void the_time_of_every_command_is_told() {
+        QFETCH(QString, arguments);
+        const Outcome outcome = run(arguments.split(' ') + QStringList{"--timing", "--quiet"});
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
+        const QJsonObject told = object(outcome.err_lines().last());
+        double sum = 0;
+        for (const char* const key : {"read_s", "carrier_s", "estimate_s", "write_s"}) {
+            VYBEG_AT_LEAST(told[QLatin1String(key)].toDouble(-1), 0);
+            sum += told[QLatin1String(key)].toDouble();
+        }
+        VYBEG_MORE(sum, 0);
+        QVERIFY(told.contains("windows") && told["threads"].toInt() > 0);
+    }
+
     // Whole recordings and complete sets of a folder that fills; nothing waits longer than it must.
     void a_folder_that_fills_is_computed_as_it_does() {
         QVERIFY(QDir(folder_.path()).mkdir("inbox"));
