@@ -35,9 +35,9 @@ struct BatchEvents {
     std::function<void(const MeasurementList&)> begun;
     std::function<void(const FinishedRow&)> finished;
     // The caller's monotonic clock, s (job_control.h); empty: no durations.
-    std::function<double()> clock;
+    std::function<double()> clock{};
     // Of a watched folder: why its list does not count now.
-    std::function<void(const Error&)> failed;
+    std::function<void(const Error&)> failed{};
 };
 
 }  // namespace vybeg
