@@ -1,4 +1,6 @@
-// A database of 10,000 results of five gyros: what a first chart takes from opening the file.
+// A database of 10,000 results of five gyros: its size, and what a first chart takes from opening
+// the file.
+#include "core/base/number_text.h"
 #include "core/database/result_rows.h"
 #include "core/database/results_database.h"
 #include "core/numerics/control_chart.h"
@@ -8,6 +10,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -16,8 +19,33 @@ namespace {
 using namespace vybeg;
 
 constexpr int results = 10000;
-// As long as identify writes it for four recordings.
-constexpr std::size_t json_bytes = 30000;
+
+// As many numbers, parameters and bytes as identify writes for four recordings.
+void add_document(StoredResult& result) {
+    constexpr int numbers = 1100;
+    constexpr int short_numbers = 1600;
+    constexpr std::size_t parameters = 31;
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (int k = 0; k < numbers; ++k) {
+        result.json += "        \"value\": ";
+        result.json += round_trip_text(uniform(random));
+        result.json += ",\n";
+    }
+    for (int k = 0; k < short_numbers; ++k) {
+        result.json += "        ";
+        result.json += short_text(1e-6 * uniform(random));
+        result.json += ",\n";
+    }
+    result.raw = {};
+    for (std::size_t row = 0; row < parameters; ++row) {
+        result.raw.names.push_back("run" + std::to_string(row));
+        result.raw.values.push_back(uniform(random));
+        for (std::size_t column = 0; column < parameters; ++column) {
+            result.raw.covariance.push_back(uniform(random));
+        }
+    }
+}
 
 // With SQL, in one transaction: ten thousand waits for the disk are not what is measured.
 std::filesystem::path filled_database() {
@@ -30,9 +58,12 @@ std::filesystem::path filled_database() {
     }
     SqliteConnection connection(path.string(), [](int) { return true; });
     SqliteTransaction transaction(connection, "BEGIN IMMEDIATE");
+    StoredResult document;
+    add_document(document);
     for (int k = 0; k < results; ++k) {
         StoredResult result = test::made_result(k, "G" + std::to_string(k % 5));
-        result.json.resize(json_bytes, ' ');
+        result.json = document.json;
+        result.raw = document.raw;
         write_result(connection, result);
     }
     transaction.commit();
@@ -61,6 +92,7 @@ void first_chart(benchmark::State& state, const std::optional<std::string>& gyro
         benchmark::DoNotOptimize(control_charts(values, u, 100));
     }
     state.counters["points"] = static_cast<double>(points);
+    state.counters["MB"] = 1e-6 * static_cast<double>(std::filesystem::file_size(path));
 }
 
 void all_gyros(benchmark::State& state) {

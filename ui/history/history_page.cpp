@@ -294,13 +294,6 @@ void HistoryPage::askToAdd() {
     }
 }
 
-void HistoryPage::exportAll() {
-    if (history_) {
-        emit exportAllWanted(historyExport(*history_, charts_, view(), QFileInfo(path_).fileName(),
-                                           choices_->gyro(), choices_->baseline()));
-    }
-}
-
 FigureSource HistoryPage::figures() const {
     if (!history_) {
         return {};

@@ -76,7 +76,6 @@ private:
     void openChosen();
     void openStored(const StoredResult& result);
     void askToAdd();
-    void exportAll();
 
     Document& document_;
     QGridLayout* grid_ = nullptr;

@@ -113,7 +113,10 @@ void HistoryPage::connectWidgets() {
     connect(open_, &QPushButton::clicked, this, &HistoryPage::openWanted);
     connect(new_, &QPushButton::clicked, this, &HistoryPage::newWanted);
     connect(add_, &QPushButton::clicked, this, &HistoryPage::askToAdd);
-    connect(export_, &QPushButton::clicked, this, &HistoryPage::exportAll);
+    connect(export_, &QPushButton::clicked, this, [this] {
+        emit exportAllWanted(historyExport(*history_, charts_, view(), database_->text(),
+                                           choices_->gyro(), choices_->baseline()));
+    });
     connect(&adder_, &ResultAdder::added, this, [this](const QString& path) {
         if (path == path_) {
             read();
