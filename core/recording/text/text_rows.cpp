@@ -199,7 +199,9 @@ bool TextRows::any_row(std::string_view line, bool ended) {
         fault_ = {ErrorCode::format_damaged, 0, ""};
         return false;
     }
-    if (trimmed(line).empty()) {
+    // A row of delimiters alone is a missing sample only where no time is missing as well.
+    if (trimmed(line).empty() ||
+        (columns_.time >= 0 && line.find_first_not_of(no_content) == std::string_view::npos)) {
         return false;
     }
     if (is_comment(line, format_.delimiter)) {
@@ -211,8 +213,10 @@ bool TextRows::any_row(std::string_view line, bool ended) {
     if (fields_.size() < columns && !ended) {
         return false;  // the recorder stopped, or the copy was cut, within this line
     }
-    if (fields_.size() > columns && !format_.has_remarks) {
-        return fail(format_.columns);
+    for (std::size_t i = columns; i < fields_.size() && !format_.has_remarks; ++i) {
+        if (!fields_[i].empty() && parse_field(fields_[i], format_.decimal_comma)) {
+            return fail(static_cast<int>(i));
+        }
     }
     // Blanks cannot say which field is missing.
     if (fields_.size() < columns && format_.delimiter == ' ') {
@@ -236,7 +240,7 @@ bool TextRows::time_field() {
     if (!number(columns_.time, time_) || !std::isfinite(time_)) {
         return fail(columns_.time);
     }
-    usual_time_ = usual_number(text);
+    usual_time_ = usual_number(text, format_.decimal_comma);
     time_text_ = usual_time_;
     return true;
 }
