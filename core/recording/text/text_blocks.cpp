@@ -28,11 +28,11 @@ std::size_t behind_line_end(std::string_view text, std::size_t end) {
 }
 
 TextBlocks::TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding,
-                       std::int64_t begin)
-    : file_(std::move(file)), encoding_(encoding), begin_(begin) {}
+                       std::int64_t begin, std::int64_t end)
+    : file_(std::move(file)), encoding_(encoding), begin_(begin), end_(end) {}
 
 std::int64_t TextBlocks::count() const {
-    return (std::max<std::int64_t>(file_->size() - begin_, 0) + block_bytes - 1) / block_bytes;
+    return (std::max<std::int64_t>(end_ - begin_, 0) + block_bytes - 1) / block_bytes;
 }
 
 Status TextBlocks::append(std::int64_t from, std::int64_t to, std::string& bytes) const {
@@ -58,11 +58,9 @@ Status TextBlocks::append(std::int64_t from, std::int64_t to, std::string& bytes
 }
 
 Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
-    const std::int64_t size = file_->size();
     const std::int64_t from = begin_ + index * block_bytes;
-    const std::int64_t to = std::min(from + block_bytes, size);
+    const std::int64_t to = std::min(from + block_bytes, end_);
     const std::int64_t unit = encoding_ == TextEncoding::bytes ? 1 : 2;
-    block.last = to == size;
     block.bytes.clear();
     block.bytes.reserve(static_cast<std::size_t>(block_bytes + first_overhang + unit));
     // One character more: whether it is a line end tells whether a line begins with the block.
@@ -77,18 +75,52 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
     }
     std::size_t searched = block.end - 1;
     std::int64_t behind = to;
-    for (std::int64_t more = first_overhang; behind < size; more *= 4) {
+    for (std::int64_t more = first_overhang; behind < end_; more *= 4) {
         searched = line_end(block.text(), searched);
         if (searched < block.bytes.size() || searched > block.end + longest_line) {
             break;
         }
-        const std::int64_t next = std::min(behind + more, size);
+        const std::int64_t next = std::min(behind + more, end_);
         if (const Status status = append(behind, next, block.bytes); !status) {
             return status;
         }
         behind = next;
     }
     return {};
+}
+
+Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding,
+                                    std::int64_t begin) {
+    const std::int64_t unit = encoding == TextEncoding::bytes ? 1 : 2;
+    const auto low_byte = static_cast<std::size_t>(encoding == TextEncoding::utf16_big ? 1 : 0);
+    // Whole characters of which the second byte, of two, is 0.
+    const auto is_one_of = [&](std::string_view character, std::string_view set) {
+        const bool ascii = unit == 1 || character[1 - low_byte] == '\0';
+        return ascii && set.find(character[unit == 1 ? 0 : low_byte]) != std::string_view::npos;
+    };
+    const std::int64_t size = begin + (file.size() - begin) / unit * unit;
+    std::vector<char> bytes;
+    std::int64_t line_ends = size;  // of the lines behind
+    for (std::int64_t to = size; to > begin;) {
+        const std::int64_t from = std::max(begin, to - first_overhang);
+        bytes.resize(static_cast<std::size_t>(to - from));
+        const auto got = file.read(from, bytes);
+        if (!got) {
+            return got.error();
+        }
+        const std::string_view text(bytes.data(), static_cast<std::size_t>(*got));
+        for (std::int64_t at = *got / unit * unit - unit; at >= 0; at -= unit) {
+            const std::string_view character =
+                text.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(unit));
+            if (is_one_of(character, "\n\r")) {
+                line_ends = from + at + unit;
+            } else if (!is_one_of(character, no_content)) {
+                return line_ends;
+            }
+        }
+        to = from;
+    }
+    return begin;
 }
 
 }  // namespace vybeg

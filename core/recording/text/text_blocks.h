@@ -11,6 +11,9 @@
 
 namespace vybeg {
 
+// What lines without any number or word consist of: delimiters, quotes and blanks.
+inline constexpr std::string_view no_content = " \t\v\f\x1A,;|\"";
+
 // The place of the first line end (LF, CRLF, CR) from `from` on; the end of the text where there is
 // none.
 std::size_t line_end(std::string_view text, std::size_t from);
@@ -23,7 +26,6 @@ struct TextBlock {
     std::string bytes;      // also what stands around those lines
     std::size_t begin = 0;  // of the first line
     std::size_t end = 0;    // lines that begin from here on belong to later blocks
-    bool last = false;      // of the file
 
     std::string_view text() const { return bytes; }
 };
@@ -32,8 +34,9 @@ struct TextBlock {
 // them can be read at any time, from several threads at once.
 class TextBlocks {
 public:
-    // The text from `begin` on, which is the first byte of a line.
-    TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding, std::int64_t begin);
+    // The text from `begin`, which is the first byte of a line, to `end`.
+    TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding, std::int64_t begin,
+               std::int64_t end);
 
     const FileBytes& file() const { return *file_; }
     std::int64_t count() const;  // blocks
@@ -47,6 +50,12 @@ private:
     std::shared_ptr<const FileBytes> file_;
     TextEncoding encoding_;
     std::int64_t begin_;
+    std::int64_t end_;
 };
+
+// The end of the last line that has content; spreadsheets write rows of delimiters behind it.
+// Errors: file_read_failed.
+Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding,
+                                    std::int64_t begin);
 
 }  // namespace vybeg

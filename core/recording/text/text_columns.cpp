@@ -3,12 +3,15 @@
 #include "core/numerics/median.h"
 #include "core/recording/samples/column_words.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_blocks.h"
 #include "core/recording/text/text_clock.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -20,9 +23,9 @@ constexpr double equal_times = 1e-3;  // of a step
 struct ColumnStart {
     std::vector<double> values;  // of times of day: seconds from midnight
     std::size_t filled = 0;      // fields that are not empty
-    std::size_t numbers = 0;     // of these, all but words
     std::size_t clocks = 0;      // of these, dates and times of day
     std::size_t timed = 0;       // of these, those with a time of day
+    std::size_t words = 0;       // fields that are neither
     std::int64_t clock_from_s = 0;
 
     bool is_clock() const { return timed > 0 && timed == filled; }
@@ -32,19 +35,18 @@ struct ColumnStart {
 void take(std::string_view field, bool decimal_comma, ColumnStart& column) {
     column.filled += field.empty() ? 0 : 1;
     if (const auto value = parse_field(field, decimal_comma)) {
-        column.numbers += field.empty() ? 0 : 1;
         column.values.push_back(*value);
         return;
     }
     const auto clock = parse_clock(field);
     if (!clock) {
+        ++column.words;
         return;
     }
     if (column.timed == 0) {
         column.clock_from_s = clock->whole_s;
     }
     ++column.clocks;
-    ++column.numbers;
     column.timed += clock->timed ? 1 : 0;
     column.values.push_back(clock->timed ? seconds_after(*clock, column.clock_from_s) : no_number);
 }
@@ -56,7 +58,8 @@ std::vector<ColumnStart> column_starts(std::span<const std::string> rows,
     std::vector<ColumnStart> starts(static_cast<std::size_t>(format.columns));
     std::vector<std::string_view> fields;
     for (const std::string& row : rows) {
-        if (is_comment(row, format.delimiter)) {
+        if (is_comment(row, format.delimiter) ||
+            row.find_first_not_of(no_content) == std::string::npos) {
             continue;
         }
         split_fields(row, format.delimiter, fields);
@@ -109,14 +112,20 @@ bool counts_by_one(const std::vector<double>& values) {
 class ColumnSearch {
 public:
     ColumnSearch(std::span<const std::string> rows, const std::vector<Channel>& columns,
-                 const TextChoice& choice, TextFormat& format)
+                 const TextChoice& choice, std::vector<int> words, TextFormat& format)
         : columns_(columns),
           choice_(choice),
+          words_(std::move(words)),
           format_(format),
           starts_(column_starts(rows, format)) {}
 
     void run() {
-        leave_out([this](int i) { return at(i).numbers == 0 || at(i).is_date(); });
+        std::erase_if(words_, [this](int i) { return at(i).words == 0; });
+        for (const int i : words_) {
+            format_.no_channels.push_back(i);
+            format_.words.push_back(name(i).name.empty() ? std::to_string(i + 1) : name(i).name);
+        }
+        leave_out([this](int i) { return at(i).filled == 0 || at(i).is_date(); });
         find_time();
         leave_out([this](int i) { return counts_by_one(at(i).values); });
         leave_out(
@@ -143,7 +152,10 @@ private:
         }
     }
 
-    bool can_be_time(int column) const { return at(column).filled > 0 && !at(column).is_date(); }
+    bool can_be_time(int column) const {
+        return at(column).filled > 0 && !at(column).is_date() &&
+               !std::ranges::binary_search(words_, column);
+    }
 
     // A ramp, or the milliseconds beside a time of day: no vibration.
     bool is_ramp(int column) const {
@@ -176,14 +188,18 @@ private:
         for (int i = 0; !said && i < format_.columns && candidate < 0; ++i) {
             candidate = at(i).is_clock() ? i : -1;
         }
-        if (candidate != 0 && format_.columns >= 3 && rises_evenly(at(0).values) &&
-            can_be_time(0)) {
-            const bool counts =
-                is_whole(at(0).values) && time_unit(name(0)).empty() && (said || !unit_said);
-            if (counts && is_counter_name(name(0).name)) {
-                format_.counter_column = 0;
-            } else if (!counts && candidate < 0 && !said && !counts_other(0)) {
-                candidate = 0;
+        int first = 0;  // column of numbers
+        while (std::ranges::binary_search(words_, first)) {
+            ++first;
+        }
+        if (candidate != first && format_.columns - first >= 3 && rises_evenly(at(first).values) &&
+            can_be_time(first)) {
+            const bool counts = is_whole(at(first).values) && time_unit(name(first)).empty() &&
+                                (said || !unit_said);
+            if (counts && is_counter_name(name(first).name)) {
+                format_.counter_column = first;
+            } else if (!counts && candidate < 0 && !said && !counts_other(first)) {
+                candidate = first;
             }
         }
         if (candidate < 0 || candidate >= format_.columns) {
@@ -263,6 +279,7 @@ private:
 
     const std::vector<Channel>& columns_;
     const TextChoice& choice_;
+    std::vector<int> words_;
     TextFormat& format_;
     std::vector<ColumnStart> starts_;
 };
@@ -270,8 +287,8 @@ private:
 }  // namespace
 
 void find_columns(std::span<const std::string> rows, const std::vector<Channel>& columns,
-                  const TextChoice& choice, TextFormat& format) {
-    ColumnSearch(rows, columns, choice, format).run();
+                  const TextChoice& choice, std::vector<int> words, TextFormat& format) {
+    ColumnSearch(rows, columns, choice, std::move(words), format).run();
 }
 
 }  // namespace vybeg

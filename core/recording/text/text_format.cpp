@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <span>
 #include <utility>
 
 namespace vybeg {
@@ -19,6 +18,10 @@ struct Dialect {
     char delimiter;
     bool decimal_comma;
 };
+
+// The columns of a table, from 0, that hold words. A row may end before those at the end, and words
+// may stand behind its last column.
+using WordColumns = std::vector<int>;
 
 // In the order of preference: where two explain equally many lines, the first is taken.
 constexpr std::array<Dialect, 10> dialects = {{{'\t', false},
@@ -32,85 +35,34 @@ constexpr std::array<Dialect, 10> dialects = {{{'\t', false},
                                                {' ', true},
                                                {',', true}}};  // between quotes
 
-// What the fields of a line are.
-struct FieldCounts {
-    int numbers = 0;  // with times of day
-    int clocks = 0;
-    int words = 0;
-};
-
-bool is_time_of_day(std::string_view field) {
-    return parse_clock(field).has_value();
-}
-
-FieldCounts count_fields(const std::vector<std::string_view>& fields, const Dialect& dialect) {
-    FieldCounts counts;
-    for (const std::string_view field : fields) {
-        if (parse_field(field, dialect.decimal_comma)) {
-            counts.numbers += field.empty() ? 0 : 1;
-        } else if (is_time_of_day(field)) {
-            ++counts.numbers;
-            ++counts.clocks;
-        } else {
-            ++counts.words;
-        }
-    }
-    return counts;
-}
-
-// Columns of a table, and those of them in which no row has a number but some have words: a state,
-// a comment.
-struct Shape {
-    int columns = 0;
-    std::vector<bool> words;  // by column; empty: none
-
-    bool has_words(std::size_t column) const { return column < words.size() && words[column]; }
-};
-
-bool takes_part(std::string_view line, const Dialect& dialect,
-                std::vector<std::string_view>& fields) {
-    if (trimmed(line).empty() || is_comment(line, dialect.delimiter)) {
-        return false;
-    }
-    split_fields(line, dialect.delimiter, fields);
-    return true;
+bool is_number(std::string_view field, bool decimal_comma) {
+    return parse_field(field, decimal_comma) || parse_clock(field);
 }
 
 // Columns of a row of numbers, 0 where the line is anything else.
 int columns_of(std::string_view line, const Dialect& dialect,
                std::vector<std::string_view>& fields) {
-    if (!takes_part(line, dialect, fields)) {
+    if (trimmed(line).empty() || is_comment(line, dialect.delimiter)) {
         return 0;
     }
-    const FieldCounts counts = count_fields(fields, dialect);
-    return counts.words == 0 && counts.numbers > counts.clocks ? static_cast<int>(fields.size())
-                                                               : 0;
-}
-
-// Whether a line is a row of a table: numbers, but for its columns of words, and words behind the
-// last column.
-bool is_row(std::string_view line, const Dialect& dialect, const Shape& shape,
-            std::vector<std::string_view>& fields) {
-    const auto columns = static_cast<std::size_t>(shape.columns);
-    if (!takes_part(line, dialect, fields) || fields.size() < columns) {
-        return false;
-    }
-    bool any = false;
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-        const bool number = parse_field(fields[k], dialect.decimal_comma).has_value();
-        any = any || (number && !fields[k].empty());
-        const bool fits = k < columns ? number || shape.has_words(k) || is_time_of_day(fields[k])
-                                      : !number || fields[k].empty();
-        if (!fits) {
-            return false;
+    split_fields(line, dialect.delimiter, fields);
+    std::size_t clocks = 0;
+    const bool numbers = std::all_of(fields.begin(), fields.end(), [&](std::string_view field) {
+        if (parse_field(field, dialect.decimal_comma)) {
+            return true;
         }
-    }
-    return any;
+        ++clocks;
+        return parse_clock(field).has_value();
+    });
+    const bool blank =
+        std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return f.empty(); });
+    return numbers && !blank && clocks < fields.size() ? static_cast<int>(fields.size()) : 0;
 }
 
 struct Score {
     int columns = 0;
     int rows = 0;
+    int numbers = 0;  // columns that hold some
 };
 
 // The row length that most lines have, among those of two or more columns.
@@ -123,107 +75,217 @@ Score score(std::span<const std::string> lines, const Dialect& dialect) {
     Score best;
     for (const auto& [columns, count] : rows) {
         if (columns >= 2 && count >= best.rows) {
-            best = {columns, count};
+            best = {columns, count, columns};
         }
     }
     return best;
 }
 
-enum class Words { anywhere, behind_numbers };
-
-// The shape of the rows of so many columns. Words before numbers may also be the key of a line
-// above a table whose first column is empty.
-Shape shape_of(std::span<const std::string> lines, const Dialect& dialect, int columns,
-               Words allowed) {
-    Shape shape{columns, {}};
-    const auto count = static_cast<std::size_t>(columns);
-    std::vector<bool> words(count);
-    std::vector<bool> numbers(count);
+// The columns that hold words in at least as many lines as numbers, among the lines of so many
+// fields of which two or more are numbers.
+WordColumns find_words(std::span<const std::string> lines, const Dialect& dialect, int columns) {
+    struct Count {
+        int numbers = 0;
+        int words = 0;
+    };
+    std::vector<Count> counts(static_cast<std::size_t>(columns));
     std::vector<std::string_view> fields;
+    std::vector<bool> numbers;
     for (const std::string& line : lines) {
-        if (!takes_part(line, dialect, fields) || fields.size() != count ||
-            count_fields(fields, dialect).numbers < 2) {
+        split_fields(line, dialect.delimiter, fields);
+        if (fields.size() != counts.size() || is_comment(line, dialect.delimiter)) {
             continue;
         }
-        for (std::size_t k = 0; k < count; ++k) {
-            const bool number =
-                parse_field(fields[k], dialect.decimal_comma) || is_time_of_day(fields[k]);
-            numbers[k] = numbers[k] || (number && !fields[k].empty());
-            words[k] = words[k] || !number;
+        numbers.clear();
+        for (const std::string_view field : fields) {
+            numbers.push_back(!field.empty() && is_number(field, dialect.decimal_comma));
+        }
+        if (std::ranges::count(numbers, true) < 2) {
+            continue;
+        }
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            counts[i].numbers += numbers[i] ? 1 : 0;
+            counts[i].words += !numbers[i] && !fields[i].empty() ? 1 : 0;
         }
     }
-    bool behind = true;
-    for (std::size_t k = count; k-- > 0;) {
-        behind = behind && !numbers[k];
-        words[k] = words[k] && !numbers[k] && (behind || allowed == Words::anywhere);
+    WordColumns words;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i].words > 0 && counts[i].words >= counts[i].numbers) {
+            words.push_back(static_cast<int>(i));
+        }
     }
-    if (std::ranges::count(numbers, true) >= 2 && std::ranges::count(words, true) > 0) {
-        shape.words = std::move(words);
-    }
-    return shape;
+    return words;
 }
 
-// The shape in which most lines are rows that hold words, and how many numbers stand in them.
-std::pair<Shape, std::ptrdiff_t> shape_with_words(std::span<const std::string> lines,
-                                                  const Dialect& dialect) {
-    std::map<int, int> counts;
+// A table of the rows of which a line is one or is none.
+struct Rows {
+    Dialect dialect{};
+    int columns = 0;
+    WordColumns words;
+
+    bool holds_words(std::size_t column) const {
+        return std::ranges::binary_search(words, static_cast<int>(column));
+    }
+
+    // Leaves the fields of the line in `fields`.
+    bool contain(std::string_view line, std::vector<std::string_view>& fields) const {
+        const int found = columns_of(line, dialect, fields);
+        if (found > 0 || fields.empty() || trimmed(line).empty() ||
+            is_comment(line, dialect.delimiter)) {
+            return found == columns || (found > 0 && found < columns && ends_in_words(found));
+        }
+        const auto wanted = static_cast<std::size_t>(columns);
+        if (fields.size() < wanted && !ends_in_words(std::ssize(fields))) {
+            return false;
+        }
+        bool any = false;
+        // Blanks may stand within words.
+        if (fields.size() > wanted && dialect.delimiter == ' ' && !holds_words(wanted - 1)) {
+            return false;
+        }
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            const bool number = is_number(fields[i], dialect.decimal_comma);
+            const bool may_be_word = i >= wanted ? !number || fields[i].empty() : holds_words(i);
+            if (!number && !may_be_word) {
+                return false;
+            }
+            any = any || (number && !fields[i].empty() && !may_be_word);
+        }
+        return any;
+    }
+
+private:
+    bool ends_in_words(std::ptrdiff_t from) const {
+        return from >= 2 && std::ssize(words) >= columns - from &&
+               words[words.size() - static_cast<std::size_t>(columns - from)] == from;
+    }
+};
+
+// The best table of those in which words stand beside the numbers, as score() has it for numbers
+// alone: the rows that have most lines, then those of most numbers.
+std::optional<Rows> rows_with_words(std::span<const std::string> lines, const Dialect& dialect,
+                                    Score& best) {
+    std::map<int, int> lengths;
     std::vector<std::string_view> fields;
     for (const std::string& line : lines) {
-        if (takes_part(line, dialect, fields) && count_fields(fields, dialect).numbers >= 2) {
-            ++counts[static_cast<int>(fields.size())];
+        split_fields(line, dialect.delimiter, fields);
+        ++lengths[static_cast<int>(fields.size())];
+    }
+    std::optional<Rows> found;
+    for (const auto& [columns, count] : lengths) {
+        if (columns < 3 || columns > most_columns || count < best.rows) {
+            continue;
+        }
+        Rows rows{dialect, columns, find_words(lines, dialect, columns)};
+        const Score next{columns,
+                         static_cast<int>(std::ranges::count_if(
+                             lines, [&](const auto& line) { return rows.contain(line, fields); })),
+                         columns - static_cast<int>(rows.words.size())};
+        if (next.numbers >= 2 &&
+            std::pair(next.rows, next.numbers) > std::pair(best.rows, best.numbers)) {
+            best = next;
+            found = std::move(rows);
         }
     }
-    std::pair<Shape, std::ptrdiff_t> best;
-    for (const auto& [columns, count] : counts) {
-        const Shape shape = shape_of(lines, dialect, columns, Words::anywhere);
-        const auto rows = std::ranges::count_if(
-            lines, [&](const std::string& line) { return is_row(line, dialect, shape, fields); });
-        const std::ptrdiff_t numbers = rows * std::ranges::count(shape.words, false);
-        if (numbers > best.second) {
-            best = {shape, numbers};
-        }
-    }
-    return best;
+    return found;
 }
 
-// The first row of the table. Values below a line like "dt:" are none.
-std::size_t first_row(std::span<const std::string> lines, const Dialect& dialect,
-                      const Shape& shape) {
+// The first row of the table. Values below a line like "dt:" are none, nor are numbers beside words
+// above a line of names.
+std::size_t first_row(std::span<const std::string> lines, const Rows& table) {
     constexpr std::size_t values_of_a_title = 3;  // lines, at most
     std::vector<std::string_view> fields;
     std::size_t row = 0;
     for (std::size_t i = 0, rows = 0; i < lines.size(); ++i) {
-        if (is_row(lines[i], dialect, shape, fields)) {
+        if (table.contain(lines[i], fields)) {
             row = rows == 0 ? i : row;
             if (++rows > values_of_a_title) {
                 break;
             }
-        } else if (rows > 0 && trimmed(lines[i]).ends_with(':')) {
+            continue;
+        }
+        const bool names = !table.words.empty() && !trimmed(lines[i]).empty() &&
+                           !is_comment(lines[i], table.dialect.delimiter) && fields.size() > 1 &&
+                           std::ranges::none_of(fields, [&](std::string_view field) {
+                               return is_number(field, table.dialect.decimal_comma);
+                           });
+        if (rows > 0 && (names || trimmed(lines[i]).ends_with(':'))) {
             rows = 0;
         }
     }
     return row;
 }
 
-// Columns but for those at the end that are empty in all rows.
-int used_columns(std::span<const std::string> rows, const Dialect& dialect, const Shape& shape) {
+// The fields of rows.
+struct Extent {
+    int longest = 0;  // of a row
+    int used = 0;     // but for columns at the end that are empty in all rows
+    int named = 0;    // of these, but for columns at the end that hold words
+};
+
+Extent extent_of(std::span<const std::string> rows, const Rows& table) {
     std::vector<std::string_view> fields;
-    std::size_t used = 0;
+    Extent extent{table.columns, 0, 0};
     for (const std::string& row : rows) {
-        if (!is_row(row, dialect, shape, fields)) {
+        if (!table.contain(row, fields)) {
             continue;
         }
-        fields.resize(static_cast<std::size_t>(shape.columns));
-        while (used < fields.size() &&
-               std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(used), fields.end(),
-                           [](std::string_view field) { return !field.empty(); })) {
-            ++used;
-        }
-        if (used == fields.size()) {
-            break;
+        extent.longest = std::max(extent.longest, static_cast<int>(fields.size()));
+        for (auto i = static_cast<std::size_t>(extent.named); i < fields.size(); ++i) {
+            const int columns = static_cast<int>(i) + 1;
+            if (!fields[i].empty()) {
+                extent.used = std::max(extent.used, columns);
+                const bool word = columns > table.columns || table.holds_words(i);
+                extent.named = word ? extent.named : columns;
+            }
         }
     }
-    return static_cast<int>(used);
+    return extent;
+}
+
+// The table that most lines are rows of. Words count only where numbers alone explain few of them.
+std::optional<Rows> find_rows(std::span<const std::string> lines, const TextChoice& choice) {
+    constexpr int much_more = 3;
+    const auto is_allowed = [&](const Dialect& dialect) {
+        return choice.delimiter.value_or(dialect.delimiter) == dialect.delimiter &&
+               choice.decimal_comma.value_or(dialect.decimal_comma) == dialect.decimal_comma;
+    };
+    Score best;
+    Rows table;
+    for (const Dialect& dialect : dialects) {
+        const Score found = is_allowed(dialect) ? score(lines, dialect) : Score{};
+        if (found.rows > best.rows) {
+            best = found;
+            table = {dialect, best.columns, {}};
+        }
+    }
+    const auto filled = static_cast<int>(std::ranges::count_if(
+        lines, [](const std::string& line) { return !trimmed(line).empty(); }));
+    Score with_words{0, std::max(much_more * best.rows, filled / 2), 0};
+    const bool possible = filled > with_words.rows;
+    for (const Dialect& dialect : dialects) {
+        if (possible && is_allowed(dialect)) {
+            if (auto found = rows_with_words(lines, dialect, with_words)) {
+                table = std::move(*found);
+            }
+        }
+    }
+    if (table.columns == 0) {
+        return std::nullopt;
+    }
+    return table;
+}
+
+// The first row of a table of numbers, of which some rows may hold words as well.
+std::size_t add_words(std::span<const std::string> lines, std::size_t row, Rows& table) {
+    if (table.columns <= most_columns) {
+        table.words = find_words(lines.subspan(row), table.dialect, table.columns);
+    }
+    std::vector<std::string_view> fields;
+    while (row > 0 && table.contain(lines[row - 1], fields)) {
+        --row;
+    }
+    return row;
 }
 
 }  // namespace
@@ -232,64 +294,48 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
                                             const TextChoice& choice) {
     const auto said = static_cast<std::size_t>(choice.lines_to_skip.value_or(0));
     const auto body = lines.subspan(std::min(said, lines.size()));
-    const auto is_possible = [&choice](const Dialect& candidate) {
-        return choice.delimiter.value_or(candidate.delimiter) == candidate.delimiter &&
-               choice.decimal_comma.value_or(candidate.decimal_comma) == candidate.decimal_comma;
-    };
-    Score best;
-    Dialect dialect{};
-    for (const Dialect& candidate : dialects) {
-        const Score found = is_possible(candidate) ? score(body, candidate) : Score{};
-        if (found.rows > best.rows) {
-            best = found;
-            dialect = candidate;
-        }
-    }
-    Shape shape = shape_of(body, dialect, best.columns, Words::behind_numbers);
-    std::ptrdiff_t most = 0;
-    for (const Dialect& candidate : dialects) {
-        if (best.rows == 0 && is_possible(candidate)) {
-            auto [found, numbers] = shape_with_words(body, candidate);
-            if (numbers > most) {
-                most = numbers;
-                shape = std::move(found);
-                dialect = candidate;
-            }
-        }
-    }
-    if (best.rows == 0 && most == 0) {
+    auto table = find_rows(body, choice);
+    if (!table) {
         return std::nullopt;
     }
     TextFormat format;
-    format.delimiter = dialect.delimiter;
-    format.decimal_comma = dialect.decimal_comma;
-    format.columns = shape.columns;
+    format.delimiter = table->dialect.delimiter;
+    format.decimal_comma = table->dialect.decimal_comma;
+    format.columns = table->columns;
     std::vector<std::string_view> fields;
     // Lines that were said to be skipped are, and no more: a wrong first row is then an error.
-    const auto skipped = choice.lines_to_skip ? said : first_row(body, dialect, shape);
+    std::size_t skipped = first_row(body, *table);
+    if (table->words.empty()) {
+        skipped = add_words(body, skipped, *table);
+    }
+    skipped = choice.lines_to_skip ? said : skipped;
     format.lines_to_skip = static_cast<std::int64_t>(skipped);
     // Numbers that are skipped name no columns.
     const auto above = lines.first(skipped);
     const auto numbers = std::find_if(above.rbegin(), above.rend(), [&](const std::string& line) {
-        return columns_of(line, dialect, fields) > 0;
+        return columns_of(line, table->dialect, fields) > 0;
     });
     const auto names_from = above.size() - static_cast<std::size_t>(numbers - above.rbegin());
     const auto rows = lines.subspan(skipped);
-    const TextHeader header = read_header({.lines = above,
-                                           .names_from = names_from,
-                                           .delimiter = format.delimiter,
-                                           .columns = format.columns,
-                                           .used = used_columns(rows, dialect, shape)});
+    const Extent extent = extent_of(rows, *table);
+    TextHeader header = read_header({.lines = above,
+                                     .names_from = names_from,
+                                     .delimiter = format.delimiter,
+                                     .columns = format.columns,
+                                     .behind = extent.longest - format.columns,
+                                     .used = extent.used,
+                                     .named = extent.named});
     format.header_lines_used = header.lines_used;
-    format.has_remarks =
-        header.has_remarks || std::ranges::any_of(rows, [&](const std::string& line) {
-            return is_row(line, dialect, shape, fields) && std::ssize(fields) > format.columns &&
-                   !fields.back().empty();
-        });
+    format.has_remarks = header.has_remarks;
     format.rates = header_rates(above, format.delimiter, format.columns, format.decimal_comma);
     if (format.columns <= most_columns) {
-        find_columns(rows, header.columns, choice, format);
+        find_columns(rows, header.columns, choice, table->words, format);
     }
+    for (int i = format.columns; i < extent.used; ++i) {
+        const std::string& name = header.columns[static_cast<std::size_t>(i)].name;
+        format.words.push_back(name.empty() ? std::to_string(i + 1) : name);
+    }
+    header.columns.resize(static_cast<std::size_t>(format.columns));
     for (const Channel& column : header.columns) {
         format.names.push_back(column.name);
         format.units.push_back(column.unit);

@@ -89,8 +89,10 @@ public:
         : lines_(above.lines),
           names_from_(above.names_from),
           delimiter_(above.delimiter),
-          used_(static_cast<std::size_t>(above.used)) {
-        header_.columns.resize(static_cast<std::size_t>(above.columns));
+          table_columns_(static_cast<std::size_t>(above.columns)),
+          used_(static_cast<std::size_t>(above.used)),
+          named_(static_cast<std::size_t>(above.named)) {
+        header_.columns.resize(static_cast<std::size_t>(above.columns + above.behind));
     }
 
     TextHeader run() {
@@ -123,7 +125,7 @@ private:
                    label_of(field) == "start" || has_equals_sign(field) ||
                    parse_field(field, false).has_value();
         };
-        if (fields.size() < used_ ||
+        if (fields.size() < named_ ||
             (fields.size() > columns &&
              !std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(columns), fields.end(),
                           is_extra))) {
@@ -195,7 +197,7 @@ private:
 
     bool ends_with_remark(const std::string& line) const {
         const std::vector<std::string> fields = header_fields(line, delimiter_);
-        return fields.size() > header_.columns.size() && is_remark_name(fields.back());
+        return fields.size() > table_columns_ && is_remark_name(fields.back());
     }
 
     bool named_above(std::size_t line) const {
@@ -242,7 +244,9 @@ private:
     std::span<const std::string> lines_;
     std::size_t names_from_;
     char delimiter_;
+    std::size_t table_columns_;
     std::size_t used_;
+    std::size_t named_;
     TextHeader header_;
     std::vector<std::string> units_;
     std::vector<std::string> names_;     // of lines that say so

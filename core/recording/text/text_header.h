@@ -11,7 +11,7 @@ namespace vybeg {
 
 // What the lines above the numbers call the columns.
 struct TextHeader {
-    std::vector<Channel> columns;  // one per column; empty names and units where they are unknown
+    std::vector<Channel> columns;  // also those behind; empty names and units where unknown
     int lines_used = 0;            // how many lines that took
     bool has_remarks = false;      // the names end with one that may have remarks below it
 };
@@ -22,7 +22,9 @@ struct LinesAbove {
     std::size_t names_from = 0;  // lines above this one hold numbers, and do not name the columns
     char delimiter = ',';
     int columns = 0;
-    int used = 0;  // columns but for those at the end that are empty in all rows
+    int behind = 0;  // more columns that some rows have
+    int used = 0;    // columns but for those at the end that are empty in all rows
+    int named = 0;   // of these, but for those at the end that hold words
 };
 
 // Names and units from the lines above the first row of numbers, of which the last ones count:

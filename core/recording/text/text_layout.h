@@ -22,8 +22,9 @@ struct TextFormat {
     int header_lines_used = 0;  // of the skipped lines, those that the names and units came from
     std::vector<std::string> names;  // one per column, empty where the file does not tell
     std::vector<std::string> units;
-    std::vector<int> no_channels{};  // columns beside these that hold no samples, from 0
-    std::vector<int> own_times{};    // the time column of each column, where they are not all one
+    std::vector<int> no_channels{};    // columns beside these that hold no samples, from 0
+    std::vector<std::string> words{};  // names, or else numbers from 1, of columns that hold words
+    std::vector<int> own_times{};      // the time column of each column, where they are not all one
     std::optional<std::int64_t> clock_from_s{};  // times of day count from this second of the day
     std::vector<WrittenRate> rates{};  // of each column; empty where the lines above name none
     bool has_remarks = false;          // what stands behind the last column is a comment

@@ -197,6 +197,17 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     return {};
 }
 
+void note_words(const TextFormat& format, FoundSamples& found) {
+    std::string columns;
+    for (const std::string& name : format.words) {
+        columns += columns.empty() ? "" : ", ";
+        columns += name;
+    }
+    if (!columns.empty()) {
+        found.diagnostics.push_back({DiagnosticKind::words_passed_over, {columns}, -1, 0});
+    }
+}
+
 }  // namespace
 
 Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
@@ -271,6 +282,7 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     const double scale = options.text ? options.text->scale : 1;
     found.channels = channels_of(table->format, scale);
     found.one_unit = true;
+    note_words(table->format, found);
     if (const Status status = take_table(*file, std::move(*table), options, job, found); !status) {
         return status.error();
     }

@@ -199,15 +199,13 @@ bool TextRows::any_row(std::string_view line, bool ended) {
         fault_ = {ErrorCode::format_damaged, 0, ""};
         return false;
     }
-    if (trimmed(line).empty()) {
+    // A row of delimiters alone is a missing sample only where no time is missing as well.
+    if (trimmed(line).empty() ||
+        (columns_.time >= 0 && line.find_first_not_of(no_content) == std::string_view::npos)) {
         return false;
     }
     if (is_comment(line, format_.delimiter)) {
         ++ignored_;
-        return false;
-    }
-    if (closes_table(line)) {
-        at_ = block_.end;
         return false;
     }
     split_fields(line, format_.delimiter, fields_);
@@ -215,8 +213,10 @@ bool TextRows::any_row(std::string_view line, bool ended) {
     if (fields_.size() < columns && !ended) {
         return false;  // the recorder stopped, or the copy was cut, within this line
     }
-    if (fields_.size() > columns && !format_.has_remarks) {
-        return fail(format_.columns);
+    for (std::size_t i = columns; i < fields_.size() && !format_.has_remarks; ++i) {
+        if (!fields_[i].empty() && parse_field(fields_[i], format_.decimal_comma)) {
+            return fail(static_cast<int>(i));
+        }
     }
     // Blanks cannot say which field is missing.
     if (fields_.size() < columns && format_.delimiter == ' ') {
@@ -224,15 +224,6 @@ bool TextRows::any_row(std::string_view line, bool ended) {
     }
     return (columns_.time < 0 || time_field()) && sample(columns_.c, c_, over_c_) &&
            sample(columns_.d, d_, over_d_);
-}
-
-bool TextRows::closes_table(std::string_view line) const {
-    const auto is_empty = [this](std::string_view text) {
-        return std::ranges::all_of(text, [this](char c) {
-            return c == format_.delimiter || c == ' ' || c == '\t' || c == '"' || ends_line(c);
-        });
-    };
-    return block_.last && is_empty(line) && is_empty(block_.text().substr(at_));
 }
 
 bool TextRows::time_field() {
@@ -249,7 +240,7 @@ bool TextRows::time_field() {
     if (!number(columns_.time, time_) || !std::isfinite(time_)) {
         return fail(columns_.time);
     }
-    usual_time_ = usual_number(text);
+    usual_time_ = usual_number(text, format_.decimal_comma);
     time_text_ = usual_time_;
     return true;
 }

@@ -65,8 +65,6 @@ private:
     std::string_view field(int column) const;
     bool number(int column, double& value);
     bool sample(int column, double& value, bool& over_range);
-    // Whether this line and all after it have delimiters alone, as table programs leave them.
-    bool closes_table(std::string_view line) const;
     bool time_field();
     bool fail(int column);
 

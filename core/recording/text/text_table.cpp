@@ -30,7 +30,12 @@ Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFo
         header_lines += trimmed(**line).empty() ? 0 : 1;
         begin = lines.position();
     }
-    return TextTable{TextBlocks(file, encoding_of(head), begin), format, columns, header_lines};
+    const auto end = end_of_content(*file, encoding_of(head), begin);
+    if (!end) {
+        return end.error();
+    }
+    return TextTable{TextBlocks(file, encoding_of(head), begin, *end), format, columns,
+                     header_lines};
 }
 
 }  // namespace vybeg
