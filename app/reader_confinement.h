@@ -9,7 +9,8 @@ void give_up_resources();
 
 // From here on, a system call that reading from open files, memory and the socket does not need
 // ends the process (SIGSYS). False where the system has no seccomp, or on another processor than
-// x86-64 and ARM64, and with AddressSanitizer, which itself opens files: the limits stay.
+// x86-64 and ARM64. With AddressSanitizer, which itself opens files, it forbids nothing and returns
+// true: such a build is for tests.
 bool forbid_system_calls();
 
 }  // namespace vybeg

@@ -2,6 +2,7 @@
 
 #include "app/reader_confinement.h"
 #include "core/recording/mat_hdf5/hdf5_file.h"
+#include "core/recording/sndfile/audio_file.h"
 #include "core/recording/variables/reader_protocol.h"
 
 #include <algorithm>
@@ -31,8 +32,11 @@ bool answer(ReplyKind kind, std::span<const char> bytes) {
 }
 
 Result<std::unique_ptr<HelperFile>> open_file(std::string_view kind) {
-    const std::string path = "/proc/self/fd/" + std::to_string(reader_file);
-    return open_hdf5_file(path, kind == "mat73" ? Naming::matlab : Naming::hdf5);
+    if (kind != "audio") {
+        return open_hdf5_file(reader_file, kind == "mat73" ? Naming::matlab : Naming::hdf5);
+    }
+    auto file = FileBytes::adopt("", reader_file);
+    return file ? open_audio_file(std::move(*file)) : file.error();
 }
 
 void serve(HelperFile& file) {
@@ -57,16 +61,19 @@ void serve(HelperFile& file) {
 int serve_file(std::string_view kind, const std::function<void()>& once_confined) {
     give_up_resources();
     allow_processor(seconds_for_catalogue);
+    if (!forbid_system_calls()) {
+        answer(ReplyKind::unconfined, {});
+        std::_Exit(1);
+    }
+    if (once_confined) {
+        once_confined();
+    }
     const auto opened = open_file(kind);
-    forbid_system_calls();
     if (!opened) {
         answer(ReplyKind::error, encode(opened.error()));
         std::_Exit(1);
     }
     if (answer(ReplyKind::catalogue, encode((*opened)->catalogue()))) {
-        if (once_confined) {
-            once_confined();
-        }
         serve(**opened);
     }
     // Without the libraries' own clearing up: of a damaged file it may fail.

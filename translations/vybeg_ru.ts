@@ -3589,6 +3589,10 @@
         <translation>вспомогательная программа %1 не запускается (%2)</translation>
     </message>
     <message>
+        <source>this system cannot confine the helper program that reads this format: it has no list of allowed system calls (seccomp)</source>
+        <translation>эта система не может ограничить вспомогательную программу, которая читает этот формат: в ней нет списка разрешённых системных вызовов (seccomp)</translation>
+    </message>
+    <message>
         <source>its library returned no sensible list of variables</source>
         <translation>библиотека не вернула разумного списка переменных</translation>
     </message>

@@ -1,8 +1,13 @@
+#include "core/recording/audio/audio_extent.h"
+#include "core/recording/audio/audio_reader.h"
 #include "core/recording/mat_hdf5/hdf5_file.h"
+#include "core/recording/sndfile/audio_file.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/trial.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
 namespace vybeg::fuzz {
@@ -45,16 +50,71 @@ Verdict judge(Result<std::unique_ptr<HelperFile>> opened) {
     return read_through(**opened);
 }
 
+// What is wrong with the plain samples of an audio file beside those of the library; empty where
+// nothing is.
+std::string difference(const std::shared_ptr<const FileBytes>& file, HelperFile& decoded) {
+    const auto header = audio_extent(*file);
+    if (!header || !header->plain || header->plain->frames < 5 || header->plain->channels < 2) {
+        return {};
+    }
+    const PlainSamples& plain = *header->plain;
+    const Catalogue& catalogue = decoded.catalogue();
+    const FileVariable& samples = catalogue.variables.front();
+    // libsndfile takes what stands behind the samples of a W64 file for samples.
+    const bool same_frames =
+        plain.container == "W64" ? plain.frames <= samples.frames : plain.frames == samples.frames;
+    if (!same_frames || plain.channels != samples.channels || plain.type_name != samples.type ||
+        plain.container != catalogue.format ||
+        (!header->rate_is_zero && static_cast<double>(plain.rate_hz) != samples.rate_hz)) {
+        return "another header in place: " + std::to_string(plain.frames) + " and " +
+               std::to_string(samples.frames) + " frames, " + plain.container + ", " +
+               catalogue.format;
+    }
+    OpenOptions options;
+    options.rate_hz = 33333;
+    const auto recording = open_audio(file, options, {});
+    const std::int64_t count = std::min(plain.frames, most_frames);
+    std::vector<double> c(static_cast<std::size_t>(count)), d(c), x(c);
+    for (const std::int64_t first : {std::int64_t{0}, plain.frames - count}) {
+        if (!recording || !recording->source->read(first, c, d)) {
+            return "samples that are not there in place";
+        }
+        for (const std::int64_t channel : {0, 1}) {
+            const std::vector<double>& own = channel == 0 ? c : d;
+            const bool same = decoded.read({0, channel, first, count}, x) &&
+                              std::equal(own.begin(), own.end(), x.begin(), [](double a, double b) {
+                                  return a == b || (std::isnan(a) && !std::isfinite(b));
+                              });
+            if (!same) {
+                return "other samples in place";
+            }
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
+Verdict try_audio(std::string_view bytes) {
+    const MemoryFile memory(bytes);
+    const auto file = FileBytes::open(memory.path());
+    if (!file) {
+        return {};
+    }
+    auto opened = open_audio_file(*file);
+    HelperFile* const decoded = opened ? opened->get() : nullptr;
+    std::string fault = decoded ? difference(*file, *decoded) : "";
+    return fault.empty() ? judge(std::move(opened)) : Verdict{Outcome::read, std::move(fault)};
+}
+
 Verdict try_mat73(std::string_view bytes) {
-    const NamedFile file(bytes);
-    return judge(open_hdf5_file(file.path(), Naming::matlab));
+    const MemoryFile file(bytes);
+    return judge(open_hdf5_file(file.descriptor(), Naming::matlab));
 }
 
 Verdict try_hdf5(std::string_view bytes) {
-    const NamedFile file(bytes);
-    return judge(open_hdf5_file(file.path(), Naming::hdf5));
+    const MemoryFile file(bytes);
+    return judge(open_hdf5_file(file.descriptor(), Naming::hdf5));
 }
 
 }  // namespace vybeg::fuzz

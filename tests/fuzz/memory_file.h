@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <sys/mman.h>
@@ -31,29 +30,11 @@ public:
     MemoryFile& operator=(const MemoryFile&) = delete;
     ~MemoryFile() { ::close(descriptor_); }
 
+    int descriptor() const { return descriptor_; }
     std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
 private:
     int descriptor_;
-};
-
-// A file in the folder for temporary ones, for HDF5, which wants to know its real path.
-class NamedFile {
-public:
-    explicit NamedFile(std::string_view bytes)
-        : path_(std::filesystem::temp_directory_path() / "vybeg-fuzz-XXXXXX") {
-        const int descriptor = mkstemp(path_.data());
-        write_all(descriptor, bytes);
-        ::close(descriptor);
-    }
-    NamedFile(const NamedFile&) = delete;
-    NamedFile& operator=(const NamedFile&) = delete;
-    ~NamedFile() { ::unlink(path_.c_str()); }
-
-    const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
 };
 
 }  // namespace vybeg::fuzz

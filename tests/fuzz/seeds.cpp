@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 
@@ -18,20 +19,35 @@ using Files = std::vector<std::string>;
 
 constexpr std::size_t frames = 40;
 
-Files audio_files() {
+Files sound_audio(std::initializer_list<int> formats) {
     const Folder folder;
     Files files;
-    for (const int format : {SF_FORMAT_WAV | SF_FORMAT_PCM_16, SF_FORMAT_WAV | SF_FORMAT_DOUBLE,
-                             SF_FORMAT_WAV | SF_ENDIAN_BIG | SF_FORMAT_PCM_24,
-                             SF_FORMAT_WAVEX | SF_FORMAT_FLOAT, SF_FORMAT_WAV | SF_FORMAT_MS_ADPCM,
-                             SF_FORMAT_RF64 | SF_FORMAT_PCM_32, SF_FORMAT_W64 | SF_FORMAT_PCM_16,
-                             SF_FORMAT_AIFF | SF_FORMAT_PCM_16, SF_FORMAT_CAF | SF_FORMAT_PCM_24,
-                             SF_FORMAT_AU | SF_FORMAT_PCM_16, SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
+    for (const int format : formats) {
         write_audio(folder.file("run"), wave(frames), format, 33333, 2, "2020");
         files.push_back(bytes_of(folder.file("run")));
     }
+    return files;
+}
+
+// Of plain samples.
+Files wav_files() {
+    Files files = sound_audio({SF_FORMAT_WAV | SF_FORMAT_PCM_16, SF_FORMAT_WAV | SF_FORMAT_DOUBLE,
+                               SF_FORMAT_WAV | SF_FORMAT_PCM_U8,
+                               SF_FORMAT_WAV | SF_ENDIAN_BIG | SF_FORMAT_PCM_24,
+                               SF_FORMAT_WAVEX | SF_FORMAT_FLOAT, SF_FORMAT_RF64 | SF_FORMAT_PCM_32,
+                               SF_FORMAT_W64 | SF_FORMAT_PCM_16});
     files.push_back(files.front());  // as its recorder leaves it that dies
     files.back().replace(files.back().find("data") + 4, 4, 4, '\0');
+    return files;
+}
+
+Files audio_files() {
+    Files files = wav_files();
+    std::ranges::move(
+        sound_audio({SF_FORMAT_WAV | SF_FORMAT_MS_ADPCM, SF_FORMAT_AIFF | SF_FORMAT_PCM_16,
+                     SF_FORMAT_CAF | SF_FORMAT_PCM_24, SF_FORMAT_AU | SF_FORMAT_PCM_16,
+                     SF_FORMAT_FLAC | SF_FORMAT_PCM_16}),
+        std::back_inserter(files));
     return files;
 }
 
@@ -262,7 +278,7 @@ with h5py.File('deep', 'w') as f:
 Files any_files() {
     Files files;
     for (const auto& of_format :
-         {audio_files, text_files, npy_files, npz_files, uff_files, tdms_files, mat_files}) {
+         {wav_files, text_files, npy_files, npz_files, uff_files, tdms_files, mat_files}) {
         std::ranges::move(of_format(), std::back_inserter(files));
     }
     return files;
@@ -284,11 +300,19 @@ with h5py.File('deep', 'w') as f:
 }  // namespace
 
 std::vector<std::string> sound_files(const QString& format) {
-    const std::map<QString, Files (*)()> writers{
-        {"audio", audio_files}, {"text", text_files}, {"npy", npy_files},
-        {"npz", npz_files},     {"uff", uff_files},   {"tdms", tdms_files},
-        {"raw", raw_files},     {"mat", mat_files},   {"mat73", mat73_files},
-        {"hdf5", hdf5_files},   {"any", any_files},   {"bottomless", bottomless_files}};
+    const std::map<QString, Files (*)()> writers{{"wav", wav_files},
+                                                 {"audio", audio_files},
+                                                 {"text", text_files},
+                                                 {"npy", npy_files},
+                                                 {"npz", npz_files},
+                                                 {"uff", uff_files},
+                                                 {"tdms", tdms_files},
+                                                 {"raw", raw_files},
+                                                 {"mat", mat_files},
+                                                 {"mat73", mat73_files},
+                                                 {"hdf5", hdf5_files},
+                                                 {"any", any_files},
+                                                 {"bottomless", bottomless_files}};
     return writers.at(format)();
 }
 

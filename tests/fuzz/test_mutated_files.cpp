@@ -49,9 +49,8 @@ private:
 void TestMutatedFiles::readers() {
     QTest::addColumn<TryFile>("try_file");
     const std::map<const char*, TryFile> all{
-        {"audio", try_audio}, {"text", try_text}, {"npy", try_npy},
-        {"npz", try_npz},     {"mat", try_mat},   {"uff", try_uff},
-        {"tdms", try_tdms},   {"raw", try_raw},   {"any", try_any}};
+        {"wav", try_wav}, {"text", try_text}, {"npy", try_npy}, {"npz", try_npz}, {"mat", try_mat},
+        {"uff", try_uff}, {"tdms", try_tdms}, {"raw", try_raw}, {"any", try_any}};
     for (const auto& [name, try_file] : all) {
         QTest::newRow(name) << try_file;
     }
@@ -80,7 +79,8 @@ void TestMutatedFiles::damaged_files_do_no_harm() {
     QFETCH(TryFile, try_file);
     const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
     // Formats without packing and checksums: what opens with wrong bits can be read.
-    const bool is_plain = QStringList{"npy", "uff", "tdms"}.contains(QTest::currentDataTag());
+    const bool is_plain =
+        QStringList{"wav", "npy", "uff", "tdms"}.contains(QTest::currentDataTag());
     std::array<std::uint64_t, 3> outcomes{};
     double slowest_s = 0;
     std::int64_t most_bytes = 0;

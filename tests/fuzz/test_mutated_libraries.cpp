@@ -1,7 +1,7 @@
-// 10,000 damaged HDF5 files, read as vybeg-reader reads them, in processes that may die as it may:
-// libhdf5 falls on some of them. What must not be is that our own code between falls, or that more
-// memory is taken than vybeg-reader has. That the program outlives its vybeg-reader, and gives it
-// up where it does not come to an end, is for
+// 10,000 damaged HDF5 files and as many of audio, read as vybeg-reader reads them, in processes
+// that may die as it may: the libraries fall on some of them. What must not be is that our own code
+// between falls, or that more memory is taken than vybeg-reader has. That the program outlives its
+// vybeg-reader, and gives it up where it does not come to an end, is for
 // tests/core/recording/variables/test_damaged_libraries.
 #include "tests/closeness.h"
 #include "tests/fuzz/batch.h"
@@ -45,6 +45,7 @@ void TestMutatedLibraries::formats() {
     // Two namings of one reader.
     QTest::newRow("mat73") << TryFile(try_mat73) << files / 4;
     QTest::newRow("hdf5") << TryFile(try_hdf5) << files - files / 4;
+    QTest::newRow("audio") << TryFile(try_audio) << files;
 }
 
 void TestMutatedLibraries::sound_files_are_read() {

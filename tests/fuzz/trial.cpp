@@ -4,6 +4,7 @@
 #include "core/recording/arrays/npy_reader.h"
 #include "core/recording/arrays/raw_reader.h"
 #include "core/recording/arrays/tdms_reader.h"
+#include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/byte_order.h"
 #include "core/recording/open/open_recording.h"
@@ -86,11 +87,13 @@ Verdict try_opening(std::string_view bytes, double most_frames, const Open& open
 
 }  // namespace
 
-Verdict try_audio(std::string_view bytes) {
-    // FLAC says with a few bytes that 65535 samples are equal.
-    const double most = 65536.0 * static_cast<double>(bytes.size());
-    return try_opening(bytes, most,
-                       [](const File& file) { return open_audio(file, some_rate(), {}); });
+Verdict try_wav(std::string_view bytes) {
+    return try_opening(bytes, static_cast<double>(bytes.size()),
+                       [](const File& file) -> Result<Recording> {
+                           const auto header = audio_extent(*file);
+                           return header && header->plain ? open_audio(file, some_rate(), {})
+                                                          : file->error(ErrorCode::format_unknown);
+                       });
 }
 
 Verdict try_text(std::string_view bytes) {
@@ -129,7 +132,7 @@ Verdict try_tdms(std::string_view bytes) {
 
 Verdict try_any(std::string_view bytes) {
     const MemoryFile memory(bytes);
-    // The most of all formats.
+    // FLAC says with a few bytes that 65535 samples are equal: the most of all formats.
     const double most = 1e7 + 65536.0 * static_cast<double>(bytes.size());
     return judge(open_recording(memory.path(), some_rate(), {}), most);
 }

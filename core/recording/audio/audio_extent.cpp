@@ -1,9 +1,11 @@
 #include "core/recording/audio/audio_extent.h"
 
+#include "core/base/number_text.h"
 #include "core/recording/bytes/byte_order.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -52,6 +54,52 @@ Result<bool> is_wanted(const FileBytes& file, const Chunk& chunk, bool big_endia
         return is_sound_list(file, chunk, big_endian);
     }
     return std::find(wanted.begin(), wanted.end(), chunk.id) != wanted.end();
+}
+
+// A text that may end before its field does.
+std::string text_of(std::string_view field) {
+    return std::string(field.substr(0, field.find('\0')));
+}
+
+// Date and time of a broadcast extension (chunk "bext"). Errors: file_read_failed.
+Result<std::string> broadcast_start(const FileBytes& file, const Chunk& chunk) {
+    constexpr std::int64_t least_bytes = 602, most_bytes = 10240, at = 320;
+    constexpr std::size_t date_bytes = 10, time_bytes = 8;
+    if (chunk.size < least_bytes || chunk.size > most_bytes) {
+        return std::string();
+    }
+    std::array<char, date_bytes + time_bytes> fields{};
+    if (const auto got = file.read(chunk.payload_at + at, fields); !got) {
+        return got.error();
+    }
+    const std::string date = text_of({fields.data(), date_bytes});
+    const std::string time = text_of({fields.data() + date_bytes, time_bytes});
+    return date.empty() || time.empty() ? date : date + " " + time;
+}
+
+// The date (ICRD) of a sound list of informations. Errors: file_read_failed.
+Result<std::string> listed_date(const FileBytes& file, const Chunk& list, bool big_endian) {
+    constexpr std::int64_t head_bytes = 8;
+    constexpr std::size_t most_text = 2046;
+    if (std::string_view(list.payload, 4) != "INFO") {
+        return std::string();
+    }
+    const std::int64_t end = list.payload_at + list.size;
+    std::int64_t at = list.payload_at + 4;
+    for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
+        std::array<char, head_bytes + most_text> chunk{};
+        if (const auto got = file.read(at, chunk); !got) {
+            return got.error();
+        }
+        const std::int64_t size = load<std::uint32_t>(chunk.data() + 4, big_endian);
+        if (std::string_view(chunk.data(), 4) == "ICRD") {
+            return size > static_cast<std::int64_t>(most_text)
+                       ? std::string()
+                       : text_of({chunk.data() + head_bytes, static_cast<std::size_t>(size)});
+        }
+        at += head_bytes + size + size % 2;
+    }
+    return std::string();
 }
 
 // Whether the bytes from `at` to the end of a WAV file are chunks, the last one complete; this is
@@ -130,13 +178,84 @@ public:
         extent_.promised_frames =
             frame_bytes_ > 0 ? std::optional(present / frame_bytes_) : std::nullopt;
         extent_.never_closed = true;
+        take_plain(present);
+    }
+
+    // Of a broadcast extension or a list; the extension counts first.
+    void take_start(const std::string& start, bool of_broadcast) {
+        if (!start.empty() && (start_.empty() || (of_broadcast && !broadcast_))) {
+            start_ = start;
+            broadcast_ = of_broadcast;
+        }
     }
 
     void hide(const Chunk& chunk) { extent_.patches.push_back({chunk.payload_at - 8, "JUNK"}); }
 
-    const AudioExtent& extent() const { return extent_; }
+    AudioExtent extent() const {
+        AudioExtent extent = extent_;
+        if (extent.plain) {
+            extent.plain->start = start_;
+        }
+        return extent;
+    }
 
 private:
+    // Of a format chunk of a usual length that the number of bytes in a frame agrees with.
+    std::optional<PlainSamples> plain_format(const Chunk& chunk, std::uint16_t tag) const {
+        constexpr std::string_view guid_tail = "\0\0\0\0\x10\0\x80\0\0\xAA\0\x38\x9B\x71"sv;
+        constexpr std::uint16_t pcm = 1, ieee = 3, extensible = 0xFFFE;
+        constexpr int most_channels = 1024;
+        const auto number = [&](int at) {
+            return load<std::uint16_t>(chunk.payload + at, big_endian_);
+        };
+        const int bits = number(14);
+        const bool is_extensible = tag == extensible;
+        if (is_extensible) {
+            tag = number(24);
+            if (chunk.size != 40 || number(18) != bits ||
+                std::string_view(chunk.payload + 26, guid_tail.size()) != guid_tail) {
+                return {};
+            }
+        } else if (chunk.size != 16 && chunk.size != 18) {
+            return {};
+        }
+        PlainSamples plain;
+        if (tag == pcm && (bits == 8 || bits == 16 || bits == 24 || bits == 32)) {
+            plain.type = bits == 8    ? NumberType::u8
+                         : bits == 16 ? NumberType::i16
+                         : bits == 24 ? NumberType::i24
+                                      : NumberType::i32;
+            plain.type_name =
+                (bits == 8 ? "Unsigned " : "Signed ") + integer_text(bits) + " bit PCM";
+            plain.scale = {std::ldexp(1.0, 1 - bits), bits == 8 ? -1.0 : 0.0};
+        } else if (tag == ieee && (bits == 32 || bits == 64)) {
+            plain.type = bits == 32 ? NumberType::f32 : NumberType::f64;
+            plain.type_name = integer_text(bits) + " bit float";
+        } else {
+            return {};
+        }
+        plain.channels = number(2);
+        plain.rate_hz = load<std::uint32_t>(chunk.payload + 4, big_endian_);
+        plain.big_endian = big_endian_;
+        plain.container = container_ == Container::rf64  ? "RF64"
+                          : container_ == Container::w64 ? "W64"
+                          : is_extensible                ? "WAVEX"
+                                                         : "WAV";
+        const bool agrees = plain.channels >= 1 && plain.channels <= most_channels &&
+                            plain.rate_hz <= std::numeric_limits<std::int32_t>::max() &&
+                            number(12) == plain.channels * bits / 8;
+        return agrees ? std::optional(plain) : std::nullopt;
+    }
+
+    // Of so many bytes of samples, of which the file may have less.
+    void take_plain(std::int64_t bytes) {
+        extent_.plain = plain_;
+        if (plain_) {
+            const std::int64_t present = file_size_ - extent_.samples_at;
+            extent_.plain->frames = std::clamp<std::int64_t>(bytes, 0, present) / frame_bytes_;
+        }
+    }
+
     void take_wav_format(const Chunk& chunk) {
         constexpr std::array<std::uint16_t, 5> unpacked = {1, 3, 6, 7, 0xFFFE};
         const auto tag = load<std::uint16_t>(chunk.payload, big_endian_);
@@ -146,6 +265,7 @@ private:
             extent_.rate_is_zero = true;
             extent_.patches.push_back({chunk.payload_at + 4, store(std::uint32_t{1}, big_endian_)});
         }
+        plain_ = ++formats_ == 1 ? plain_format(chunk, tag) : std::nullopt;
     }
 
     void take_data(const Chunk& chunk) {
@@ -164,6 +284,10 @@ private:
         } else if (not_filled_in) {
             size = 0;
         }
+        if (container_ == Container::wav || (container_ == Container::rf64 && size > 0) ||
+            (container_ == Container::w64 && size >= 0)) {
+            take_plain(not_filled_in && container_ == Container::wav ? present : size);
+        }
         if (size > 0 && frame_bytes_ > 0) {
             extent_.promised_frames = size / frame_bytes_;
         }
@@ -174,6 +298,10 @@ private:
     std::int64_t file_size_;
     std::int64_t frame_bytes_ = 0;  // 0: packed, or unknown
     std::int64_t long_data_size_ = 0;
+    int formats_ = 0;
+    std::optional<PlainSamples> plain_;
+    std::string start_;
+    bool broadcast_ = false;
     AudioExtent extent_;
 };
 
@@ -192,7 +320,7 @@ std::optional<Container> container_of(std::string_view head) {
     if (id == "FORM" && (form == "AIFF" || form == "AIFC")) {
         return Container::aiff;
     }
-    if (id == "caff") {
+    if (id == "caff" && form == "desc") {
         return Container::caf;
     }
     return std::nullopt;
@@ -200,8 +328,19 @@ std::optional<Container> container_of(std::string_view head) {
 
 }  // namespace
 
-bool is_audio(std::string_view head) {
-    return container_of(head) || head.starts_with("fLaC") || head.starts_with(".snd");
+std::string audio_container(std::string_view head) {
+    const auto container = container_of(head);
+    if (!container) {
+        return head.starts_with("fLaC") ? "FLAC" : head.starts_with(".snd") ? "AU" : "";
+    }
+    switch (*container) {
+        case Container::wav: return "WAV";
+        case Container::rf64: return "RF64";
+        case Container::w64: return "W64";
+        case Container::aiff: return "AIFF";
+        case Container::caf: return "CAF";
+    }
+    return "";
 }
 
 Result<AudioExtent> audio_extent(const FileBytes& file) {
@@ -239,6 +378,14 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
             }
             if (!*wanted) {
                 reader.hide(chunk);
+            } else if (chunk.id == "bext" || chunk.id == "LIST") {
+                const bool of_broadcast = chunk.id == "bext";
+                const auto start = of_broadcast ? broadcast_start(file, chunk)
+                                                : listed_date(file, chunk, layout.big_endian);
+                if (!start) {
+                    return start.error();
+                }
+                reader.take_start(*start, of_broadcast);
             }
         }
         if (*container == Container::wav && chunk.id == "data" && size == 0 && searching) {

@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/recording/bytes/file_bytes.h"
+#include "core/recording/bytes/number_type.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,14 +12,28 @@
 
 namespace vybeg {
 
-// Whether the first bytes of a file (16 or more, if present) are those of a supported container:
-// WAV (RIFF, RIFX), RF64, W64, AIFF, AIFF-C, CAF, AU or FLAC.
-bool is_audio(std::string_view head);
+// Name of the supported container whose first bytes (16 or more, if present) a file has: "WAV"
+// (RIFF, RIFX), "RF64", "W64", "AIFF" (and AIFF-C), "CAF", "AU" or "FLAC"; empty for other files.
+std::string audio_container(std::string_view head);
 
 // Bytes passed to the decoder instead of those of the file, which it rejects.
 struct HeaderPatch {
     std::int64_t at = 0;
     std::string bytes;
+};
+
+// Samples of a WAV, RF64 or W64 file that are plain numbers one behind the other, where the header
+// leaves no doubt of it: what is said twice agrees.
+struct PlainSamples {
+    std::string container;  // "WAV", "WAVEX" (with an extensible header), "RF64" or "W64"
+    std::string type_name;  // "Signed 16 bit PCM", "64 bit float", ...
+    NumberType type = NumberType::i16;
+    Scale scale{};  // integers are fractions of full scale
+    bool big_endian = false;
+    int channels = 0;
+    std::int64_t rate_hz = 0;
+    std::int64_t frames = 0;  // present in the file
+    std::string start;        // date and time from the file, or empty
 };
 
 // Contents of the chunks of an audio file, without decoding.
@@ -35,6 +50,7 @@ struct AudioExtent {
     // Also the length of a truncated CAF file, and the names of WAV and RF64 chunks that the
     // decoder does not need, some of which make it loop for ever.
     std::vector<HeaderPatch> patches;
+    std::optional<PlainSamples> plain;
 };
 
 // Reads the chunks, in WAV and RF64 files also those after the samples. Contents of chunks cause no

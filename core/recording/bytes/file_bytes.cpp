@@ -31,6 +31,11 @@ Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::
     if (descriptor < 0) {
         return failure(path, errno);
     }
+    return adopt(path, descriptor);
+}
+
+Result<std::shared_ptr<const FileBytes>> FileBytes::adopt(const std::filesystem::path& path,
+                                                          int descriptor) {
     struct stat status {};
     const int failed = ::fstat(descriptor, &status) == 0 ? 0 : errno;
     const std::shared_ptr<const FileBytes> file(new FileBytes(path, descriptor, status));

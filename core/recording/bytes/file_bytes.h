@@ -18,6 +18,10 @@ public:
     // Errors: file_missing, file_permission, file_is_directory, file_empty, file_read_failed.
     static Result<std::shared_ptr<const FileBytes>> open(const std::filesystem::path& path);
 
+    // The same for a descriptor that is open for reading, and is closed with the object.
+    static Result<std::shared_ptr<const FileBytes>> adopt(const std::filesystem::path& path,
+                                                          int descriptor);
+
     FileBytes(const FileBytes&) = delete;
     FileBytes& operator=(const FileBytes&) = delete;
     ~FileBytes();

@@ -264,8 +264,8 @@ private:
 
 }  // namespace
 
-Result<std::unique_ptr<HelperFile>> open_hdf5_file(const std::string& path, Naming naming) {
-    OpenedHdf5 opened = open_hdf5(path);
+Result<std::unique_ptr<HelperFile>> open_hdf5_file(int descriptor, Naming naming) {
+    OpenedHdf5 opened = open_hdf5(descriptor);
     if (!opened.file) {
         return Error{
             ErrorCode::format_damaged,

@@ -1,5 +1,7 @@
 #include "core/recording/mat_hdf5/hdf5_open.h"
 
+#include "core/recording/mat_hdf5/hdf5_driver.h"
+
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -14,6 +16,9 @@ constexpr std::size_t chunk_slots = 10007;  // a prime, far more than chunks fit
 // the file alone; it is passed over here, and stays.
 constexpr const char* pass_over_marks = "clear_status_flags";
 
+// The driver has the file already. Absolute: of another the library asks for the current folder.
+constexpr const char* any_name = "/recording";
+
 extern "C" herr_t find_truncation(unsigned, const H5E_error2_t* error, void* found) {
     if (error->min_num == H5E_TRUNCATED) {
         *static_cast<bool*>(found) = true;
@@ -21,35 +26,38 @@ extern "C" herr_t find_truncation(unsigned, const H5E_error2_t* error, void* fou
     return 0;
 }
 
-Hdf5Handle access_to_file() {
+Hdf5Handle access_to_file(int descriptor) {
     Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
     H5Pset_cache(access.get(), 0, chunk_slots, chunk_cache_bytes, 1.0);
     H5Pset_file_locking(access.get(), false, true);  // also where another program writes
     // A part whose check sum is wrong may be in writing; each attempt waits twice as long as the
     // one before, from 1 ns: 1 ms together, where the library's own 100 never end.
     H5Pset_metadata_read_attempts(access.get(), 20);
-    return access;
+    return read_descriptor(access.get(), descriptor) ? std::move(access) : Hdf5Handle();
 }
 
 }  // namespace
 
-OpenedHdf5 open_hdf5(const std::string& path) {
+OpenedHdf5 open_hdf5(int descriptor) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     H5PLset_loading_state(0);
-    const Hdf5Handle access = access_to_file();
+    const Hdf5Handle access = access_to_file(descriptor);
     OpenedHdf5 opened;
-    opened.file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
+    if (!access) {
+        return opened;
+    }
+    opened.file = Hdf5Handle(H5Fopen(any_name, H5F_ACC_RDONLY, access.get()));
     if (opened.file) {
         return opened;
     }
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, find_truncation, &opened.truncated);
     opened.not_closed = true;
     opened.file =
-        Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()));
+        Hdf5Handle(H5Fopen(any_name, H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()));
     if (!opened.file && H5Pexist(access.get(), pass_over_marks) > 0) {
         hbool_t yes = true;
         H5Pset(access.get(), pass_over_marks, &yes);
-        opened.file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
+        opened.file = Hdf5Handle(H5Fopen(any_name, H5F_ACC_RDONLY, access.get()));
     }
     return opened;
 }

@@ -3,8 +3,6 @@
 #include "core/base/message_arg.h"
 #include "core/recording/mat_hdf5/hdf5_handle.h"
 
-#include <string>
-
 namespace vybeg {
 
 struct OpenedHdf5 {
@@ -13,8 +11,9 @@ struct OpenedHdf5 {
     bool truncated = false;   // shorter than its header says
 };
 
-// Opens an HDF5 file to be read, without plug-ins and locks.
-OpenedHdf5 open_hdf5(const std::string& path);
+// Opens the HDF5 file at a descriptor, from its first byte, without plug-ins, locks and any other
+// file.
+OpenedHdf5 open_hdf5(int descriptor);
 
 // Why the samples of a dataset cannot be read however sound the file is: they lie in other files,
 // or are packed by a filter that this libhdf5 does not have. Empty where they can.

@@ -27,7 +27,7 @@ Result<std::string> file_head(const FileBytes& file) {
 }
 
 FileKind file_kind(std::string_view head, const FileBytes& file) {
-    if (is_audio(head)) {
+    if (!audio_container(head).empty()) {
         return FileKind::audio;
     }
     if (is_npy(head)) {

@@ -266,6 +266,13 @@ std::optional<std::string> ReaderProcess::receive_text(const Reply& reply) {
 }
 
 Error ReaderProcess::failed_reply(const Reply& reply) {
+    if (reply.kind == ReplyKind::unconfined) {
+        return file_->error(
+            ErrorCode::file_read_failed,
+            {words(VYBEG_MESSAGE("Words",
+                                 "this system cannot confine the helper program that reads this "
+                                 "format: it has no list of allowed system calls (seccomp)"))});
+    }
     if (reply.kind == ReplyKind::error) {
         const auto bytes = receive_text(reply);
         if (!bytes) {

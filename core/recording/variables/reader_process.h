@@ -12,14 +12,14 @@
 
 namespace vybeg {
 
-// A vybeg-reader that has a file open: HDF5 crashes, hangs or takes all memory on some damaged
-// files, and there it does so alone. Not for several threads at once.
+// A vybeg-reader that has a file open: a library (HDF5, of audio) crashes, hangs or takes all
+// memory on some damaged files, and there it does so alone. Not for several threads at once.
 class ReaderProcess {
 public:
     // Starts vybeg-reader (or another program, in tests), which lies beside the running one or,
-    // installed, in libexec/vybeg, on a file of the given kind ("mat73", "hdf5"); `format` names it
-    // in errors. Errors: format_damaged, format_unsupported; file_read_failed, where the helper
-    // itself cannot be had.
+    // installed, in libexec/vybeg, on a file of the given kind ("mat73", "hdf5", "audio"); `format`
+    // names it in errors. Errors: format_damaged, format_unsupported; file_read_failed, where the
+    // helper itself cannot be had, or cannot confine itself.
     static Result<std::unique_ptr<ReaderProcess>> start(
         std::shared_ptr<const FileBytes> file, const std::string& kind, const std::string& format,
         const std::string& program = "vybeg-reader");

@@ -126,6 +126,7 @@ int seconds_allowed(const SampleRequest& request) {
 std::string encode(const Catalogue& catalogue) {
     std::string bytes;
     put(bytes, catalogue.format);
+    put(bytes, catalogue.start);
     put(bytes, static_cast<std::uint8_t>(catalogue.not_closed));
     for (const FileVariable& variable : catalogue.variables) {
         put(bytes, variable.name);
@@ -144,6 +145,7 @@ std::optional<Catalogue> decode_catalogue(std::string_view bytes) {
     Unpacking unpacking(bytes);
     Catalogue catalogue;
     catalogue.format = unpacking.text();
+    catalogue.start = unpacking.text();
     catalogue.not_closed = unpacking.number<std::uint8_t>() != 0;
     while (unpacking.ok() && !unpacking.at_end()) {
         FileVariable variable;

@@ -10,9 +10,10 @@
 #include <vector>
 
 // What the program and its helper vybeg-reader say to each other over a socket. The helper speaks
-// first: a catalogue or an error. Then it answers each SampleRequest with samples or an error. Both
-// are of one build on one machine: numbers go as they lie in memory. Nothing that comes from the
-// helper is trusted: a damaged file may have damaged it, too.
+// first: a catalogue or an error, or, before it looks at the file, that it may not. Then it answers
+// each SampleRequest with samples or an error. Both are of one build on one machine: numbers go as
+// they lie in memory. Nothing that comes from the helper is trusted: a damaged file may have
+// damaged it, too.
 namespace vybeg {
 
 // One array of numbers in a file.
@@ -36,7 +37,8 @@ std::string number_type_text(int bits, bool is_float);
 MessageArg dimensions_text(std::int64_t dimensions);
 
 struct Catalogue {
-    std::string format;  // e.g. "MAT 5"
+    std::string format;   // e.g. "MAT 5"
+    std::string start{};  // date and time from the file, or empty
     std::vector<FileVariable> variables;
     bool not_closed = false;  // still being written, or its writer died
 
@@ -60,7 +62,8 @@ bool fits(const SampleRequest& request, const Catalogue& catalogue);
 int seconds_allowed(const SampleRequest& request);
 inline constexpr int seconds_for_catalogue = 2;
 
-enum class ReplyKind : std::uint8_t { catalogue, samples, error };
+// unconfined: the helper cannot forbid itself system calls, and reads nothing.
+enum class ReplyKind : std::uint8_t { catalogue, samples, error, unconfined };
 
 struct Reply {
     ReplyKind kind{};

@@ -11,11 +11,11 @@ namespace {
 class VariableSource : public SampleSource {
 public:
     VariableSource(std::shared_ptr<const VariableReader> reader, ChannelPlace c, ChannelPlace d,
-                   std::int64_t frames)
-        : reader_(std::move(reader)), c_(c), d_(d), frames_(frames) {}
+                   std::int64_t frames, bool seeks)
+        : reader_(std::move(reader)), c_(c), d_(d), frames_(frames), seeks_(seeks) {}
 
     std::int64_t frames() const override { return frames_; }
-    bool seeks() const override { return false; }  // a packed variable is unpacked from its start
+    bool seeks() const override { return seeks_; }
 
     // In turn, so that what the library has decoded for C serves D.
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
@@ -38,6 +38,7 @@ private:
     ChannelPlace c_;
     ChannelPlace d_;
     std::int64_t frames_;
+    bool seeks_;
 };
 
 }  // namespace
@@ -74,8 +75,8 @@ Status LibraryVariables::read(const ChannelPlace& place, std::int64_t first,
 
 std::shared_ptr<const SampleSource> variable_source(std::shared_ptr<const VariableReader> reader,
                                                     ChannelPlace c, ChannelPlace d,
-                                                    std::int64_t frames) {
-    return std::make_shared<VariableSource>(std::move(reader), c, d, frames);
+                                                    std::int64_t frames, bool seeks) {
+    return std::make_shared<VariableSource>(std::move(reader), c, d, frames, seeks);
 }
 
 }  // namespace vybeg

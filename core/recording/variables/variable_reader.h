@@ -12,9 +12,9 @@
 
 namespace vybeg {
 
-// A file of MATLAB's or HDF5's; vybeg-reader knows the kinds "mat73" and "hdf5".
+// A file of MATLAB's or HDF5's, or audio; vybeg-reader knows the kinds "mat73", "hdf5" and "audio".
 struct LibraryFormat {
-    std::string kind;  // "mat", "mat73", "hdf5"
+    std::string kind;  // "mat", "mat73", "hdf5", "audio"
     std::string name;  // "MAT 5", ...
 };
 
@@ -49,9 +49,10 @@ private:
 
 inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;
 
-// Two channels of `frames` frames, read on demand.
+// Two channels of `frames` frames, read on demand. `seeks`: as SampleSource::seeks(); a packed
+// variable is unpacked from its start.
 std::shared_ptr<const SampleSource> variable_source(std::shared_ptr<const VariableReader> reader,
                                                     ChannelPlace c, ChannelPlace d,
-                                                    std::int64_t frames);
+                                                    std::int64_t frames, bool seeks = false);
 
 }  // namespace vybeg

@@ -175,9 +175,12 @@ void TestAudioReader::a_file_whose_header_gives_rate_zero_takes_the_rate_of_the_
 
 void TestAudioReader::the_date_of_the_file_is_the_start() {
     const Folder folder;
-    write_audio(folder.file("run.wav"), wave(20), SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 2,
-                "2020-09-01 10:20");
-    QCOMPARE(opened(folder.file("run.wav")).start, std::string("2020-09-01 10:20"));
+    for (const int container : {SF_FORMAT_WAV, SF_FORMAT_WAV | SF_ENDIAN_BIG, SF_FORMAT_WAVEX,
+                                SF_FORMAT_RF64, SF_FORMAT_FLAC}) {
+        write_audio(folder.file("run"), wave(20), container | SF_FORMAT_PCM_16, 48000, 2,
+                    "2020-09-01 10:20");
+        QCOMPARE(opened(folder.file("run")).start, std::string("2020-09-01 10:20"));
+    }
     write_audio(folder.file("run.wav"), wave(20), SF_FORMAT_WAV | SF_FORMAT_PCM_16);
     QCOMPARE(opened(folder.file("run.wav")).start, std::string());
 }

@@ -1,6 +1,7 @@
-// What vybeg-reader may no longer do once it has a file open.
+// What vybeg-reader may no longer do when it reads the first byte of a file.
 #include "core/recording/variables/reader_process.h"
 #include "tests/closeness.h"
+#include "tests/core/recording/audio/audio_files.h"
 #include "tests/core/recording/demo_files.h"
 #include "tests/test_registry.h"
 
@@ -93,6 +94,7 @@ private slots:
     void a_helper_has_no_privileges_environment_or_resources();
     void a_helper_that_does_more_than_read_is_stopped_data();
     void a_helper_that_does_more_than_read_is_stopped();
+    void without_a_list_nothing_is_read();
     void a_helper_may_use_two_seconds_of_processor_time();
     void a_helper_that_has_to_wait_is_waited_for();
 
@@ -104,6 +106,7 @@ private:
 void TestReaderConfinement::initTestCase() {
     demo_ = demo_second();
     write_with_python(folder_, demo_, script);
+    write_audio(folder_.file("run.caf"), demo_, SF_FORMAT_CAF | SF_FORMAT_DOUBLE);
 }
 
 void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources_data() {
@@ -115,6 +118,8 @@ void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources_
                                   << "hdf5";
     QTest::newRow("MAT 7.3") << "packed.h5"
                              << "mat73";
+    QTest::newRow("audio") << "run.caf"
+                           << "audio";
 }
 
 void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources() {
@@ -127,7 +132,9 @@ void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources(
     std::vector<double> samples(33333);
     QVERIFY((*process)->read({0, 0, 0, 33333}, samples));
     QCOMPARE(worst_difference(samples, demo_.c), 0.0);
-    QVERIFY((*process)->read({1, 0, 0, 33333}, samples));
+    const SampleRequest d =
+        kind == "audio" ? SampleRequest{0, 1, 0, 33333} : SampleRequest{1, 0, 0, 33333};
+    QVERIFY((*process)->read(d, samples));
     QCOMPARE(worst_difference(samples, demo_.d), 0.0);
 
     const pid_t id = (*process)->id();
@@ -146,14 +153,20 @@ void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources(
 }
 
 void TestReaderConfinement::a_helper_that_does_more_than_read_is_stopped_data() {
+    QTest::addColumn<QString>("kind");
     QTest::addColumn<QString>("deed");
     for (const char* deed :
          {"open", "write", "pipe", "fork", "connect", "run", "remove", "kill", "code"}) {
-        QTest::newRow(deed) << deed;
+        QTest::newRow(deed) << "hdf5" << deed;
     }
+    QTest::newRow("audio, open") << "audio"
+                                 << "open";
+    QTest::newRow("audio, run") << "audio"
+                                << "run";
 }
 
 void TestReaderConfinement::a_helper_that_does_more_than_read_is_stopped() {
+    QFETCH(QString, kind);
     QFETCH(QString, deed);
     // The deed itself can be done: only the confinement is in its way.
     QProcess unbound;
@@ -161,29 +174,43 @@ void TestReaderConfinement::a_helper_that_does_more_than_read_is_stopped() {
     QVERIFY(unbound.waitForFinished(30000));
     QCOMPARE(unbound.exitCode(), 40);
 
-    const auto process =
-        ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5:" + deed.toStdString(), "HDF5",
-                             "vybeg-reader-misbehaving");
-    QVERIFY(process);
-    std::vector<double> samples(10);
-    const Status status = (*process)->read({0, 0, 0, 10}, samples);
+    // Of a file that no library can read, its words about it do not come: it is stopped before.
+    const auto file = file_at(folder_.write("hostile", "no recording"));
+    const auto start = [&](const QString& what) {
+        return ReaderProcess::start(file, (kind + ":" + what).toStdString(), "X",
+                                    "vybeg-reader-misbehaving");
+    };
+    const std::vector<MessageArg> stopped{
+        "X", "its library was stopped when it tried to do more than read"};
+    const auto harmless = start("nothing");
+    QVERIFY(!harmless);
+    QVERIFY(harmless.error().args != stopped);
+    const auto process = start(deed);
     if (*no_list() != 0) {
         QSKIP(no_list());
     }
-    QVERIFY(!status);
-    QCOMPARE(status.error().args,
-             (std::vector<MessageArg>{
-                 "HDF5", "its library was stopped when it tried to do more than read"}));
+    QVERIFY(!process);
+    QCOMPARE(process.error().code, ErrorCode::format_damaged);
+    QCOMPARE(process.error().args, stopped);
+}
+
+void TestReaderConfinement::without_a_list_nothing_is_read() {
+    if (*no_list() != 0) {
+        QSKIP(no_list());
+    }
+    const auto process = ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5:unlisted",
+                                              "HDF5", "vybeg-reader-misbehaving");
+    QVERIFY(!process);
+    QCOMPARE(process.error().code, ErrorCode::file_read_failed);
+    QCOMPARE(exit_status(process.error().code), 3);
+    QVERIFY(english(process.error()).find("seccomp") != std::string::npos);
 }
 
 void TestReaderConfinement::a_helper_may_use_two_seconds_of_processor_time() {
     const auto process = ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5:spin", "HDF5",
                                               "vybeg-reader-misbehaving");
-    QVERIFY(process);
-    std::vector<double> samples(10);
-    const Status status = (*process)->read({0, 0, 0, 10}, samples);
-    QVERIFY(!status);
-    QCOMPARE(status.error().args,
+    QVERIFY(!process);
+    QCOMPARE(process.error().args,
              (std::vector<MessageArg>{
                  "HDF5", "its library did not come to an end within 2 s of processor time"}));
 }

@@ -78,6 +78,7 @@ void TestReaderProcess::initTestCase() {
 
 void TestReaderProcess::a_catalogue_and_an_error_survive_the_wire() {
     const Catalogue catalogue{"HDF5",
+                              "2020-09-01",
                               {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0},
                                {"/fs", 1, 1, "16 bit integer", "", "", 5.0, {}},
                                {"/z", 7, 1, "", "complex numbers", "", {}, {}}},
@@ -94,9 +95,9 @@ void TestReaderProcess::a_catalogue_and_an_error_survive_the_wire() {
 }
 
 void TestReaderProcess::a_message_cut_anywhere_is_no_message() {
-    const Catalogue catalogue{"HDF5", {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0}}};
+    const Catalogue catalogue{"HDF5", "", {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0}}};
     const std::string bytes = encode(catalogue);
-    const std::size_t before_variables = sizeof(std::uint64_t) + catalogue.format.size() + 1;
+    const std::size_t before_variables = 2 * sizeof(std::uint64_t) + catalogue.format.size() + 1;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
         const auto decoded = decode_catalogue(std::string_view(bytes).substr(0, length));
         QCOMPARE(decoded.has_value(), length == before_variables);
@@ -110,7 +111,7 @@ void TestReaderProcess::a_message_cut_anywhere_is_no_message() {
 }
 
 void TestReaderProcess::only_requests_for_what_is_there_fit() {
-    Catalogue catalogue{"HDF5", {{"/C", 100, 2, "", "", "", {}, {}}}};
+    Catalogue catalogue{"HDF5", "", {{"/C", 100, 2, "", "", "", {}, {}}}};
     constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
     QVERIFY(fits({0, 1, 90, 10}, catalogue));
     QVERIFY(!fits({0, 1, 90, 11}, catalogue));

@@ -1,4 +1,4 @@
-#include "core/recording/audio/audio_decoder.h"
+#include "core/recording/sndfile/audio_decoder.h"
 
 #include <algorithm>
 #include <string_view>
