@@ -23,7 +23,7 @@ struct DamagedRow : std::runtime_error {
 // Adds or replaces the result of this key, and returns its id: of a new one `wanted` where that is
 // free. Within a transaction of the caller.
 std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
-                          std::optional<std::int64_t> wanted);
+                          std::optional<std::int64_t> wanted = {});
 
 // All rows of a result; nothing: there is none.
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id);
