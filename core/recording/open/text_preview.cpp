@@ -136,7 +136,7 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     if (!start || !head) {
         // The line is too long for a table.
         const Error error = start ? head.error() : start.error();
-        if (error.code != ErrorCode::format_damaged) {
+        if (error.code != ErrorCode::format_limit) {
             return error;
         }
         preview.problem = error;
