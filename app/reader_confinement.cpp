@@ -126,8 +126,7 @@ void allow_memory(std::int64_t bytes) {
     rlimit memory{};
     ::getrlimit(RLIMIT_AS, &memory);
     if (memory.rlim_cur != RLIM_INFINITY) {
-        memory.rlim_cur =
-            std::min(memory.rlim_cur + static_cast<rlim_t>(bytes), memory.rlim_max);
+        memory.rlim_cur = std::min(memory.rlim_cur + static_cast<rlim_t>(bytes), memory.rlim_max);
         ::setrlimit(RLIMIT_AS, &memory);
     }
 }

@@ -156,7 +156,9 @@ public:
             long_data_size_ = load<std::int64_t>(chunk.payload + 8, false);
         } else if (chunk.id == "COMM") {
             extent_.promised_frames = load<std::uint32_t>(chunk.payload + 2, true);
-            extent_.bits = load<std::uint16_t>(chunk.payload + 6, true);
+            constexpr std::int64_t with_encoding = 22;  // of AIFF-C, perhaps of floats
+            extent_.bits =
+                chunk.size < with_encoding ? load<std::uint16_t>(chunk.payload + 6, true) : 0;
         } else if (chunk.id == "desc") {
             const auto bytes = load<std::uint32_t>(chunk.payload + 16, true);
             const auto frames = load<std::uint32_t>(chunk.payload + 20, true);

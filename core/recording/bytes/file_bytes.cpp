@@ -109,7 +109,8 @@ Result<std::string> own_file_text(const std::filesystem::path& path) {
     if ((*file)->size() > most_mib << 20) {
         return (*file)->error(
             ErrorCode::format_limit,
-            {"text", words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)}),
+            {"text",
+             words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)}),
              words(VYBEG_MESSAGE("Words", "Choose a smaller file"))});
     }
     std::string text(static_cast<std::size_t>((*file)->size()), '\0');

@@ -105,7 +105,8 @@ public:
 
 private:
     // The attributes around a group hold for what is in it.
-    Status list_group(hid_t group, const std::string& path, Hdf5Attributes around, std::size_t depth) {
+    Status list_group(hid_t group, const std::string& path, Hdf5Attributes around,
+                      std::size_t depth) {
         if (depth > most_depth) {
             return limit(VYBEG_MESSAGE("Words", "its groups lie more than %1 deep"), most_depth);
         }
@@ -114,7 +115,12 @@ private:
         }
         std::vector<std::string> names;
         hsize_t index = 0;
-        if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &index, collect_hard_link, &names) < 0) {
+        const Hdf5Handle creation(H5Gget_create_plist(group));
+        unsigned kept = 0;
+        const bool in_order = creation && H5Pget_link_creation_order(creation.get(), &kept) >= 0 &&
+                              (kept & H5P_CRT_ORDER_TRACKED) != 0;
+        if (H5Literate(group, in_order ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME, H5_ITER_INC, &index,
+                       collect_hard_link, &names) < 0) {
             return damaged(VYBEG_MESSAGE("Words", "the group %1 cannot be read"), {path + "/"});
         }
         for (const std::string& name : names) {

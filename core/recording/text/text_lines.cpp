@@ -16,8 +16,9 @@ Error line_too_long(const FileBytes& file, const char* format, std::int64_t line
     return file.error(
         ErrorCode::format_limit,
         {format, words(VYBEG_MESSAGE("Words", "line %1 is longer than 1 MiB"), {count_arg(line)}),
-         words(VYBEG_MESSAGE("Words", "Write a line for each time, with one number for each "
-                                      "channel"))});
+         words(VYBEG_MESSAGE("Words",
+                             "Write a line for each time, with one number for each "
+                             "channel"))});
 }
 
 TextLines::TextLines(std::shared_ptr<const FileBytes> file) : file_(std::move(file)) {}

@@ -426,7 +426,8 @@ void TestHdf5Reader::what_cannot_be_read_is_refused_by_name() {
     QVERIFY(!recording);
     QCOMPARE(QString::fromStdString(code_name(recording.error().code)), code);
     const std::vector<MessageArg>& args = recording.error().args;
-    QCOMPARE(QString::fromStdString(english(args.at(code == "format-limit" ? 1 : args.size() - 1))), reason);
+    QCOMPARE(QString::fromStdString(english(args.at(code == "format-limit" ? 1 : args.size() - 1))),
+             reason);
 }
 
 VYBEG_TEST(TestHdf5Reader)
