@@ -2,6 +2,7 @@
 
 #include "core/recording/variables/reader_protocol.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <fcntl.h>
@@ -25,7 +26,8 @@ void limit(__rlimit_resource resource, rlim_t most) {
     ::setrlimit(resource, &both);
 }
 
-// Beyond what the process has already: the file's size and 64 MB.
+// Beyond what the process has already: the file's size and 64 MB; at most what the largest pieces
+// need as well.
 void limit_memory() {
 #ifndef __SANITIZE_ADDRESS__  // whose shadow takes the whole address space
     constexpr rlim_t allowance = rlim_t{64} << 20;
@@ -33,8 +35,10 @@ void limit_memory() {
     std::ifstream("/proc/self/statm") >> pages;
     struct stat file {};
     if (pages > 0 && ::fstat(reader_file, &file) == 0) {
-        limit(RLIMIT_AS, pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) +
-                             static_cast<rlim_t>(file.st_size) + allowance);
+        const rlim_t usual = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) +
+                             static_cast<rlim_t>(file.st_size) + allowance;
+        const rlimit both{usual, usual + packed_pieces_held * most_packed_bytes};
+        ::setrlimit(RLIMIT_AS, &both);
     }
 #endif
 }
@@ -116,6 +120,15 @@ void give_up_resources() {
 #ifndef __SANITIZE_ADDRESS__  // which looks at /proc with descriptors of its own
     limit(RLIMIT_NOFILE, 8);
 #endif
+}
+
+void allow_memory(std::int64_t bytes) {
+    rlimit memory{};
+    ::getrlimit(RLIMIT_AS, &memory);
+    if (memory.rlim_cur != RLIM_INFINITY) {
+        memory.rlim_cur = std::min(memory.rlim_cur + static_cast<rlim_t>(bytes), memory.rlim_max);
+        ::setrlimit(RLIMIT_AS, &memory);
+    }
 }
 
 bool forbid_system_calls() {

@@ -69,6 +69,9 @@ int serve_file(std::string_view kind, const std::function<void()>& once_confined
         once_confined();
     }
     const auto opened = open_file(kind);
+    if (opened) {
+        allow_memory((*opened)->memory_bytes());
+    }
     if (!opened) {
         answer(ReplyKind::error, encode(opened.error()));
         std::_Exit(1);

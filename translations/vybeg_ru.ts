@@ -1628,6 +1628,14 @@
         <source>The mode at %1 Hz would grow, at a rate of %2 1/s (standard deviation %3): the motion is not that of a resonator in free decay, and modes and resonator are refused.</source>
         <translation>Мода %1 Гц росла бы со скоростью %2 1/с (СКО %3): это не движение резонатора в свободном выбеге, моды и резонатор не определяются.</translation>
     </message>
+    <message>
+        <source>%1: this %2 file is beyond a limit of this program: %3. %4.</source>
+        <translation>%1: файл %2 превышает предел этой программы: %3. %4.</translation>
+    </message>
+    <message>
+        <source>Columns that hold words are no channels and were passed over: %1.</source>
+        <translation>Столбцы со словами — не каналы и пропущены: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -3205,10 +3213,6 @@
         <translation>шкалу без описания (канал %1)</translation>
     </message>
     <message>
-        <source>samples in more than %1 separate pieces</source>
-        <translation>отсчёты более чем в %1 отдельных частях</translation>
-    </message>
-    <message>
         <source>only the index of the .tdms file beside it</source>
         <translation>только индекс к файлу .tdms рядом</translation>
     </message>
@@ -3285,24 +3289,12 @@
         <translation>имя объекта не разобрать</translation>
     </message>
     <message>
-        <source>more than %1 objects</source>
-        <translation>больше %1 объектов</translation>
-    </message>
-    <message>
         <source>a channel&apos;s raw data are as before, and there are none before</source>
         <translation>данные канала «как прежде», но прежних нет</translation>
     </message>
     <message>
         <source>a property of the type %1</source>
         <translation>свойство типа %1</translation>
-    </message>
-    <message>
-        <source>more than %1 properties of scales</source>
-        <translation>больше %1 свойств шкал</translation>
-    </message>
-    <message>
-        <source>it cannot be decoded</source>
-        <translation>его не удаётся декодировать</translation>
     </message>
     <message>
         <source>audio</source>
@@ -3355,10 +3347,6 @@
     <message>
         <source>an entry of its directory is incomplete</source>
         <translation>запись оглавления неполна</translation>
-    </message>
-    <message>
-        <source>more than %1 members</source>
-        <translation>больше %1 файлов</translation>
     </message>
     <message>
         <source>encrypted members</source>
@@ -3479,10 +3467,6 @@
     <message>
         <source>columns %1 and %2 of different times</source>
         <translation>столбцы %1 и %2 с разным временем</translation>
-    </message>
-    <message>
-        <source>a line is longer than 1 MiB</source>
-        <translation>строка длиннее 1 МиБ</translation>
     </message>
     <message>
         <source>no time response (dataset 58)</source>
@@ -3887,6 +3871,114 @@
     <message>
         <source>its damping is by %1, the decay rate goes with the amplitude to the power %2 (standard deviation %3)</source>
         <translation>затухание создаёт %1, скорость затухания пропорциональна амплитуде в степени %2 (СКО %3)</translation>
+    </message>
+    <message>
+        <source>samples packed in pieces of %1 MiB (a limit of this program is %2 MiB)</source>
+        <translation>отсчёты, сжатые частями по %1 МиБ (предел этой программы — %2 МиБ)</translation>
+    </message>
+    <message>
+        <source>Write a line for each time, with one number for each channel</source>
+        <translation>Пишите строку на каждый момент времени, по числу на канал</translation>
+    </message>
+    <message>
+        <source>it has more than %1 properties of scales</source>
+        <translation>в нём больше %1 свойств шкал</translation>
+    </message>
+    <message>
+        <source>its samples lie in more than %1 separate pieces</source>
+        <translation>его отсчёты лежат более чем в %1 отдельных частях</translation>
+    </message>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>в нём больше %1 файлов</translation>
+    </message>
+    <message>
+        <source>Save the recording in a file of its own</source>
+        <translation>Сохраните запись в отдельном файле</translation>
+    </message>
+    <message>
+        <source>Choose a smaller file</source>
+        <translation>Выберите файл меньшего размера</translation>
+    </message>
+    <message>
+        <source>Cut the recording where its clock jumps</source>
+        <translation>Разрежьте запись там, где скачут её часы</translation>
+    </message>
+    <message>
+        <source>integers of %1 bits; up to %2, and 64 in WAV, are read</source>
+        <translation>целые числа по %1 бит; читаются до %2 и, в WAV, 64</translation>
+    </message>
+    <message>
+        <source>Save the recording with 32 bits or as floats</source>
+        <translation>Сохраните запись с 32 битами или в числах с плавающей точкой</translation>
+    </message>
+    <message>
+        <source>samples from frame %1 on cannot be decoded</source>
+        <translation>отсчёты с кадра %1 не декодируются</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>нет %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 is expected, and %3 is there</source>
+        <translation>%1: ожидается %2, а там %3</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>объект</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>список</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>текст</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>число</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>целое число</translation>
+    </message>
+    <message>
+        <source>a number that is not negative</source>
+        <translation>неотрицательное число</translation>
+    </message>
+    <message>
+        <source>a positive number</source>
+        <translation>положительное число</translation>
+    </message>
+    <message>
+        <source>a reason known here</source>
+        <translation>известная здесь причина</translation>
+    </message>
+    <message>
+        <source>structured or free</source>
+        <translation>structured или free</translation>
+    </message>
+    <message>
+        <source>an order of the modes</source>
+        <translation>порядок мод</translation>
+    </message>
+    <message>
+        <source>a list as long as that of the times</source>
+        <translation>список той же длины, что и времена</translation>
+    </message>
+    <message>
+        <source>a list as long as that of the names</source>
+        <translation>список той же длины, что и имена</translation>
+    </message>
+    <message>
+        <source>a list of a number for each two names</source>
+        <translation>список с числом на каждую пару имён</translation>
+    </message>
+    <message>
+        <source>it holds a number beyond all ranges</source>
+        <translation>в нём есть число вне всяких пределов</translation>
     </message>
 </context>
 <context>
@@ -6231,8 +6323,8 @@
 <context>
     <name>vybeg::ui::SessionKeeper</name>
     <message>
-        <source>%1 is not a session that can be read: %2, at byte %3.</source>
-        <translation>%1 — не сеанс, который можно прочитать: %2, байт %3.</translation>
+        <source>%1 is not a session that can be read: it is no JSON at byte %2.</source>
+        <translation>%1 — не сеанс, который можно прочитать: в байте %2 это не JSON.</translation>
     </message>
     <message>
         <source>%1 is not a session of Vybeg.</source>

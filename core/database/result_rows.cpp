@@ -25,8 +25,10 @@ std::string line_of(const Json& json) {
 Json parsed(const std::string& text) {
     try {
         return Json::parse(text);
-    } catch (const Json::exception& error) {
-        throw DamagedRow(error.what());
+    } catch (const Json::parse_error& error) {
+        throw DamagedRow("it is no JSON at byte " + std::to_string(error.byte));
+    } catch (const Json::exception&) {
+        throw DamagedRow("it holds a number beyond all ranges");
     }
 }
 

@@ -8,8 +8,8 @@
 namespace vybeg {
 namespace {
 
-// Metadata come in one block before all arrays: those of a track take 6 kB of it.
-constexpr hsize_t metadata_block = 1 << 13;
+// Metadata come in one block before all arrays: those of a track take 8 kB of it.
+constexpr hsize_t metadata_block = 1 << 14;
 // Links that stand in the root group itself, in the order in which they were made.
 constexpr unsigned most_links = 64;
 
@@ -66,15 +66,29 @@ Hdf5Handle make_file(Image& image) {
                  : Hdf5Handle();
 }
 
-Hdf5Handle type_of(const Hdf5Array& array) {
-    if (array.text_bytes == 0) {
-        return Hdf5Handle(H5Tcopy(H5T_IEEE_F64LE));
-    }
+Hdf5Handle text_type(std::int64_t bytes) {
     Hdf5Handle text(H5Tcopy(H5T_C_S1));
-    const bool made = H5Tset_size(text.get(), static_cast<std::size_t>(array.text_bytes)) >= 0 &&
+    const bool made = H5Tset_size(text.get(), static_cast<std::size_t>(bytes)) >= 0 &&
                       H5Tset_strpad(text.get(), H5T_STR_NULLPAD) >= 0 &&
                       H5Tset_cset(text.get(), H5T_CSET_UTF8) >= 0;
     return made ? std::move(text) : Hdf5Handle();
+}
+
+Hdf5Handle type_of(const Hdf5Array& array) {
+    return array.text_bytes == 0 ? Hdf5Handle(H5Tcopy(H5T_IEEE_F64LE))
+                                 : text_type(array.text_bytes);
+}
+
+// An empty text is none.
+bool set_attribute(hid_t object, const char* name, const std::string& text) {
+    if (text.empty()) {
+        return true;
+    }
+    const Hdf5Handle type = text_type(static_cast<std::int64_t>(text.size()));
+    const Hdf5Handle space(H5Screate(H5S_SCALAR));
+    const Hdf5Handle attribute(
+        H5Acreate2(object, name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT));
+    return attribute && H5Awrite(attribute.get(), type.get(), text.data()) >= 0;
 }
 
 // Gives the array its room in the file and writes nothing there.
@@ -94,17 +108,18 @@ bool place(hid_t file, const Hdf5Array& array, std::int64_t& at) {
                                         H5P_DEFAULT, creation.get(), H5P_DEFAULT));
     const haddr_t offset = dataset ? H5Dget_offset(dataset.get()) : HADDR_UNDEF;
     at = static_cast<std::int64_t>(offset);
-    return dataset && (rows == 0 || offset != HADDR_UNDEF);
+    return dataset && (rows == 0 || offset != HADDR_UNDEF) &&
+           set_attribute(dataset.get(), "unit", array.unit);
 }
 
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) bool vybeg_hdf5_layout(
-    const std::vector<Hdf5Array>& arrays, Hdf5Layout& layout) {
+    const std::string& program, const std::vector<Hdf5Array>& arrays, Hdf5Layout& layout) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     Image image{0, &layout.bytes};
     Hdf5Handle file = make_file(image);
-    if (!file) {
+    if (!file || !set_attribute(file.get(), "program", program)) {
         return false;
     }
     std::int64_t before = 0;

@@ -13,6 +13,7 @@ struct Hdf5Array {
     std::string name;
     std::int64_t rows = 0;
     std::int64_t text_bytes = 0;  // of each row's text, in UTF-8; 0: float64
+    std::string unit{};           // attribute of the dataset; empty: none
 
     std::int64_t bytes() const {
         return rows * (text_bytes == 0 ? static_cast<std::int64_t>(sizeof(double)) : text_bytes);
@@ -25,9 +26,10 @@ struct Hdf5Layout {
     std::int64_t size = 0;             // of the whole file
 };
 
-// The layout of a file whose root group has these arrays, one behind the other in their order.
-// False where libhdf5 fails. Not for two threads at once.
-using Hdf5LayoutFunction = bool (*)(const std::vector<Hdf5Array>& arrays, Hdf5Layout& layout);
+// The layout of a file whose root group has the attribute `program` and these arrays, one behind
+// the other in their order. False where libhdf5 fails. Not for two threads at once.
+using Hdf5LayoutFunction = bool (*)(const std::string& program,
+                                    const std::vector<Hdf5Array>& arrays, Hdf5Layout& layout);
 
 inline constexpr const char* hdf5_layout_library = "vybeg-hdf5.so";
 inline constexpr const char* hdf5_layout_function = "vybeg_hdf5_layout";

@@ -4,6 +4,7 @@
 #include "core/output/quantity_json.h"
 #include "core/output/stored_reason.h"
 #include "core/recording/bytes/file_bytes.h"
+#include "core/recording/bytes/text_encoding.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/run_parameters.h"
 
@@ -14,8 +15,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace vybeg {
 namespace {
@@ -50,35 +52,132 @@ Json written(const Estimate& estimate) {
     return json;
 }
 
-// The following functions throw std::runtime_error, or the exception of the JSON library, with the
-// reason.
+// What is wrong with a passport, thrown by the following functions.
+struct Fault {
+    MessageArg reason;
+};
 
-[[noreturn]] void fail(const std::string& reason) {
-    throw std::runtime_error(reason);
-}
+// A value of the file with its place, as "resonator.tau_s.value" or "runs[1].a_A".
+class Node {
+public:
+    Node(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
 
-double number_of(const Json& json) {
-    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
+    bool is_null() const { return json_.is_null(); }
+    bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
 
-std::vector<double> numbers(const Json& json) {
-    std::vector<double> values;
-    for (const Json& value : json) {
-        values.push_back(number_of(value));
+    Node at(const char* key) const {
+        if (!json_.is_object()) {
+            wrong(VYBEG_MESSAGE("Words", "an object"));
+        }
+        const auto found = json_.find(key);
+        const std::string place = place_.empty() ? key : place_ + '.' + key;
+        if (found == json_.end()) {
+            throw Fault{words(VYBEG_MESSAGE("Words", "%1 is missing"), {place})};
+        }
+        return {*found, place};
     }
-    return values;
-}
 
-Reason known_reason(const std::string& name, const std::vector<std::string>& args) {
-    std::optional<Reason> reason = stored_reason(name, args);
+    std::vector<Node> elements() const {
+        if (!json_.is_array()) {
+            wrong(VYBEG_MESSAGE("Words", "a list"));
+        }
+        std::vector<Node> nodes;
+        for (const Json& element : json_) {
+            nodes.emplace_back(element, place_ + '[' + std::to_string(nodes.size()) + ']');
+        }
+        return nodes;
+    }
+
+    // Values by their names, all of them texts.
+    std::vector<std::pair<std::string, std::string>> texts_by_name() const {
+        if (!json_.is_object()) {
+            wrong(VYBEG_MESSAGE("Words", "an object"));
+        }
+        std::vector<std::pair<std::string, std::string>> texts;
+        for (const auto& [name, value] : json_.items()) {
+            texts.emplace_back(name, Node(value, place_ + '.' + name).text());
+        }
+        return texts;
+    }
+
+    std::string text() const {
+        if (!json_.is_string()) {
+            wrong(VYBEG_MESSAGE("Words", "a text"));
+        }
+        return json_.get<std::string>();
+    }
+
+    std::vector<std::string> texts() const {
+        std::vector<std::string> all;
+        for (const Node& node : elements()) {
+            all.push_back(node.text());
+        }
+        return all;
+    }
+
+    int whole_number() const {
+        if (!json_.is_number_integer()) {
+            wrong(VYBEG_MESSAGE("Words", "a whole number"));
+        }
+        return json_.get<int>();
+    }
+
+    double number() const {
+        if (!json_.is_number()) {
+            wrong(VYBEG_MESSAGE("Words", "a number"));
+        }
+        return json_.get<double>();
+    }
+
+    double positive_or_zero() const {
+        if (!(number() >= 0)) {
+            wrong(VYBEG_MESSAGE("Words", "a number that is not negative"));
+        }
+        return number();
+    }
+
+    // Numbers that are not finite are null.
+    std::vector<double> numbers() const {
+        std::vector<double> values;
+        for (const Node& node : elements()) {
+            values.push_back(node.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                            : node.number());
+        }
+        return values;
+    }
+
+    // `expected`: what has to stand here.
+    [[noreturn]] void wrong(const char* expected) const {
+        throw Fault{words(VYBEG_MESSAGE("Words", "%1: %2 is expected, and %3 is there"),
+                          {place_, words(expected), found()})};
+    }
+
+private:
+    MessageArg found() const {
+        if (json_.is_object()) {
+            return words(VYBEG_MESSAGE("Words", "an object"));
+        }
+        if (json_.is_array()) {
+            return words(VYBEG_MESSAGE("Words", "a list"));
+        }
+        return short_quote(json_.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+
+    const Json& json_;
+    std::string place_;
+};
+
+Reason known_reason(const Node& name, const std::vector<std::string>& args) {
+    std::optional<Reason> reason = stored_reason(name.text(), args);
     if (!reason) {
-        fail("the reason \"" + name + "\" is not known");
+        name.wrong(VYBEG_MESSAGE("Words", "a reason known here"));
     }
     return std::move(*reason);
 }
 
 // Nearest present reason for reasons of schema 1 that were removed or have other arguments now.
-Reason old_reason(const std::string& name, const std::vector<std::string>& args) {
+Reason old_reason(const Node& node, const std::vector<std::string>& args) {
+    const std::string name = node.text();
     constexpr std::array<std::pair<const char*, ReasonCode>, 7> nearest{{
         {"below-noise", ReasonCode::modes_not_apart},
         {"kappa-still-wave", ReasonCode::as_given},
@@ -98,29 +197,23 @@ Reason old_reason(const std::string& name, const std::vector<std::string>& args)
         const double sd = parse_number(args[1]).value_or(0);
         return {ReasonCode::no_decay, {number_arg(1 / (std::max(rate, 0.0) + 2 * sd), 3)}};
     }
-    return known_reason(name, args);
+    return known_reason(node, args);
 }
 
-Estimate read_estimate(const Json& json, int schema) {
+Estimate read_estimate(const Node& json, int schema) {
     Estimate estimate;
     if (!json.at("value").is_null()) {
-        estimate.value = json.at("value").get<double>();
-        estimate.sd = json.at("sd").get<double>();
-        if (!(estimate.sd >= 0)) {
-            fail("a standard deviation is negative");
-        }
-        if (json.contains("u")) {
-            estimate.u = json.at("u").get<double>();
-            if (!(estimate.u >= 0)) {
-                fail("an uncertainty is negative");
-            }
+        estimate.value = json.at("value").number();
+        estimate.sd = json.at("sd").positive_or_zero();
+        if (json.has("u")) {
+            estimate.u = json.at("u").positive_or_zero();
         }
         return estimate;
     }
     // A value that was not finite when written has neither code nor arguments.
-    if (json.contains("code")) {
-        const auto name = json.at("code").get<std::string>();
-        const auto args = json.at("args").get<std::vector<std::string>>();
+    if (json.has("code")) {
+        const Node name = json.at("code");
+        const std::vector<std::string> args = json.at("args").texts();
         estimate.reason = schema == 1 ? old_reason(name, args) : known_reason(name, args);
     } else {
         estimate.reason.code = ReasonCode::too_few_windows;
@@ -138,7 +231,7 @@ Json written_parameters(const Owner& owner, const Parameters& parameters) {
 }
 
 template <class Owner, class Parameters>
-Owner read_parameters(const Json& json, const Parameters& parameters, int schema) {
+Owner read_parameters(const Node& json, const Parameters& parameters, int schema) {
     Owner owner;
     for (const auto& parameter : parameters) {
         owner.*parameter.member = read_estimate(json.at(parameter.name), schema);
@@ -146,28 +239,28 @@ Owner read_parameters(const Json& json, const Parameters& parameters, int schema
     return owner;
 }
 
-IdentifiedInput read_input(const Json& json) {
-    return {json.at("name").get<std::string>(),  json.at("sha256").get<std::string>(),
-            json.at("start").get<std::string>(), json.at("seconds").get<double>(),
-            json.at("rate_hz").get<double>(),    json.at("f0_hz").get<double>()};
+IdentifiedInput read_input(const Node& json) {
+    return {json.at("name").text(),      json.at("sha256").text(),    json.at("start").text(),
+            json.at("seconds").number(), json.at("rate_hz").number(), json.at("f0_hz").number()};
 }
 
-RunTrack read_track(const Json& json) {
+RunTrack read_track(const Node& json) {
     RunTrack track;
     for (const TrackColumn& column : track_columns) {
-        track.*column.member = numbers(json.at(column.name));
+        const Node values = json.at(column.name);
+        track.*column.member = values.numbers();
         if ((track.*column.member).size() != track.time_s.size()) {
-            fail(std::string("the track's ") + column.name + " has another length than its times");
+            values.wrong(VYBEG_MESSAGE("Words", "a list as long as that of the times"));
         }
     }
     return track;
 }
 
-ResonatorModel read_model(const std::string& name) {
-    if (name != "structured" && name != "free") {
-        fail("the model is \"" + name + "\"");
+ResonatorModel read_model(const Node& name) {
+    if (name.text() != "structured" && name.text() != "free") {
+        name.wrong(VYBEG_MESSAGE("Words", "structured or free"));
     }
-    return name == "free" ? ResonatorModel::free : ResonatorModel::structured;
+    return name.text() == "free" ? ResonatorModel::free : ResonatorModel::structured;
 }
 
 // Order of the modes of a file of schema 1, always by frequency; empty where their frequencies do
@@ -188,58 +281,57 @@ std::optional<ModeOrder> old_mode_order(const Passport& passport) {
     return std::nullopt;
 }
 
-ModeOrder read_mode_order(const std::string& name) {
-    if (name == mode_order_name(ModeOrder::frequency)) {
-        return ModeOrder::frequency;
-    }
-    if (name != mode_order_name(ModeOrder::decay)) {
-        fail("the modes are named by \"" + name + "\"");
-    }
-    return ModeOrder::decay;
-}
-
-Passport read_all(const Json& json, int schema) {
-    Passport passport;
-    passport.program = json.at("program").get<std::string>();
-    // Optional: files of before have none of these.
-    passport.gyro = json.value("gyro", std::string());
-    passport.date = json.value("date", std::string());
-    if (json.contains("conditions")) {
-        for (const auto& [name, value] : json.at("conditions").items()) {
-            passport.conditions.emplace_back(name, value.get<std::string>());
+ModeOrder read_mode_order(const Node& name) {
+    for (const ModeOrder order : {ModeOrder::frequency, ModeOrder::decay}) {
+        if (name.text() == mode_order_name(order)) {
+            return order;
         }
     }
-    for (const Json& input : json.at("inputs")) {
+    name.wrong(VYBEG_MESSAGE("Words", "an order of the modes"));
+}
+
+Passport read_all(const Node& json, int schema) {
+    Passport passport;
+    passport.program = json.at("program").text();
+    // Optional: files of before have none of these.
+    passport.gyro = json.has("gyro") ? json.at("gyro").text() : "";
+    passport.date = json.has("date") ? json.at("date").text() : "";
+    if (json.has("conditions")) {
+        passport.conditions = json.at("conditions").texts_by_name();
+    }
+    for (const Node& input : json.at("inputs").elements()) {
         passport.inputs.push_back(read_input(input));
     }
-    for (const auto& [name, value] : json.at("settings").items()) {
-        passport.settings.emplace_back(name, value.get<std::string>());
-    }
-    passport.model = read_model(json.at("model").get<std::string>());
+    passport.settings = json.at("settings").texts_by_name();
+    passport.model = read_model(json.at("model"));
     passport.resonator =
         read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters, schema);
-    for (const Json& mode : json.at("modes")) {
+    for (const Node& mode : json.at("modes").elements()) {
         passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters, schema));
     }
     if (schema == 1) {
         passport.mode_order = old_mode_order(passport);
     } else {
-        const Json& by = json.at("modes_by");
-        passport.mode_order =
-            by.is_null() ? std::nullopt : std::optional(read_mode_order(by.get<std::string>()));
-        for (const Json& run : json.at("runs")) {
+        const Node by = json.at("modes_by");
+        passport.mode_order = by.is_null() ? std::nullopt : std::optional(read_mode_order(by));
+        for (const Node& run : json.at("runs").elements()) {
             passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters, schema));
         }
     }
-    const Json& parameters = json.at("parameters");
-    passport.raw.names = parameters.at("names").get<std::vector<std::string>>();
-    passport.raw.values = numbers(parameters.at("values"));
-    passport.raw.covariance = numbers(parameters.at("covariance"));
+    const Node parameters = json.at("parameters");
+    passport.raw.names = parameters.at("names").texts();
+    passport.raw.values = parameters.at("values").numbers();
+    passport.raw.covariance = parameters.at("covariance").numbers();
     const std::size_t count = passport.raw.names.size();
-    if (passport.raw.values.size() != count || passport.raw.covariance.size() != count * count) {
-        fail("parameters and covariance differ in size");
+    if (passport.raw.values.size() != count) {
+        parameters.at("values").wrong(
+            VYBEG_MESSAGE("Words", "a list as long as that of the names"));
     }
-    for (const Json& track : json.at("tracks")) {
+    if (passport.raw.covariance.size() != count * count) {
+        parameters.at("covariance")
+            .wrong(VYBEG_MESSAGE("Words", "a list of a number for each two names"));
+    }
+    for (const Node& track : json.at("tracks").elements()) {
         passport.tracks.push_back(read_track(track));
     }
     return passport;
@@ -310,28 +402,28 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
                          where,
                          {words(VYBEG_MESSAGE("Words", "its JSON is not a passport's"))}};
         }
-        const int schema = json.at("schema").get<int>();
-        if (schema < 1) {
-            fail("its schema is " + std::to_string(schema));
+        const Node whole(json, "");
+        const Node schema = whole.at("schema");
+        if (schema.whole_number() < 1) {
+            schema.wrong(VYBEG_MESSAGE("Words", "a positive number"));
         }
-        if (schema > Passport::schema) {
+        if (schema.whole_number() > Passport::schema) {
             return Error{ErrorCode::passport_schema,
                          where,
-                         {count_arg(schema), count_arg(Passport::schema)}};
+                         {count_arg(schema.whole_number()), count_arg(Passport::schema)}};
         }
-        return read_all(json, schema);
+        return read_all(whole, schema.whole_number());
     } catch (const Json::parse_error& error) {
         return Error{ErrorCode::passport_damaged,
                      where,
                      {words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
                             {count_arg(static_cast<std::int64_t>(error.byte))})}};
-    } catch (const std::exception& error) {
-        // The JSON library prefixes its name of the error in brackets.
-        const std::string reason = error.what();
-        const std::size_t bracket = reason.starts_with('[') ? reason.find("] ") : std::string::npos;
+    } catch (const Json::exception&) {
         return Error{ErrorCode::passport_damaged,
                      where,
-                     {bracket == std::string::npos ? reason : reason.substr(bracket + 2)}};
+                     {words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges"))}};
+    } catch (const Fault& fault) {
+        return Error{ErrorCode::passport_damaged, where, {fault.reason}};
     }
 }
 

@@ -45,6 +45,12 @@ std::string track_column_name(std::size_t column) {
                              : std::string("sd_") + info(sd_columns[column - first_sd]).column;
 }
 
+std::string track_column_unit(std::size_t column) {
+    return column == 0         ? "s"
+           : column < first_sd ? info(value_columns[column - 1]).unit
+                               : info(sd_columns[column - first_sd]).unit;
+}
+
 std::span<const double> track_column(const Track& track, std::size_t column) {
     return column_of(track, column);
 }

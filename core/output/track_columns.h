@@ -19,6 +19,7 @@ inline constexpr const char* header_name = "header";
 
 // With the unit at its end, e.g. "two_theta_A_rad".
 std::string track_column_name(std::size_t column);
+std::string track_column_unit(std::size_t column);  // empty: the recording's
 std::span<const double> track_column(const Track& track, std::size_t column);
 std::span<double> track_column(Track& track, std::size_t column);
 

@@ -18,7 +18,8 @@ namespace {
 
 // libhdf5 and what it needs take longer to load than the whole program to start: it lies in a
 // library of its own, which is loaded for the first HDF5 file.
-Result<Hdf5Layout> layout_of(const OutputFile& file, const std::vector<Hdf5Array>& arrays) {
+Result<Hdf5Layout> layout_of(const OutputFile& file, const std::string& program,
+                             const std::vector<Hdf5Array>& arrays) {
     static std::mutex one_at_a_time;  // Debian's libhdf5 is not for several threads
     const std::lock_guard lock(one_at_a_time);
     std::error_code ignored;
@@ -36,7 +37,7 @@ Result<Hdf5Layout> layout_of(const OutputFile& file, const std::vector<Hdf5Array
                                   {reason == nullptr ? "" : reason}));
     }
     Hdf5Layout layout;
-    if (!make(arrays, layout)) {
+    if (!make(program, arrays, layout)) {
         return file.failure(words(VYBEG_MESSAGE("Words", "libhdf5 reports an error")));
     }
     return layout;
@@ -80,7 +81,7 @@ Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
     const auto rows = static_cast<std::int64_t>(columns.rows());
     std::vector<Hdf5Array> arrays;
     for (std::size_t k = 0; k < track_number_columns; ++k) {
-        arrays.push_back({track_column_name(k), rows, 0});
+        arrays.push_back({track_column_name(k), rows, 0, track_column_unit(k)});
     }
     const std::size_t width = longest_text(*counts);
     arrays.push_back({flag_column_name, rows, static_cast<std::int64_t>(width)});
@@ -90,7 +91,7 @@ Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
     }
     arrays.push_back({header_name, static_cast<std::int64_t>(header.size()),
                       static_cast<std::int64_t>(longest)});
-    const Result<Hdf5Layout> layout = layout_of(file, arrays);
+    const Result<Hdf5Layout> layout = layout_of(file, header.empty() ? "" : header.front(), arrays);
     if (!layout) {
         return layout.error();
     }

@@ -88,6 +88,9 @@ QJsonObject optionsToJson(const OpenOptions& options) {
     QJsonObject json{{QStringLiteral("channel_c"), options.channel_c},
                      {QStringLiteral("channel_d"), options.channel_d}};
     put(json, "rate_hz", options.rate_hz);
+    if (options.scale != 1) {
+        put(json, "scale", options.scale);
+    }
     if (options.raw) {
         json[QStringLiteral("raw")] = rawToJson(*options.raw);
     }
@@ -112,6 +115,7 @@ OpenOptions optionsFromJson(const QJsonObject& json) {
     options.rate_hz = number(json, "rate_hz");
     options.channel_c = json[QStringLiteral("channel_c")].toInt(1);
     options.channel_d = json[QStringLiteral("channel_d")].toInt(2);
+    options.scale = number(json, "scale").value_or(1);
     if (json[QStringLiteral("raw")].isObject()) {
         options.raw = rawFromJson(json[QStringLiteral("raw")].toObject());
     }

@@ -81,9 +81,9 @@ bool SessionKeeper::openSession(const QString& path) {
     const QByteArray bytes = QByteArray::fromStdString(*text);
     const QJsonObject json = QJsonDocument::fromJson(bytes, &fault).object();
     if (fault.error != QJsonParseError::NoError) {
-        fail([path, at = fault.offset, reason = fault.errorString()] {
-            return tr("%1 is not a session that can be read: %2, at byte %3.")
-                .arg(path, reason)
+        fail([path, at = fault.offset] {
+            return tr("%1 is not a session that can be read: it is no JSON at byte %2.")
+                .arg(path)
                 .arg(at);
         });
         return false;

@@ -158,9 +158,11 @@ public:
                 }
                 return ranges_c.ranges().size() + ranges_d.ranges().size() <= most_ranges
                            ? Status{}
-                           : unsupported(
-                                 VYBEG_MESSAGE("Words", "samples in more than %1 separate pieces"),
-                                 {count_arg(static_cast<std::int64_t>(most_ranges))});
+                           : Status(too_many_parts(
+                                 file_->path().string(), "TDMS",
+                                 VYBEG_MESSAGE("Words",
+                                               "its samples lie in more than %1 separate pieces"),
+                                 most_ranges));
             });
         if (!status) {
             return status.error();

@@ -66,6 +66,10 @@ Error TdmsFile::unsupported(const char* text, std::vector<MessageArg> args) cons
     return file_->error(ErrorCode::format_unsupported, {"TDMS", words(text, std::move(args))});
 }
 
+Error TdmsFile::limit(const char* text, std::size_t most) const {
+    return too_many_parts(file_->path().string(), "TDMS", text, most);
+}
+
 Status TdmsFile::walk(const Visitor& visit) {
     const std::int64_t file_size = file_->size();
     for (std::int64_t at = 0; at < file_size;) {
@@ -179,8 +183,7 @@ Result<std::size_t> TdmsFile::object_named(const std::string& path) {
         return damaged(VYBEG_MESSAGE("Words", "the name of an object cannot be understood"));
     }
     if (objects_.size() == most_objects) {
-        return unsupported(VYBEG_MESSAGE("Words", "more than %1 objects"),
-                           {count_arg(most_objects)});
+        return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
     }
     const std::size_t place = objects_.size();
     places_.emplace(path, place);
@@ -239,8 +242,8 @@ Status TdmsFile::take_properties(TdmsMetadata& metadata, TdmsObject& object) {
         if (is_kept(name)) {
             kept_ += object.properties.insert_or_assign(name, std::move(*value)).second ? 1 : 0;
             if (kept_ > most_kept) {
-                return unsupported(VYBEG_MESSAGE("Words", "more than %1 properties of scales"),
-                                   {count_arg(most_kept)});
+                return limit(VYBEG_MESSAGE("Words", "it has more than %1 properties of scales"),
+                             most_kept);
             }
         }
     }

@@ -44,7 +44,7 @@ public:
 
     // Calls `visit` for each segment with raw data; `chunk` lists the contents of one of its
     // chunks, in order. Errors: those of `visit`; file_read_failed; format_damaged;
-    // format_unsupported for more than 10,000 objects and more than 50,000 properties of scales;
+    // format_limit for more than 10,000 objects and more than 50,000 properties of scales;
     // interrupted.
     Status walk(const Visitor& visit);
 
@@ -61,6 +61,7 @@ private:
     Result<std::size_t> object_named(const std::string& path);
     Error damaged(const char* text) const;
     Error unsupported(const char* text, std::vector<MessageArg> args = {}) const;
+    Error limit(const char* text, std::size_t most) const;
 
     std::shared_ptr<const FileBytes> file_;
     const JobControl& job_;

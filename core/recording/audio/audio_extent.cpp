@@ -156,6 +156,9 @@ public:
             long_data_size_ = load<std::int64_t>(chunk.payload + 8, false);
         } else if (chunk.id == "COMM") {
             extent_.promised_frames = load<std::uint32_t>(chunk.payload + 2, true);
+            constexpr std::int64_t with_encoding = 22;  // of AIFF-C, perhaps of floats
+            extent_.bits =
+                chunk.size < with_encoding ? load<std::uint16_t>(chunk.payload + 6, true) : 0;
         } else if (chunk.id == "desc") {
             const auto bytes = load<std::uint32_t>(chunk.payload + 16, true);
             const auto frames = load<std::uint32_t>(chunk.payload + 20, true);
@@ -220,11 +223,12 @@ private:
             return {};
         }
         PlainSamples plain;
-        if (tag == pcm && (bits == 8 || bits == 16 || bits == 24 || bits == 32)) {
+        if (tag == pcm && (bits == 8 || bits == 16 || bits == 24 || bits == 32 || bits == 64)) {
             plain.type = bits == 8    ? NumberType::u8
                          : bits == 16 ? NumberType::i16
                          : bits == 24 ? NumberType::i24
-                                      : NumberType::i32;
+                         : bits == 32 ? NumberType::i32
+                                      : NumberType::i64;
             plain.type_name =
                 (bits == 8 ? "Unsigned " : "Signed ") + integer_text(bits) + " bit PCM";
             plain.scale = {std::ldexp(1.0, 1 - bits), bits == 8 ? -1.0 : 0.0};
@@ -261,6 +265,10 @@ private:
         const auto tag = load<std::uint16_t>(chunk.payload, big_endian_);
         const bool known = std::find(unpacked.begin(), unpacked.end(), tag) != unpacked.end();
         frame_bytes_ = known ? load<std::uint16_t>(chunk.payload + 12, big_endian_) : 0;
+        constexpr std::uint16_t extensible = 0xFFFE;  // the tag of integers stands further behind
+        const auto kind =
+            tag == extensible ? load<std::uint16_t>(chunk.payload + 24, big_endian_) : tag;
+        extent_.bits = kind == 1 ? load<std::uint16_t>(chunk.payload + 14, big_endian_) : 0;
         if (load<std::uint32_t>(chunk.payload + 4, big_endian_) == 0) {
             extent_.rate_is_zero = true;
             extent_.patches.push_back({chunk.payload_at + 4, store(std::uint32_t{1}, big_endian_)});
@@ -341,6 +349,20 @@ std::string audio_container(std::string_view head) {
         case Container::caf: return "CAF";
     }
     return "";
+}
+
+bool is_tagged_flac(std::string_view head, const FileBytes& file) {
+    constexpr std::size_t tag_head = 10;  // and as many bytes behind the tag where it has a footer
+    if (head.size() < tag_head || !head.starts_with("ID3")) {
+        return false;
+    }
+    std::int64_t behind = tag_head + ((head[5] & 0x10) != 0 ? tag_head : 0);
+    for (int i = 0; i < 4; ++i) {
+        behind += static_cast<std::int64_t>(head[static_cast<std::size_t>(6 + i)] & 0x7F)
+                  << (7 * (3 - i));
+    }
+    std::array<char, 4> name{};
+    return file.read(behind, name) && std::string_view(name.data(), name.size()) == "fLaC";
 }
 
 Result<AudioExtent> audio_extent(const FileBytes& file) {

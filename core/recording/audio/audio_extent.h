@@ -16,6 +16,9 @@ namespace vybeg {
 // (RIFF, RIFX), "RF64", "W64", "AIFF" (and AIFF-C), "CAF", "AU" or "FLAC"; empty for other files.
 std::string audio_container(std::string_view head);
 
+// Whether the file is FLAC behind an ID3v2 tag, which the decoder passes over.
+bool is_tagged_flac(std::string_view head, const FileBytes& file);
+
 // Bytes passed to the decoder instead of those of the file, which it rejects.
 struct HeaderPatch {
     std::int64_t at = 0;
@@ -43,6 +46,7 @@ struct AudioExtent {
     std::optional<std::int64_t> promised_frames;
     // Position of the first sample in a WAV, RF64 or W64 file, bytes; 0 without one.
     std::int64_t samples_at = 0;
+    int bits = 0;               // of integers in a WAV, RF64, W64 or AIFF file
     bool rate_is_zero = false;  // in a WAV, RF64 or W64 file; patched to 1 Hz
     // The sample length of a WAV file is still zero and the samples reach to the end of the file,
     // because the recorder stopped. Patched.

@@ -135,9 +135,19 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
     if (!header) {
         return header.error();
     }
-    return header->plain ? open_plain(file, *header, options)
-                         : open_decoded(file, audio_container({head.data(), head.size()}), *header,
-                                        options, job);
+    constexpr int most_bits = 32;
+    if (header->bits > most_bits && !header->plain) {
+        return file->error(
+            ErrorCode::format_limit,
+            {words(VYBEG_MESSAGE("Words", "audio")),
+             words(VYBEG_MESSAGE("Words", "integers of %1 bits; up to %2, and 64 in WAV, are read"),
+                   {count_arg(header->bits), count_arg(most_bits)}),
+             words(VYBEG_MESSAGE("Words", "Save the recording with 32 bits or as floats"))});
+    }
+    const std::string container = audio_container({head.data(), head.size()});
+    return header->plain
+               ? open_plain(file, *header, options)
+               : open_decoded(file, container.empty() ? "FLAC" : container, *header, options, job);
 }
 
 }  // namespace vybeg

@@ -108,8 +108,10 @@ Result<std::string> own_file_text(const std::filesystem::path& path) {
     }
     if ((*file)->size() > most_mib << 20) {
         return (*file)->error(
-            ErrorCode::file_read_failed,
-            {words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)})});
+            ErrorCode::format_limit,
+            {"text",
+             words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)}),
+             words(VYBEG_MESSAGE("Words", "Choose a smaller file"))});
     }
     std::string text(static_cast<std::size_t>((*file)->size()), '\0');
     const Result<std::int64_t> got = (*file)->read(0, text);
@@ -118,6 +120,14 @@ Result<std::string> own_file_text(const std::filesystem::path& path) {
     }
     text.resize(static_cast<std::size_t>(*got));
     return text;
+}
+
+Error too_many_parts(const std::string& where, const std::string& format, const char* text,
+                     std::size_t most) {
+    return {ErrorCode::format_limit,
+            where,
+            {format, words(text, {count_arg(most)}),
+             words(VYBEG_MESSAGE("Words", "Save the recording in a file of its own"))}};
 }
 
 }  // namespace vybeg

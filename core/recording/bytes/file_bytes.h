@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -54,5 +55,10 @@ private:
 // All bytes of a file that the program itself has written: a session, a passport. Errors: those of
 // FileBytes; file_read_failed for more than 64 MiB.
 Result<std::string> own_file_text(const std::filesystem::path& path);
+
+// The error of a file that has more parts than are read. `text`: which, %1 for their greatest
+// number.
+Error too_many_parts(const std::string& where, const std::string& format, const char* text,
+                     std::size_t most);
 
 }  // namespace vybeg

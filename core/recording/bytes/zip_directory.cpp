@@ -183,9 +183,9 @@ Result<std::vector<ZipMember>> zip_members(const FileBytes& file) {
             return damaged(file, VYBEG_MESSAGE("Words", "an entry of its directory is incomplete"));
         }
         if (members.size() == most_members) {
-            return file.error(ErrorCode::format_unsupported,
-                              {"ZIP", words(VYBEG_MESSAGE("Words", "more than %1 members"),
-                                            {count_arg(most_members)})});
+            return too_many_parts(file.path().string(), "ZIP",
+                                  VYBEG_MESSAGE("Words", "it has more than %1 members"),
+                                  most_members);
         }
         if (!member.name.ends_with('/')) {
             members.push_back(std::move(member));

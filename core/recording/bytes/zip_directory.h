@@ -28,7 +28,7 @@ struct ZipMember {
 
 // The members in the directory's order (ZIP and ZIP64), without folders. Errors: file_read_failed;
 // format_damaged without a directory (truncated archive) or with one outside the file;
-// format_unsupported for more than 10000 members.
+// format_limit for more than 10000 members.
 Result<std::vector<ZipMember>> zip_members(const FileBytes& file);
 
 // Content of a member: stored members in place, deflated members inflated on demand. Errors:

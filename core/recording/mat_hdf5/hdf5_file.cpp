@@ -1,5 +1,6 @@
 #include "core/recording/mat_hdf5/hdf5_file.h"
 
+#include "core/recording/bytes/file_bytes.h"
 #include "core/recording/mat_hdf5/hdf5_attributes.h"
 #include "core/recording/mat_hdf5/hdf5_fields.h"
 #include "core/recording/mat_hdf5/hdf5_handle.h"
@@ -16,7 +17,7 @@
 namespace vybeg {
 namespace {
 
-constexpr int most_depth = 32;
+constexpr std::size_t most_depth = 32;
 constexpr std::size_t most_objects = 10000;
 // Deflate's utmost is 1032:1; a dataset beyond has no samples, only a fill value.
 constexpr double most_expansion = 1100;
@@ -28,6 +29,7 @@ struct Dataset {
     int rank = 0;
     Extent extent{1, 1};
     std::optional<Hdf5Field> field{};  // of a table of records
+    std::size_t piece_bytes = 0;       // that are unpacked at once
 };
 
 extern "C" herr_t collect_hard_link(hid_t, const char* name, const H5L_info_t* info, void* names) {
@@ -54,6 +56,14 @@ public:
 
     const Catalogue& catalogue() const override { return catalogue_; }
 
+    std::int64_t memory_bytes() const override {
+        std::size_t largest = 0;
+        for (const Dataset& dataset : datasets_) {
+            largest = std::max(largest, dataset.piece_bytes);
+        }
+        return static_cast<std::int64_t>(packed_pieces_held * std::min(largest, most_packed_bytes));
+    }
+
     Status read(const SampleRequest& request, std::span<double> out) override {
         if (out.empty()) {
             return {};
@@ -61,7 +71,8 @@ public:
         const Dataset& dataset = datasets_[static_cast<std::size_t>(request.variable)];
         Hdf5Handle& handle = open_[request.variable];
         if (!handle) {
-            handle = Hdf5Handle(H5Dopen(file_.get(), dataset.path.c_str(), H5P_DEFAULT));
+            const Hdf5Handle access = access_to_dataset(dataset.piece_bytes);
+            handle = Hdf5Handle(H5Dopen(file_.get(), dataset.path.c_str(), access.get()));
         }
         if (dataset.field) {
             return read_field(handle.get(), *dataset.field, request.channel, request.first, out)
@@ -94,23 +105,27 @@ public:
 
 private:
     // The attributes around a group hold for what is in it.
-    Status list_group(hid_t group, const std::string& path, Hdf5Attributes around, int depth) {
+    Status list_group(hid_t group, const std::string& path, Hdf5Attributes around,
+                      std::size_t depth) {
         if (depth > most_depth) {
-            return damaged(VYBEG_MESSAGE("Words", "its groups lie more than %1 deep"),
-                           {count_arg(most_depth)});
+            return limit(VYBEG_MESSAGE("Words", "its groups lie more than %1 deep"), most_depth);
         }
         if (const Hdf5Attributes own = read_attributes(group); own.rate_hz) {
             around.rate_hz = own.rate_hz;
         }
         std::vector<std::string> names;
         hsize_t index = 0;
-        if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &index, collect_hard_link, &names) < 0) {
+        const Hdf5Handle creation(H5Gget_create_plist(group));
+        unsigned kept = 0;
+        const bool in_order = creation && H5Pget_link_creation_order(creation.get(), &kept) >= 0 &&
+                              (kept & H5P_CRT_ORDER_TRACKED) != 0;
+        if (H5Literate(group, in_order ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME, H5_ITER_INC, &index,
+                       collect_hard_link, &names) < 0) {
             return damaged(VYBEG_MESSAGE("Words", "the group %1 cannot be read"), {path + "/"});
         }
         for (const std::string& name : names) {
             if (++objects_ > most_objects) {
-                return damaged(VYBEG_MESSAGE("Words", "it has more than %1 objects"),
-                               {count_arg(most_objects)});
+                return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
             }
             // MATLAB's own: the cells of cell arrays, and objects; PyTables' indices.
             if (naming_ == Naming::matlab ? name.starts_with('#') : name.starts_with("_i_")) {
@@ -129,7 +144,7 @@ private:
     }
 
     Status list_object(hid_t object, const std::string& path, const Hdf5Attributes& around,
-                       int depth) {
+                       std::size_t depth) {
         switch (H5Iget_type(object)) {
             case H5I_GROUP: {
                 H5O_info_t info{};
@@ -184,6 +199,7 @@ private:
                 VYBEG_MESSAGE("Words", "%1 promises more samples than the file can hold"), {path});
         }
         entry.unsupported = unsupported_storage(object);
+        dataset.piece_bytes = packed_piece_bytes(object);
         if (is_record) {
             return dataset.rank == 1 ? list_fields(type.get(), entry, dataset) : Status();
         }
@@ -200,8 +216,7 @@ private:
     Status list_fields(hid_t type, const FileVariable& table, const Dataset& dataset) {
         for (Hdf5Field& field : number_fields(type)) {
             if (++objects_ > most_objects) {
-                return damaged(VYBEG_MESSAGE("Words", "it has more than %1 objects"),
-                               {count_arg(most_objects)});
+                return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
             }
             FileVariable entry = table;
             entry.name += (naming_ == Naming::matlab ? "." : "/") + field.name;
@@ -246,6 +261,10 @@ private:
         std::string name = path.substr(1);
         std::replace(name.begin(), name.end(), '/', '.');
         return name;
+    }
+
+    Error limit(const char* text, std::size_t most) const {
+        return too_many_parts("", catalogue_.format, text, most);
     }
 
     Error damaged(const char* text, std::vector<MessageArg> args = {}) const {

@@ -1,9 +1,13 @@
 #include "core/recording/mat_hdf5/hdf5_open.h"
 
+#include "core/base/number_text.h"
 #include "core/recording/mat_hdf5/hdf5_driver.h"
+#include "core/recording/variables/reader_protocol.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace vybeg {
@@ -62,11 +66,41 @@ OpenedHdf5 open_hdf5(int descriptor) {
     return opened;
 }
 
+std::size_t packed_piece_bytes(hid_t dataset) {
+    const Hdf5Handle creation(H5Dget_create_plist(dataset));
+    const Hdf5Handle type(H5Dget_type(dataset));
+    if (!creation || !type || H5Pget_layout(creation.get()) != H5D_CHUNKED ||
+        H5Pget_nfilters(creation.get()) <= 0) {
+        return 0;
+    }
+    std::array<hsize_t, H5S_MAX_RANK> sides{};
+    const int rank = H5Pget_chunk(creation.get(), static_cast<int>(sides.size()), sides.data());
+    std::size_t bytes = H5Tget_size(type.get());
+    for (int i = 0; i < rank; ++i) {
+        // HDF5 itself has no pieces of 4 GiB and more.
+        bytes *= static_cast<std::size_t>(
+            std::min<hsize_t>(sides[static_cast<std::size_t>(i)], std::uint32_t{0} - 1));
+    }
+    return bytes;
+}
+
+Hdf5Handle access_to_dataset(std::size_t piece_bytes) {
+    Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS));
+    H5Pset_chunk_cache(access.get(), chunk_slots, std::max(piece_bytes, chunk_cache_bytes), 1.0);
+    return access;
+}
+
 MessageArg unsupported_storage(hid_t dataset) {
     const Hdf5Handle creation(H5Dget_create_plist(dataset));
     if (!creation || H5Pget_layout(creation.get()) == H5D_VIRTUAL ||
         H5Pget_external_count(creation.get()) > 0) {
         return words(VYBEG_MESSAGE("Words", "samples in other files"));
+    }
+    if (const std::size_t bytes = packed_piece_bytes(dataset); bytes > most_packed_bytes) {
+        return words(VYBEG_MESSAGE("Words",
+                                   "samples packed in pieces of %1 MiB (a limit of this program "
+                                   "is %2 MiB)"),
+                     {count_arg(bytes >> 20), count_arg(most_packed_bytes >> 20)});
     }
     const int filters = H5Pget_nfilters(creation.get());
     for (int i = 0; i < filters; ++i) {

@@ -27,7 +27,7 @@ Result<std::string> file_head(const FileBytes& file) {
 }
 
 FileKind file_kind(std::string_view head, const FileBytes& file) {
-    if (!audio_container(head).empty()) {
+    if (!audio_container(head).empty() || is_tagged_flac(head, file)) {
         return FileKind::audio;
     }
     if (is_npy(head)) {

@@ -9,6 +9,7 @@
 #include "core/recording/open/file_kind.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/open_table.h"
+#include "core/recording/samples/scaled_source.h"
 #include "core/recording/text/text_recording.h"
 #include "core/recording/text/uff_reader.h"
 #include "core/recording/variables/helper_reader.h"
@@ -65,6 +66,13 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
         recording->start = plain_text(recording->start);
         for (Channel& channel : recording->channels) {
             channel = {plain_text(channel.name), plain_text(channel.unit)};
+        }
+        if (options.scale != 1) {
+            recording->source =
+                scaled_source(std::move(recording->source), options.scale, options.scale);
+            for (Channel& channel : recording->channels) {
+                channel.unit.clear();
+            }
         }
         recording->file = *file;
         recording->read_with = options_text(options);

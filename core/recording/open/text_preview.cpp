@@ -136,7 +136,7 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     if (!start || !head) {
         // The line is too long for a table.
         const Error error = start ? head.error() : start.error();
-        if (error.code != ErrorCode::format_damaged) {
+        if (error.code != ErrorCode::format_limit) {
             return error;
         }
         preview.problem = error;
@@ -151,7 +151,8 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     }
     preview.used = std::move(*used);
     preview.format = format_of(*preview.used);
-    preview.channels = channels_of(*preview.used, choice.scale);
+    const double scale = choice.scale * options.scale;
+    preview.channels = channels_of(*preview.used, scale);
     preview.time_column = preview.used->time_column;
     for (std::size_t i = 0; i < preview.used->names.size(); ++i) {
         preview.columns.push_back({preview.used->names[i], preview.used->units[i]});
@@ -160,9 +161,9 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
         return status;
     }
     find_rate(*file, options, preview);
-    if (choice.scale != 1) {
-        scale_samples(preview.c, choice.scale);
-        scale_samples(preview.d, choice.scale);
+    if (scale != 1) {
+        scale_samples(preview.c, scale);
+        scale_samples(preview.d, scale);
     }
     return {};
 }

@@ -69,8 +69,9 @@ constexpr std::array<std::string_view, 19> counter_names = {
     "index", "sample",   "samples", "frame", "row", "count", "номер", "sample number",
     "nr",    "sequence", "point"};
 
-constexpr std::array<std::string_view, 8> remark_names = {
-    "comment", "comments", "event", "events", "marker", "notes", "kommentar", "комментарий"};
+constexpr std::array<std::string_view, 9> remark_names = {"comment",   "comments",    "event",
+                                                          "events",    "marker",      "notes",
+                                                          "kommentar", "комментарий", "flag"};
 
 template <std::size_t count>
 bool among(const std::array<std::string_view, count>& names, std::string_view name) {

@@ -31,7 +31,7 @@ bool begins_as_time_name(std::string_view name);
 // Whether a column of this name may number the rows: it has no name, or n, i, #, No, index, ...
 bool is_counter_name(std::string_view name);
 
-// Whether a field after the last column may have no numbers below it: a comment, a marker.
+// Whether a field after the last column may have no numbers below it: a comment, a marker, a flag.
 bool is_remark_name(std::string_view name);
 
 // Seconds per unit of time ("ms", "us", "мкс", ...); empty for other texts.

@@ -33,6 +33,7 @@ struct OpenOptions {
     std::vector<std::string> variables{};
     std::optional<TextChoice> text{};  // read the file as text in any case
     std::string unit{};                // of the samples; empty: that of the file
+    double scale = 1;                  // of all samples; besides that of a layout or choice
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };

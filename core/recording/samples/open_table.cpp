@@ -244,18 +244,16 @@ Status read_scale(const std::string& option, const std::string& text, OpenOption
     if (!scale) {
         return scale.error();
     }
-    if (options.raw) {
-        options.raw->scale = *scale;
-    } else {
-        TextChoice& choice = options.text ? *options.text : options.text.emplace();
-        choice.scale = *scale;
-    }
+    (options.raw    ? options.raw->scale
+     : options.text ? options.text->scale
+                    : options.scale) = *scale;
     return {};
 }
 
 std::string scale_text(const OpenOptions& options) {
-    const bool scaled = options.raw || (options.text && options.text->scale != 1);
-    return scaled ? round_trip_text(options.raw ? options.raw->scale : options.text->scale) : "";
+    const double own = options.raw ? options.raw->scale : options.text ? options.text->scale : 1;
+    const double scale = own * options.scale;
+    return options.raw || scale != 1 ? round_trip_text(scale) : "";
 }
 
 Status read_unit(const std::string& /*option*/, const std::string& text, OpenOptions& options) {
@@ -318,7 +316,8 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
                      return choice.time_unit_s ? time_unit_name(*choice.time_unit_s) : "";
                  }),
         bounded(row("scale", "X",
-                    "Recording units per count of --raw, or per unit of a text file (default 1)",
+                    "Recording units per count of --raw or unit of the file, e.g. volts at full "
+                    "scale of a WAV file (default 1)",
                     read_scale, scale_text),
                 any_number),
         row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)", read_unit,
@@ -339,6 +338,16 @@ std::string options_text(const OpenOptions& options) {
     return text;
 }
 
+Status check_scale(double scale) {
+    if (!std::isfinite(scale) || scale == 0) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--scale", number_arg(scale),
+                      words(VYBEG_MESSAGE("Words", "it must be a number other than 0"))}};
+    }
+    return {};
+}
+
 Status check_layout(const RawLayout& layout) {
     if (!within(raw_channels_bounds, "--raw-channels", layout.channels)) {
         return Error{ErrorCode::setting_invalid,
@@ -353,13 +362,7 @@ Status check_layout(const RawLayout& layout) {
                      {"--skip", count_arg(layout.skip_bytes),
                       words(VYBEG_MESSAGE("Words", "it must be 0 to 1e15 bytes"))}};
     }
-    if (!std::isfinite(layout.scale) || layout.scale == 0) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--scale", number_arg(layout.scale),
-                      words(VYBEG_MESSAGE("Words", "it must be a number other than 0"))}};
-    }
-    return {};
+    return check_scale(layout.scale);
 }
 
 Status check_options(const OpenOptions& options) {
@@ -381,6 +384,9 @@ Status check_options(const OpenOptions& options) {
                      "",
                      {"--raw", options_text({.text = options.text}),
                       words(VYBEG_MESSAGE("Words", "a file is read as text or as raw"))}};
+    }
+    if (const Status status = check_scale(options.scale); !status) {
+        return status;
     }
     if (options.raw) {
         return check_layout(*options.raw);

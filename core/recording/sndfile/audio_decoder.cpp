@@ -45,14 +45,6 @@ std::string without_padding(std::string_view field) {
     return std::string(field.substr(0, end));
 }
 
-// libsndfile ends some of its sentences with a full stop or a line feed.
-MessageArg library_reason(SNDFILE* handle) {
-    const std::string reason = sf_strerror(handle);
-    const auto end = reason.find_last_not_of(" .\n\r");
-    return end == std::string::npos ? words(VYBEG_MESSAGE("Words", "it cannot be decoded"))
-                                    : MessageArg(reason.substr(0, end + 1));
-}
-
 }  // namespace
 
 AudioDecoder::AudioDecoder() : bytes_(std::make_unique<Bytes>()) {}
@@ -81,7 +73,7 @@ Result<std::unique_ptr<AudioDecoder>> AudioDecoder::open(std::shared_ptr<const F
     decoder->bytes_->patches = patches;
     decoder->handle_ = sf_open_virtual(&calls, SFM_READ, &decoder->info_, decoder->bytes_.get());
     if (!decoder->handle_) {
-        return decoder->damaged(library_reason(nullptr));
+        return decoder->damaged(words(VYBEG_MESSAGE("Words", "its header cannot be understood")));
     }
     return decoder;
 }
@@ -138,7 +130,8 @@ Status AudioDecoder::read(std::int64_t first, std::span<double> out) {
     // libFLAC 1.4 stops before a block with a wrong checksum; earlier versions fill it with zeros,
     // which only sf_error reveals.
     if (sf_error(handle_) != SF_ERR_NO_ERROR) {
-        return damaged(library_reason(handle_));
+        return damaged(words(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
+                             {count_arg(first)}));
     }
     if (got != frames) {
         return damaged(words(VYBEG_MESSAGE("Words", "the samples end at frame %1"),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -81,11 +82,12 @@ Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBy
     }
     // Of a file without signature libsndfile looks for a resource fork beside it, which is another
     // file.
-    if (audio_container({head.data(), head.size()}).empty()) {
+    const std::string_view start(head.data(), head.size());
+    if (audio_container(start).empty() && !is_tagged_flac(start, *file)) {
         return Error{ErrorCode::format_damaged,
                      "",
                      {words(VYBEG_MESSAGE("Words", "audio")),
-                      words(VYBEG_MESSAGE("Words", "it cannot be decoded"))}};
+                      words(VYBEG_MESSAGE("Words", "its header cannot be understood"))}};
     }
     const auto header = audio_extent(*file);
     if (!header) {

@@ -34,7 +34,7 @@ inline const UsualName same_name = [](const std::string& name) { return name; };
 // `needed` from the others; before the names a line `sep=;` and lines with `#`. Fields in double
 // quotes (RFC 4180) may hold separators, line ends and doubled quotes. UTF-8 with or without byte
 // order mark, UTF-16 with it, otherwise Windows-1251. Spaces around a field are removed. Errors:
-// those of reading a file; format_damaged for a line longer than 1 MiB; list_invalid with the line
+// those of reading a file; format_limit for a line longer than 1 MiB; list_invalid with the line
 // and the column.
 Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed,
                          const UsualName& usual = same_name);

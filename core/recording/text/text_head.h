@@ -21,7 +21,7 @@ struct TextHead {
     std::vector<std::string> lines;
 };
 
-// Errors: file_read_failed; format_damaged where a line is longer than 1 MiB; interrupted.
+// Errors: file_read_failed; format_limit where a line is longer than 1 MiB; interrupted.
 Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
                                 std::optional<std::int64_t> lines_to_skip, const JobControl& job);
 

@@ -12,6 +12,15 @@ constexpr std::size_t chunk_bytes = std::size_t{1} << 20;  // even, for UTF-16
 
 }  // namespace
 
+Error line_too_long(const FileBytes& file, const char* format, std::int64_t line) {
+    return file.error(
+        ErrorCode::format_limit,
+        {format, words(VYBEG_MESSAGE("Words", "line %1 is longer than 1 MiB"), {count_arg(line)}),
+         words(VYBEG_MESSAGE("Words",
+                             "Write a line for each time, with one number for each "
+                             "channel"))});
+}
+
 TextLines::TextLines(std::shared_ptr<const FileBytes> file) : file_(std::move(file)) {}
 
 std::int64_t TextLines::position() const {
@@ -63,10 +72,7 @@ Result<std::optional<std::string_view>> TextLines::next() {
             break;
         }
         if (end - begin_ > longest_line) {
-            return file_->error(
-                ErrorCode::format_damaged,
-                {"text", words(VYBEG_MESSAGE("Words", "line %1 is longer than 1 MiB"),
-                               {count_arg(number_ + 1)})});
+            return line_too_long(*file_, "text", number_ + 1);
         }
         end -= begin_;
         if (const Status status = fill(); !status) {

@@ -15,6 +15,9 @@ namespace vybeg {
 // Bytes of the longest line that a table may have.
 inline constexpr std::size_t longest_line = std::size_t{1} << 20;
 
+// The error of a longer one.
+Error line_too_long(const FileBytes& file, const char* format, std::int64_t line);
+
 // The lines of a text file one after the other, as UTF-8 bytes without line ends (LF, CRLF, CR) and
 // without the byte order mark. Holds one chunk of the file in memory.
 class TextLines {
@@ -22,7 +25,7 @@ public:
     explicit TextLines(std::shared_ptr<const FileBytes> file);
 
     // The next line, valid until the next call; nothing behind the last one. Errors:
-    // file_read_failed; format_damaged where a line is longer than 1 MiB.
+    // file_read_failed; format_limit where a line is longer than 1 MiB.
     Result<std::optional<std::string_view>> next();
 
     std::int64_t number() const { return number_; }  // of the line last returned, from 1

@@ -85,10 +85,8 @@ TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const T
       at_(block.begin) {}
 
 Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault) {
-    if (fault.code == ErrorCode::format_damaged) {
-        return file.error(fault.code,
-                          {"text", words(VYBEG_MESSAGE("Words", "line %1 is longer than 1 MiB"),
-                                         {count_arg(line)})});
+    if (fault.code == ErrorCode::format_limit) {
+        return line_too_long(file, "text", line);
     }
     return file.error(fault.code, {count_arg(line), count_arg(fault.column + 1), fault.text});
 }
@@ -196,7 +194,7 @@ const char* TextRows::plain_number(const char* at, const char* end, int column) 
 // Any other line: true where it is a row, too. `ended`: it has a line end.
 bool TextRows::any_row(std::string_view line, bool ended) {
     if (line.size() > longest_line) {
-        fault_ = {ErrorCode::format_damaged, 0, ""};
+        fault_ = {ErrorCode::format_limit, 0, ""};
         return false;
     }
     // A row of delimiters alone is a missing sample only where no time is missing as well.

@@ -24,7 +24,7 @@ struct TextColumns {
 
 // A line that is no row of the table.
 struct TextFault {
-    ErrorCode code{};  // text_not_a_number; format_damaged where the line is too long
+    ErrorCode code{};  // text_not_a_number; format_limit where the line is too long
     int column = 0;    // from 0
     std::string text;  // what stands there instead of a number
 };

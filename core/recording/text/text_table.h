@@ -18,7 +18,7 @@ struct TextTable {
     std::int64_t header_lines = 0;  // of those above the table, the ones that are not blank
 };
 
-// Finds the first line below those that `format` skips. Errors: file_read_failed, format_damaged.
+// Finds the first line below those that `format` skips. Errors: file_read_failed, format_limit.
 Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
                              const TextColumns& columns);
 

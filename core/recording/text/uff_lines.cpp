@@ -1,5 +1,7 @@
 #include "core/recording/text/uff_lines.h"
 
+#include "core/recording/text/text_lines.h"
+
 #include <algorithm>
 #include <span>
 
@@ -7,7 +9,6 @@ namespace vybeg {
 namespace {
 
 constexpr std::size_t uff_chunk_bytes = std::size_t{1} << 16;
-constexpr std::size_t longest_line = std::size_t{1} << 20;
 
 }  // namespace
 
@@ -25,9 +26,7 @@ Result<std::optional<std::string_view>> UffLines::next() {
         }
         looked = std::min(end, rest().size());
         if (looked > longest_line) {
-            return file_->error(
-                ErrorCode::format_damaged,
-                {"UFF", words(VYBEG_MESSAGE("Words", "a line is longer than 1 MiB"))});
+            return line_too_long(*file_, "UFF", number_ + 1);
         }
         const auto more = fill();
         if (!more) {

@@ -18,7 +18,7 @@ public:
     explicit UffLines(std::shared_ptr<const FileBytes> file) : file_(std::move(file)) {}
 
     // The next line, valid until the next call; nothing after the last one. Errors:
-    // file_read_failed; format_damaged where a line is longer than 1 MiB.
+    // file_read_failed; format_limit where a line is longer than 1 MiB.
     Result<std::optional<std::string_view>> next();
 
     // Precondition: `bytes` is not negative.

@@ -250,11 +250,12 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
     const auto rows = static_cast<double>(time.size());
     if (!is_plausible_grid(frames, rows) ||
         frames > most_frames_per_row * rows + frames_always_held) {
-        return Error{
-            ErrorCode::format_damaged,
-            where,
-            {"text", words(VYBEG_MESSAGE("Words", "its %1 times reach over %2 sample periods"),
-                           {count_arg(std::ssize(time)), number_arg(frames)})}};
+        return Error{ErrorCode::format_limit,
+                     where,
+                     {"text",
+                      words(VYBEG_MESSAGE("Words", "its %1 times reach over %2 sample periods"),
+                            {count_arg(std::ssize(time)), number_arg(frames)}),
+                      words(VYBEG_MESSAGE("Words", "Cut the recording where its clock jumps"))}};
     }
     const std::vector<std::int64_t> numbers = number_rows(time, segments, step);
     const Line line = fit_line(time, numbers);

@@ -77,7 +77,7 @@ void report_gaps(std::span<const TimeGap> gaps, double rate_hz,
 // (time_uneven). A step of more than 1.5 median steps is a gap: its frames are NaN (time_gap; from
 // the 20th gap on, one diagnostic for all).
 //
-// Precondition: two samples or more. Errors, about `where`: format_damaged, where the gaps are so
+// Precondition: two samples or more. Errors, about `where`: format_limit, where the gaps are so
 // long that the grid would be absurdly larger than the file.
 Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::string& where);
 

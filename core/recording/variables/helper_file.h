@@ -3,6 +3,7 @@
 #include "core/base/result.h"
 #include "core/recording/variables/reader_protocol.h"
 
+#include <cstdint>
 #include <span>
 
 namespace vybeg {
@@ -10,7 +11,7 @@ namespace vybeg {
 // A file that a library reads, inside vybeg-reader only: a damaged file may crash the library, make
 // it hang or take memory up to the process's limit.
 //
-// Errors of all of it: format_damaged, format_unsupported, without a place.
+// Errors of all of it: format_damaged, format_unsupported, format_limit, without a place.
 class HelperFile {
 public:
     HelperFile() = default;
@@ -19,6 +20,9 @@ public:
     virtual ~HelperFile() = default;
 
     virtual const Catalogue& catalogue() const = 0;
+
+    // Bytes of memory that reading takes, beyond those of a file without large packed pieces.
+    virtual std::int64_t memory_bytes() const { return 0; }
 
     // Precondition: fits(request, catalogue()), and `out` has request.count places.
     virtual Status read(const SampleRequest& request, std::span<double> out) = 0;

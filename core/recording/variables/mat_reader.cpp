@@ -35,8 +35,8 @@ Error cut_off(const FileBytes& file) {
 }
 
 Error too_many(const FileBytes& file) {
-    return damaged(file, VYBEG_MESSAGE("Words", "it has more than %1 variables"),
-                   {count_arg(most_variables)});
+    return too_many_parts(file.path().string(), "MAT",
+                          VYBEG_MESSAGE("Words", "it has more than %1 variables"), most_variables);
 }
 
 // A matrix of numbers, column after column. `shown`: the type that MATLAB shows.

@@ -181,8 +181,11 @@ std::optional<Error> decode_error(std::string_view bytes) {
     while (unpacking.ok() && !unpacking.at_end()) {
         error.args.push_back(unpacking.message_arg());
     }
-    for (const ErrorCode known : {ErrorCode::format_damaged, ErrorCode::format_unsupported}) {
-        if (unpacking.ok() && code == static_cast<std::int64_t>(known) && error.args.size() == 2) {
+    for (const auto& [known, args] : {std::pair(ErrorCode::format_damaged, 2u),
+                                      {ErrorCode::format_unsupported, 2u},
+                                      {ErrorCode::format_limit, 3u}}) {
+        if (unpacking.ok() && code == static_cast<std::int64_t>(known) &&
+            error.args.size() == args) {
             error.code = known;
             return error;
         }

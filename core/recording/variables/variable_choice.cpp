@@ -29,8 +29,12 @@ public:
         choice_.frames = first.frames;
         for (const ChannelPlace& place : choice_.channels) {
             const FileVariable& of = variable(place.variable);
-            choice_.names.push_back(
-                {of.channels == 1 ? of.name : std::to_string(place.channel + 1), of.unit});
+            // "/C" of the root group is the column C.
+            const bool in_root = of.name.rfind('/') == 0;
+            choice_.names.push_back({of.channels > 1 ? std::to_string(place.channel + 1)
+                                     : in_root       ? of.name.substr(1)
+                                                     : of.name,
+                                     of.unit});
         }
         return choose_rate_of(first, second_channel());
     }

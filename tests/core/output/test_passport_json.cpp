@@ -181,18 +181,22 @@ private slots:
         };
         row("no JSON", "\"schema\"", "schema", "no JSON at byte");
         row("another file", "\"passport\"", "\"session\"", "not a passport's");
-        row("schema of nothing", "\"schema\": 2", "\"schema\": 0", "schema is 0");
-        row("schema as text", "\"schema\": 2", "\"schema\": \"2\"", "number");
-        row("member missing", "\"program\"", "\"programme\"", "program");
-        row("unknown model", "\"structured\"", "\"rigid\"", "\"rigid\"");
+        row("schema of nothing", "\"schema\": 2", "\"schema\": 0",
+            "schema: a positive number is expected, and 0 is there");
+        row("schema as text", "\"schema\": 2", "\"schema\": \"2\"",
+            "schema: a whole number is expected, and \"2\" is there");
+        row("member missing", "\"program\"", "\"programme\"", "program is missing");
+        row("unknown model", "\"structured\"", "\"rigid\"",
+            "model: structured or free is expected, and \"rigid\" is there");
         row("unknown reason", "one-direction", "no-direction", "no-direction");
         row("deviation below zero", "\"sd\": 0.1", "\"sd\": -0.1", "negative");
         row("uncertainty below zero", "\"u\": 0.25", "\"u\": -0.25", "negative");
         row("modes by colour", "\"decay\"", "\"colour\"", "\"colour\"");
         row("runs missing", "\"runs\"", "\"rums\"", "runs");
-        row("value as text", "\"value\": 400.0", "\"value\": \"400\"", "number");
-        row("half a covariance", "\"names\": [", "\"names\": [\"c\",", "differ in size");
-        row("half a track", "\"a_A\": [", "\"a_A\": [3,", "a_A has another length");
+        row("value as text", "\"value\": 400.0", "\"value\": \"400\"",
+            ".value: a number is expected, and \"400\" is there");
+        row("half a covariance", "\"names\": [", "\"names\": [\"c\",", "parameters.values: a list");
+        row("half a track", "\"a_A\": [", "\"a_A\": [3,", "tracks[0].a_A: a list as long");
     }
 
     void what_is_wrong_is_said() {
@@ -240,7 +244,7 @@ private slots:
         file.close();
         QVERIFY(read_passport_file(path("p.json")));
         QVERIFY(file.resize((qint64{1} << 26) + 1));
-        QVERIFY(read_passport_file(path("p.json")).error().code == ErrorCode::file_read_failed);
+        QVERIFY(read_passport_file(path("p.json")).error().code == ErrorCode::format_limit);
     }
 };
 

@@ -44,6 +44,11 @@ h5 = h5py.File('NAME.h5')
 assert list(h5['/']) == names + ['header'], list(h5['/'])
 mat = scipy.io.loadmat('NAME.mat')
 assert [name for name in mat if name[0] != '_'] == names + ['header'], mat.keys()
+assert h5.attrs['program'].decode() == header[0], h5.attrs['program']
+units = {'t_s': b's', 'f_Hz': b'Hz', 'two_theta_A_rad': b'rad', 'sd_alpha_rad': b'rad'}
+for name in names:
+    assert h5[name].attrs.get('unit', b'') == units.get(name, h5[name].attrs.get('unit', b'')), name
+assert 'unit' in h5['t_s'].attrs and 'unit' not in h5['a_A'].attrs and 'unit' not in h5['flag'].attrs
 for name in names[:-1]:
     same(npz[name], numbers[name])
     same(h5[name][:], numbers[name])
@@ -136,6 +141,36 @@ private slots:
             QCOMPARE(*track_format(other), TrackFormat::csv);
         }
         QCOMPARE(track_format("a.npy").error().code, ErrorCode::output_failed);
+    }
+
+    void a_track_is_read_back_with_its_columns_in_their_order_data() {
+        QTest::addColumn<bool>("flagged");
+        for (const char* name : {"a.csv", "a.npz", "a.h5", "a.mat"}) {
+            QTest::addRow("%s without flags", name) << false;
+            QTest::addRow("%s with flags", name) << true;
+        }
+    }
+
+    void a_track_is_read_back_with_its_columns_in_their_order() {
+        QFETCH(bool, flagged);
+        const QTemporaryDir folder;
+        const QString name = QString(QTest::currentDataTag()).section(' ', 0, 0);
+        const std::string target = folder.filePath(name).toStdString();
+        Track track = random_track(50);
+        std::ranges::fill(track.flags(), Flags{});
+        if (flagged) {
+            track.flags()[3] = static_cast<Flags>(1);
+        }
+        auto file = OutputFile::create(target, {});
+        QVERIFY(file && write_track(*file, *track_format(target), track, header, {}));
+        QVERIFY(file->commit());
+        const auto read = open_recording(target, {}, {});
+        QVERIFY2(read, read ? "" : english(read.error()).c_str());
+        QCOMPARE(read->channels.size(), track_number_columns - 1);
+        for (std::size_t k = 1; k < track_number_columns; ++k) {
+            QCOMPARE(read->channels[k - 1].name, track_column_name(k));
+        }
+        VYBEG_CLOSE_RATIO(read->rate_hz, 1 / 0.00018, 1e-9);
     }
 
     void a_disk_that_is_full_at_any_size_leaves_the_old_file_data() {

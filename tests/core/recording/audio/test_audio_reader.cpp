@@ -19,6 +19,10 @@ private slots:
     void float_samples_come_through_to_the_last_bit_and_beyond_full_scale();
     void nan_and_infinite_samples_are_missing_samples();
     void content_decides_and_the_name_does_not();
+    void flac_behind_a_tag_of_any_length_is_read();
+    void integers_of_more_than_32_bits_are_read_or_a_limit_data();
+    void integers_of_more_than_32_bits_are_read_or_a_limit();
+    void a_scale_gives_the_samples_their_unit();
     void any_two_channels_can_be_c_and_d_in_any_order();
     void the_rate_of_the_file_wins_over_the_option();
     void a_file_whose_header_gives_rate_zero_takes_the_rate_of_the_option();
@@ -122,6 +126,81 @@ void TestAudioReader::content_decides_and_the_name_does_not() {
     OpenOptions options;
     options.rate_hz = 1000;
     QCOMPARE(english(opened(text, options).format), std::string("text, 2 columns, comma"));
+}
+
+void TestAudioReader::flac_behind_a_tag_of_any_length_is_read() {
+    const Folder folder;
+    write_audio(folder.file("run.flac"), wave(5000), SF_FORMAT_FLAC | SF_FORMAT_PCM_16);
+    const std::string flac = bytes_of(folder.file("run.flac"));
+    const Samples expected = read_all(opened(folder.file("run.flac")));
+    for (const int length : {0, 200, 100000}) {  // the last one beyond what tells the format
+        std::string tag("ID3\x04\0\0", 6);
+        for (const int shift : {21, 14, 7, 0}) {
+            tag += static_cast<char>((length >> shift) & 0x7F);
+        }
+        tag.resize(tag.size() + static_cast<std::size_t>(length), '\0');
+        const Recording recording = opened(folder.write("tagged.flac", tag + flac));
+        QCOMPARE(recording.format.front(), FormatPart::name("FLAC"));
+        QCOMPARE(read_all(recording).c, expected.c);
+        QCOMPARE(read_all(recording).d, expected.d);
+    }
+}
+
+void TestAudioReader::integers_of_more_than_32_bits_are_read_or_a_limit_data() {
+    QTest::addColumn<int>("bits");
+    for (const int bits : {36, 40, 48, 64}) {
+        QTest::addRow("%d bits", bits) << bits;
+    }
+}
+
+void TestAudioReader::integers_of_more_than_32_bits_are_read_or_a_limit() {
+    QFETCH(int, bits);
+    const auto little = [](std::uint64_t value, int bytes) {
+        std::string text;
+        for (int i = 0; i < bytes; ++i) {
+            text += static_cast<char>(value >> (8 * i));
+        }
+        return text;
+    };
+    const int width = (bits + 7) / 8;
+    const std::string format = little(1, 2) + little(2, 2) + little(33333, 4) +
+                               little(static_cast<std::uint64_t>(33333 * 2 * width), 4) +
+                               little(static_cast<std::uint64_t>(2 * width), 2) +
+                               little(static_cast<std::uint64_t>(bits), 2);
+    const std::string samples(static_cast<std::size_t>(100 * 2 * width), '\1');
+    const std::string chunks = "WAVEfmt " + little(format.size(), 4) + format + "data" +
+                               little(samples.size(), 4) + samples;
+    const Folder folder;
+    const auto wrong = open(folder.write("run.wav", "RIFF" + little(chunks.size(), 4) + chunks));
+    if (bits == 64) {
+        QVERIFY(wrong);
+        QCOMPARE(wrong->frames(), 100);
+        QCOMPARE(read_all(*wrong).c, std::vector<double>(100, 0x0101010101010101 * 0x1p-63));
+        return;
+    }
+    QVERIFY(!wrong);
+    QCOMPARE(wrong.error().code, ErrorCode::format_limit);
+    QCOMPARE(english(wrong.error().args.at(1)),
+             "integers of " + std::to_string(bits) + " bits; up to 32, and 64 in WAV, are read");
+}
+
+void TestAudioReader::a_scale_gives_the_samples_their_unit() {
+    const Folder folder;
+    write_audio(folder.file("run.wav"), wave(70000), SF_FORMAT_WAV | SF_FORMAT_PCM_24);
+    OpenOptions options;
+    options.scale = 2.5;
+    options.unit = "V";
+    const Recording scaled = opened(folder.file("run.wav"), options);
+    Samples expected = read_all(opened(folder.file("run.wav")));
+    for (std::vector<double>* values : {&expected.c, &expected.d}) {
+        for (double& value : *values) {
+            value *= 2.5;
+        }
+    }
+    QCOMPARE(read_all(scaled).c, expected.c);
+    QCOMPARE(read_all(scaled).d, expected.d);
+    QCOMPARE(scaled.channels[0].unit, std::string("V"));
+    QCOMPARE(scaled.read_with, std::string("--scale 2.5 --unit V"));
 }
 
 void TestAudioReader::any_two_channels_can_be_c_and_d_in_any_order() {

@@ -113,8 +113,9 @@ void TestBadInput::each_bad_file_has_its_error_and_one_line_that_names_it_data()
         ErrorCode::rate_unknown);
     add("counted time without a unit", "t,C,D\n0,5,2\n1,7,2\n2,5,2\n3,7,2\n4,5,2\n5,7,2\n",
         ErrorCode::rate_unknown);
-    add("a line without end", "1,2\n" + QByteArray(3 << 20, '1'), ErrorCode::format_damaged,
-        {"text", "line 2 is longer than 1 MiB"});
+    add("a line without end", "1,2\n" + QByteArray(3 << 20, '1'), ErrorCode::format_limit,
+        {"text", "line 2 is longer than 1 MiB",
+         "Write a line for each time, with one number for each channel"});
 }
 
 void TestBadInput::each_bad_file_has_its_error_and_one_line_that_names_it() {

@@ -267,7 +267,7 @@ void TestTimeGrid::a_jump_of_the_clock_by_years_is_an_error_and_no_memory_hog() 
     times.push_back(1e9);
     const auto grid = to_uniform_grid(samples_at(times), "run.csv");
     QVERIFY(!grid);
-    QCOMPARE(grid.error().code, ErrorCode::format_damaged);
+    QCOMPARE(grid.error().code, ErrorCode::format_limit);
     QCOMPARE(grid.error().where, std::string("run.csv"));
 }
 

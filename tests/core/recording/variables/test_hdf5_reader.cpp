@@ -95,6 +95,30 @@ def many(f):
     for i in range(10500):
         f['x%d' % i] = float(i)
 save('many.h5', many)
+def pieces(f):
+    f.create_dataset('C', (5000,), 'f8', chunks=(20 << 20,), maxshape=(None,), compression='gzip')
+    f['D'] = d
+save('pieces.h5', pieces)
+def one_piece(f):
+    noise = np.random.default_rng(1).standard_normal((2250000, 2))
+    np.save('one_piece.npy', noise)
+    f.create_dataset('x', data=noise, chunks=noise.shape, compression='gzip', compression_opts=1)
+    f.attrs['sample_rate'] = fs
+save('one_piece.h5', one_piece)
+def singles(f):
+    t = np.arange(466667) / fs
+    f['C'], f['D'] = np.resize(c, len(t)), np.resize(d, len(t))
+    f['t'] = t.astype('f4')
+save('singles.h5', singles)
+def doubles(f):
+    t = np.arange(466667) / fs
+    f['C'], f['D'] = np.resize(c, len(t)), np.resize(d, len(t))
+    f['t'] = t.astype('f4').astype('f8')
+save('doubles.h5', doubles)
+def ticks(f):
+    f['C'], f['D'] = c, d
+    f.create_dataset('t', data=np.round(np.arange(len(c)) / fs * 1e6).astype('i8')).attrs['unit'] = 'us'
+save('ticks.h5', ticks)
 def hollow(f):
     f.create_dataset('C', (2**40,), 'f8', chunks=(1000,))
     f.create_dataset('D', (2**40,), 'f8', chunks=(1000,))
@@ -182,6 +206,9 @@ private slots:
     void other_channels_are_chosen_by_number();
     void any_part_of_a_file_is_the_same_part_of_its_samples_data();
     void any_part_of_a_file_is_the_same_part_of_its_samples();
+    void times_that_were_rounded_are_even_data();
+    void times_that_were_rounded_are_even();
+    void a_dataset_in_one_packed_piece_is_read();
     void infinite_samples_are_missing();
     void what_cannot_be_read_is_refused_by_name_data();
     void what_cannot_be_read_is_refused_by_name();
@@ -335,6 +362,31 @@ void TestHdf5Reader::any_part_of_a_file_is_the_same_part_of_its_samples() {
     QVERIFY(same_however_cut(*recording.source, 20000));
 }
 
+void TestHdf5Reader::times_that_were_rounded_are_even_data() {
+    QTest::addColumn<double>("last_digit_s");
+    QTest::newRow("singles.h5") << 1e-6;  // of 32 bits at 14 s
+    QTest::newRow("doubles.h5") << 1e-6;  // of 32 bits, stored in 64
+    QTest::newRow("ticks.h5") << 1e-6;    // whole microseconds
+}
+
+void TestHdf5Reader::times_that_were_rounded_are_even() {
+    QFETCH(double, last_digit_s);
+    const Recording recording = opened(folder_.file(QTest::currentDataTag()));
+    QVERIFY(recording.diagnostics.empty());
+    VYBEG_WITHIN(recording.rate_hz / 33333, 1, 2.001 * recording.rate_relative_sd);
+    const double seconds = static_cast<double>(recording.frames()) / 33333;
+    VYBEG_LESS(recording.rate_relative_sd, last_digit_s / seconds);
+}
+
+void TestHdf5Reader::a_dataset_in_one_packed_piece_is_read() {
+    const Recording recording = opened(folder_.file("one_piece.h5"));
+    OpenOptions at_rate;
+    at_rate.rate_hz = 33333;
+    const Recording plain = opened(folder_.file("one_piece.npy"), at_rate);
+    QVERIFY(read_all(recording).c == read_all(plain).c);
+    QVERIFY(read_all(recording).d == read_all(plain).d);
+}
+
 void TestHdf5Reader::infinite_samples_are_missing() {
     QCOMPARE(missing_ranges(read_all(opened(folder_.file("missing.h5"))).c), QString("5-6"));
 }
@@ -348,10 +400,13 @@ void TestHdf5Reader::what_cannot_be_read_is_refused_by_name_data() {
                                 << "samples in other files (/C)";
     QTest::newRow("complex.h5") << "format-unsupported"
                                 << "complex numbers (/z)";
-    QTest::newRow("deep.h5") << "format-damaged"
+    QTest::newRow("deep.h5") << "format-limit"
                              << "its groups lie more than 32 deep";
-    QTest::newRow("many.h5") << "format-damaged"
+    QTest::newRow("many.h5") << "format-limit"
                              << "it has more than 10000 objects";
+    QTest::newRow("pieces.h5") << "format-unsupported"
+                               << "samples packed in pieces of 160 MiB (a limit of this program is "
+                                  "128 MiB) (/C)";
     QTest::newRow("hollow.h5") << "format-damaged"
                                << "/C promises more samples than the file can hold";
     QTest::newRow("cubes.h5") << "format-unsupported"
@@ -370,7 +425,9 @@ void TestHdf5Reader::what_cannot_be_read_is_refused_by_name() {
     const auto recording = open(folder_.file(QTest::currentDataTag()));
     QVERIFY(!recording);
     QCOMPARE(QString::fromStdString(code_name(recording.error().code)), code);
-    QCOMPARE(QString::fromStdString(english(recording.error().args.back())), reason);
+    const std::vector<MessageArg>& args = recording.error().args;
+    QCOMPARE(QString::fromStdString(english(args.at(code == "format-limit" ? 1 : args.size() - 1))),
+             reason);
 }
 
 VYBEG_TEST(TestHdf5Reader)

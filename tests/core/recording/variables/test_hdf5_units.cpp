@@ -72,7 +72,7 @@ void TestHdf5Units::d_comes_in_the_unit_of_c() {
     VYBEG_CLOSE(recording.rate_hz, 33333, 1e-9);
     const Diagnostic* converted = find(recording, DiagnosticKind::unit_converted);
     QVERIFY(converted);
-    QCOMPARE(converted->args, (std::vector<MessageArg>{"/D", "mV", "V"}));
+    QCOMPARE(converted->args, (std::vector<MessageArg>{"D", "mV", "V"}));
     const Samples samples = read_all(recording);
     for (std::size_t i = 0; i < demo_.d.size(); ++i) {
         VYBEG_WITHIN(samples.d[i], demo_.d[i], 1e-15);
