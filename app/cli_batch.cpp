@@ -2,6 +2,7 @@
 #include "core/batch/compute_batch.h"
 
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -15,7 +16,8 @@ public:
 
     BatchEvents events() {
         return {[this](const auto& warnings) { log_.warnings(warnings); },
-                [this](const auto& list) { begin(list); }, [this](const auto& row) { add(row); }};
+                [this](const auto& list) { begin(list); }, [this](const auto& row) { add(row); },
+                [this](double patience_s) { wait(patience_s); }};
     }
 
 private:
@@ -24,7 +26,14 @@ private:
             names_.push_back(set.name);
         }
     }
+    void wait(double patience_s) {
+        const std::lock_guard lock(mutex_);
+        log_.waiting("database-in-use",
+                     "The database is in use by another program; waiting up to " +
+                         english(number_arg(patience_s, 3)) + " s.");
+    }
     void add(const FinishedRow& row) {
+        const std::lock_guard lock(mutex_);
         ++done_;
         if (row.kept) {
             return;
@@ -38,6 +47,7 @@ private:
     }
 
     Log& log_;
+    std::mutex mutex_;                // a wait comes beside rows
     std::vector<std::string> names_;  // of the sets
     std::size_t done_ = 0;
 };

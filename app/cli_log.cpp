@@ -134,6 +134,13 @@ int Log::fail_usage(const std::string& sentence) {
     return status;
 }
 
+void Log::waiting(const std::string& code, const std::string& sentence) {
+    if (!quiet_) {
+        line(json_ ? json_line({{"level", "waiting"}, {"code", code}, {"text", sentence}})
+                   : "vybeg-cli: " + sentence);
+    }
+}
+
 void Log::progress(double fraction) {
     const int percent = static_cast<int>(100 * fraction);
     if (quiet_ || percent == percent_ || !(json_ || terminal_)) {

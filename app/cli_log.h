@@ -10,7 +10,7 @@
 namespace vybeg::cli {
 
 // What goes to standard error: sentences for people, or with --json-log one JSON object per line,
-// {"level": "warning"|"error"|"progress", "code": .., "text": .., ..}.
+// {"level": "warning"|"error"|"waiting"|"progress", "code": .., "text": .., ..}.
 class Log {
 public:
     // `quiet` leaves only errors; `verbose` shows people all warnings, and notes. Progress for
@@ -25,6 +25,8 @@ public:
     int fail(const Error& error, const std::string& about = {});
     // A wrong command line: exit status 2.
     int fail_usage(const std::string& sentence);
+    // What the program waits for; `code` names it in the JSON.
+    void waiting(const std::string& code, const std::string& sentence);
     // Never called from two threads at once; fraction 0..1.
     void progress(double fraction);
 

@@ -273,6 +273,9 @@ int main(int argc, char** argv) {
     make_write_signals_errors();
     end_with_a_sentence();
     try {
+        if (const Status enough = check_stack(); !enough) {
+            return fail(enough.error());
+        }
         return run(argc, argv);
     } catch (...) {
         return fail(error_of(std::current_exception()));

@@ -29,6 +29,9 @@ struct BatchEvents {
     // Everything has been checked; the rows come next, those of an earlier batch first.
     std::function<void(const MeasurementList&)> begun;
     std::function<void(const FinishedRow&)> finished;
+    // Another program uses the database; the batch waits for it up to so many seconds. Once, and
+    // also beside another event.
+    std::function<void(double patience_s)> waiting;
 };
 
 }  // namespace vybeg

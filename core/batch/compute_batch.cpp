@@ -55,13 +55,14 @@ Status set_keys(const BatchRequest& request, const std::string& database,
 }
 
 // Opens the database of the request, if it names one; sets its identity.
-Status open_database(const BatchRequest& request, const JobControl& job,
+Status open_database(const BatchRequest& request, const BatchEvents& events, const JobControl& job,
                      std::optional<ResultsDatabase>& database, std::string& identity) {
     if (request.database.empty()) {
         return {};
     }
-    Result<ResultsDatabase> opened =
-        ResultsDatabase::open(request.database, ResultsDatabase::Access::write, job);
+    constexpr double patience_s = 60;
+    Result<ResultsDatabase> opened = ResultsDatabase::open(
+        request.database, ResultsDatabase::Access::write, job, patience_s, events.waiting);
     if (!opened) {
         return opened.error();
     }
@@ -184,7 +185,7 @@ Status compute_batch(const BatchRequest& request, const BatchEvents& events, std
     }
     std::optional<ResultsDatabase> database;
     std::string identity;
-    possible = open_database(request, job, database, identity);
+    possible = open_database(request, events, job, database, identity);
     possible = possible ? set_keys(request, identity, *tasks) : possible;
     if (!possible) {
         return possible;

@@ -130,8 +130,12 @@ void make_tables(SqliteConnection& connection) {
 }  // namespace
 
 ResultsDatabase::ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
-                                 double patience_s)
-    : path_(std::move(path)), access_(access), job_(job), patience_s_(patience_s) {}
+                                 double patience_s, std::function<void(double)> waiting)
+    : path_(std::move(path)),
+      access_(access),
+      job_(job),
+      patience_s_(patience_s),
+      waiting_(std::move(waiting)) {}
 
 // The exceptions of `work` as errors.
 template <class Work>
@@ -150,8 +154,9 @@ auto ResultsDatabase::guarded(const Work& work) -> Result<decltype(work())> {
 }
 
 Result<ResultsDatabase> ResultsDatabase::open(const std::filesystem::path& path, Access access,
-                                              const JobControl& job, double patience_s) {
-    ResultsDatabase database(path, access, job, patience_s);
+                                              const JobControl& job, double patience_s,
+                                              std::function<void(double)> waiting) {
+    ResultsDatabase database(path, access, job, patience_s, std::move(waiting));
     const Result<bool> connected = database.guarded([&database] {
         database.connect();
         return true;
@@ -183,11 +188,16 @@ void ResultsDatabase::connect() {
     // SQLite gives ":memory:" and an empty name meanings of their own, an absolute path none.
     connection_ = std::make_unique<SqliteConnection>(
         std::filesystem::absolute(path_).string(),
-        [job = job_, patience = patience_s_, begun = Clock::time_point()](int times) mutable {
+        [job = job_, patience = patience_s_, waiting = waiting_,
+         begun = Clock::time_point()](int times) mutable {
+            constexpr double told_after_s = 0.5;
             begun = times == 0 ? Clock::now() : begun;
             const std::chrono::duration<double> waited = Clock::now() - begun;
             if (job.cancelled() || waited.count() > patience) {
                 return false;
+            }
+            if (waiting && waited.count() > told_after_s) {
+                std::exchange(waiting, nullptr)(patience);
             }
             sqlite3_sleep(pause_ms);
             return true;

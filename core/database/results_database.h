@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,11 +37,13 @@ public:
     enum class Access { read, write };
 
     // Opens the file; to write, makes it where there is none. `patience_s`: how long any later call
-    // waits for other writers. `job`: an interruption ends the wait. Errors, also of all calls
-    // below: interrupted; to write output_failed, to read file_missing and file_read_failed, with
-    // the reason: the system's, a lock, damage, another kind of file, a later schema.
+    // waits for other writers. `waiting`: called once, from the call that waits, where one waits
+    // for longer than half a second. `job`: an interruption ends the wait. Errors, also of all
+    // calls below: interrupted; to write output_failed, to read file_missing and file_read_failed,
+    // with the reason: the system's, a lock, damage, another kind of file, a later schema.
     static Result<ResultsDatabase> open(const std::filesystem::path& path, Access access,
-                                        const JobControl& job, double patience_s = 60);
+                                        const JobControl& job, double patience_s = 60,
+                                        std::function<void(double patience_s)> waiting = {});
 
     // Made at random with the file: another file at this path has another.
     Result<std::string> identity();
@@ -64,7 +67,7 @@ public:
 
 private:
     ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
-                    double patience_s);
+                    double patience_s, std::function<void(double)> waiting);
     void connect();
     Error refused(const MessageArg& reason) const;
     Error error_of_failure(const SqliteFailure& failure) const;
@@ -75,6 +78,7 @@ private:
     Access access_;
     JobControl job_;
     double patience_s_;
+    std::function<void(double)> waiting_;
     std::unique_ptr<SqliteConnection> connection_;
 };
 

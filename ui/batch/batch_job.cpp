@@ -46,7 +46,8 @@ BatchEvents BatchJob::events() {
         [this](const MeasurementList& list) {
             post([this, own = std::make_shared<const MeasurementList>(list)] { emit begun(own); });
         },
-        [this](const FinishedRow& row) { post([this, row] { emit rowFinished(row); }); }};
+        [this](const FinishedRow& row) { post([this, row] { emit rowFinished(row); }); },
+        {}};
 }
 
 void BatchJob::post(std::function<void()> act) {

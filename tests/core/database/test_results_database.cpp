@@ -222,6 +222,14 @@ private slots:
                  QString::fromStdString(path("locked.db")) +
                      " cannot be written: another program has kept it locked for 0.2 s. Nothing "
                      "was changed there.");
+        std::vector<double> told;
+        auto telling =
+            ResultsDatabase::open(path("locked.db"), Access::write, JobControl(), 1,
+                                  [&](double patience_s) { told.push_back(patience_s); });
+        QVERIFY(bool(telling));
+        QVERIFY(!telling->add(made_result(1)));
+        QVERIFY(!telling->add(made_result(1)));
+        QCOMPARE(told, std::vector<double>{1});
         std::stop_source stop;
         auto patient = ResultsDatabase::open(path("locked.db"), Access::write,
                                              JobControl(stop.get_token()), 3600);
