@@ -251,6 +251,9 @@ int run(int argc, char** argv) {
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return log.fail_usage(fault);
     }
+    if (const Status enough = check_stack(); !enough) {
+        return log.fail(enough.error());
+    }
     const IdentifyRequest& asked = compare_command->parsed() ? comparison : identification;
     if ((identify_command->parsed() || compare_command->parsed()) && asked.inputs.empty() &&
         asked.list.empty()) {

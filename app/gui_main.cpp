@@ -275,6 +275,9 @@ int main(int argc, char** argv) {
     // Qt writes the fonts of a PDF in the order of a hash: the same document is the same bytes.
     QHashSeed::setDeterministicGlobalSeed();
     try {
+        if (const Status enough = check_stack(); !enough) {
+            return fail(enough.error());
+        }
         return run(argc, argv);
     } catch (...) {
         return fail(error_of(std::current_exception()));

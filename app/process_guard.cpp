@@ -10,11 +10,13 @@
 #include <cerrno>
 #include <condition_variable>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fcntl.h>
 #include <mutex>
+#include <sys/resource.h>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -87,6 +89,21 @@ Status check_threads(int threads) {
         thread.join();
     }
     return status;
+}
+
+Status check_stack() {
+    constexpr rlim_t least_kb = 512;  // an analysis takes up to 200 kB
+    rlimit stack{};
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= least_kb << 10) {
+        return {};
+    }
+    const auto kb = [](rlim_t count) { return count_arg(static_cast<std::int64_t>(count)); };
+    return Error{
+        ErrorCode::setting_invalid,
+        "",
+        {words(VYBEG_MESSAGE("Words", "the limit of the stack (ulimit -s)")),
+         words(VYBEG_MESSAGE("Words", "%1 kB"), {kb(stack.rlim_cur >> 10)}),
+         words(VYBEG_MESSAGE("Words", "the program needs %1 kB or more"), {kb(least_kb)})}};
 }
 
 void end_with_a_sentence() {

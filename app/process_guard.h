@@ -18,6 +18,10 @@ void make_write_signals_errors();
 // oneTBB starts its threads from within others, where a failure would end the program.
 Status check_threads(int threads);
 
+// Whether the stack of the process and of its threads is large enough (ulimit -s): setting_invalid.
+// A smaller one ends the program by a signal in the midst of its work.
+Status check_stack();
+
 // Where such an exception meets no handler: its sentence and exit status instead of an abort.
 void end_with_a_sentence();
 

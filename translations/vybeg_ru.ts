@@ -3137,10 +3137,6 @@
         <translation>%1 (записан %2)</translation>
     </message>
     <message>
-        <source>the disk does not give back what was written</source>
-        <translation>диск возвращает не то, что было записано</translation>
-    </message>
-    <message>
         <source>its JSON is not a passport&apos;s</source>
         <translation>это JSON, но не паспорт</translation>
     </message>
@@ -3571,6 +3567,18 @@
     <message>
         <source>the helper program %1 cannot be started (%2)</source>
         <translation>вспомогательная программа %1 не запускается (%2)</translation>
+    </message>
+    <message>
+        <source>the limit of the stack (ulimit -s)</source>
+        <translation>предел стека (ulimit -s)</translation>
+    </message>
+    <message>
+        <source>%1 kB</source>
+        <translation>%1 КБ</translation>
+    </message>
+    <message>
+        <source>the program needs %1 kB or more</source>
+        <translation>программе нужно не меньше %1 КБ</translation>
     </message>
     <message>
         <source>this system cannot confine the helper program that reads this format: it has no list of allowed system calls (seccomp)</source>

@@ -480,7 +480,7 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "%1 sets do not keep the limits and %2 are undecided, of %3.")};
         case DiagnosticKind::database_waits:
-            return {"database-waits", note,
+            return {"database-waits", warning,
                     VYBEG_MESSAGE("Message",
                                   "%1 is in use by another program. The batch waits for it, up to "
                                   "%2 s.")};

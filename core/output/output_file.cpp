@@ -13,7 +13,6 @@
 #include <system_error>
 #include <unistd.h>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -258,35 +257,6 @@ Status OutputFile::commit_together(std::span<OutputFile* const> files) {
     return {};
 }
 
-Status OutputFile::compare(std::string_view bytes) const {
-    if (!seekable()) {
-        return {};
-    }
-    std::vector<char> piece(std::min(buffer_size, bytes.size() + 1));
-    std::size_t at = 0;
-    for (;;) {
-        const ssize_t got = pread(descriptor_, piece.data(), piece.size(), static_cast<off_t>(at));
-        if (got < 0 && errno == EINTR) {
-            continue;
-        }
-        if (got < 0) {
-            return failed(errno);
-        }
-        const std::string_view read(piece.data(), static_cast<std::size_t>(got));
-        if (read != bytes.substr(at, read.size())) {
-            return failure(
-                words(VYBEG_MESSAGE("Words", "the disk does not give back what was written")));
-        }
-        at += read.size();
-        if (read.empty()) {
-            return at == bytes.size()
-                       ? Status{}
-                       : failure(words(VYBEG_MESSAGE(
-                             "Words", "the disk does not give back what was written")));
-        }
-    }
-}
-
 std::filesystem::path OutputFile::spool_folder() const {
     std::error_code missing;
     if (!seekable()) {
@@ -323,9 +293,7 @@ Status write_file(const std::filesystem::path& target, std::string_view bytes,
     if (!file) {
         return file.error();
     }
-    Status written = file->write(bytes);
-    written = written ? file->flush() : written;
-    written = written ? file->compare(bytes) : written;
+    const Status written = file->write(bytes);
     return written ? file->commit() : written;
 }
 

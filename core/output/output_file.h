@@ -45,10 +45,6 @@ public:
     // rename.
     static Status commit_together(std::span<OutputFile* const> files);
 
-    // Compares the file with `bytes` by reading it back. Precondition: flush(). No effect on files
-    // written directly.
-    Status compare(std::string_view bytes) const;
-
     // Descriptor for libraries that write themselves. Preconditions: flush(), seekable().
     int descriptor() const { return descriptor_; }
     bool seekable() const { return !temporary_.empty(); }
@@ -93,8 +89,7 @@ private:
 // A file, or standard output for "-".
 Result<OutputFile> open_output(const std::string& name, const JobControl& job);
 
-// Writes a whole file from memory, reads it back for comparison and renames it. Errors: those of
-// OutputFile.
+// Writes a whole file from memory and renames it. Errors: those of OutputFile.
 Status write_file(const std::filesystem::path& target, std::string_view bytes,
                   const JobControl& job);
 

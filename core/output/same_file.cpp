@@ -19,6 +19,30 @@ bool is_null_device(const struct stat& status) {
     return S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
 }
 
+// Where a file that does not exist would be made: the last folder of its path that exists, and what
+// comes after it.
+struct NewPlace {
+    dev_t device;
+    ino_t folder;
+    std::filesystem::path name;
+
+    friend bool operator==(const NewPlace&, const NewPlace&) = default;
+};
+
+std::optional<NewPlace> place_of(const std::filesystem::path& path) {
+    std::error_code failed;
+    std::filesystem::path folder = weakly_canonical(absolute(path, failed), failed);
+    std::filesystem::path name;
+    while (!failed && folder.has_relative_path()) {
+        name = name.empty() ? folder.filename() : folder.filename() / name;
+        folder = folder.parent_path();
+        if (const auto status = status_of(folder)) {
+            return NewPlace{status->st_dev, status->st_ino, name};
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 bool same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
@@ -31,13 +55,9 @@ bool same_file(const std::filesystem::path& one, const std::filesystem::path& ot
     if (first || second || one == "-" || other == "-" || one.empty() || other.empty()) {
         return one == other && one == "-";
     }
-    std::error_code failed;
-    const auto canonical = weakly_canonical(absolute(one, failed), failed);
-    if (failed) {
-        return one == other;
-    }
-    const auto other_canonical = weakly_canonical(absolute(other, failed), failed);
-    return failed ? one == other : canonical == other_canonical;
+    const auto new_one = place_of(one);
+    const auto new_other = place_of(other);
+    return new_one && new_other ? *new_one == *new_other : one == other;
 }
 
 }  // namespace vybeg

@@ -142,6 +142,32 @@ private slots:
         VYBEG_AT_MOST(QFileInfo(path("results.db")).size() / times, 30000);
     }
 
+    void a_locked_database_is_waited_for_with_a_sentence() {
+        QCOMPARE(run(work_).status, 0);
+        sqlite3* other = nullptr;
+        QCOMPARE(sqlite3_open(path("results.db").toUtf8().constData(), &other), SQLITE_OK);
+        for (const bool json : {false, true}) {
+            QCOMPARE(sqlite3_exec(other, "BEGIN EXCLUSIVE", nullptr, nullptr, nullptr), SQLITE_OK);
+            QProcess process;
+            process.setWorkingDirectory(folder_.path());
+            process.start(VYBEG_CLI, work_ + (json ? QStringList{"--json-log"} : QStringList{}));
+            QByteArray told;
+            while (!told.contains("in use") && process.state() != QProcess::NotRunning) {
+                process.waitForReadyRead(1000);
+                told += process.readAllStandardError();
+            }
+            QCOMPARE(sqlite3_exec(other, "ROLLBACK", nullptr, nullptr, nullptr), SQLITE_OK);
+            QVERIFY(process.waitForFinished(60000));
+            told += process.readAllStandardError();
+            QCOMPARE(process.exitCode(), 0);
+            const QByteArray sentence =
+                "is in use by another program. The batch waits for it, up to 60 s.";
+            VYBEG_EQUAL(told.count(sentence), 1, told);
+            QCOMPARE(told.contains("\"code\":\"database-waits\""), json);
+        }
+        sqlite3_close(other);
+    }
+
     void the_same_again_adds_nothing() {
         QCOMPARE(run(work_).status, 0);
         QCOMPARE(run(work_).status, 0);

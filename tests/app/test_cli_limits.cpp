@@ -65,6 +65,45 @@ private slots:
         VYBEG_MORE(refused, 0, "no limit between loading and enough was met");
     }
 
+    void too_small_a_stack_has_a_sentence_and_no_signal_data() {
+        QTest::addColumn<QStringList>("command");
+        QTest::addColumn<bool>("works");
+        for (const char* name : {"a.wav", "a.csv", "a.npy", "a.mat", "a.flac"}) {
+            QTest::newRow(name) << QStringList{"info", name} << false;
+        }
+        QTest::newRow("analyze") << QStringList{"analyze", "a.wav", "-o", "new.csv"} << false;
+        QTest::newRow("identify") << QStringList{"identify", "a.wav"} << false;
+        QTest::newRow("batch") << QStringList{"batch", ".", "-o", "new.csv"} << false;
+        QTest::newRow("simulate") << QStringList{"simulate", "--demo", "-o", "new.wav"} << false;
+        QTest::newRow("help") << QStringList{"--help"} << true;
+        QTest::newRow("wrong call") << QStringList{"analyze"} << false;
+    }
+
+    void too_small_a_stack_has_a_sentence_and_no_signal() {
+        QFETCH(QStringList, command);
+        QFETCH(bool, works);
+        const Outcome outcome =
+            run_program(VYBEG_CLI, command, folder_.path(), limit(RLIMIT_STACK, 64 << 10));
+        QCOMPARE(outcome.status, works ? 0 : 2);
+        QCOMPARE(outcome.err_lines().size(), works ? 0 : 1);
+        if (command.size() > 1) {
+            QCOMPARE(
+                outcome.err_lines()[0],
+                QByteArray("vybeg-cli: the limit of the stack (ulimit -s) cannot be \"64 kB\": "
+                           "the program needs 512 kB or more."));
+        }
+    }
+
+    void the_least_stack_is_enough() {
+        for (const QStringList& command :
+             {QStringList{"info", "a.wav"}, QStringList{"analyze", "a.wav", "-o", "enough.csv"},
+              QStringList{"identify", "a.wav"}}) {
+            const Outcome outcome =
+                run_program(VYBEG_CLI, command, folder_.path(), limit(RLIMIT_STACK, 512 << 10));
+            VYBEG_EQUAL(outcome.status, 0, outcome.err);
+        }
+    }
+
     void too_few_threads_have_a_sentence_and_leave_nothing() {
         const QString program = copy_for_anyone(folder_.path());
         QVERIFY(!program.isEmpty());

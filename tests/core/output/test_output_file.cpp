@@ -310,25 +310,6 @@ private slots:
                         [&] { return write_file(target_.toStdString(), bytes, {}); });
     }
 
-    void what_the_disk_does_not_give_back_is_an_error() {
-        put(target_, "old");
-        {
-            auto file = OutputFile::create(target_.toStdString(), {});
-            QVERIFY(file);
-            const std::string bytes(3 << 20, 'x');
-            QVERIFY(file->write(bytes));
-            QVERIFY(file->flush());
-            QVERIFY(file->compare(bytes));
-            QVERIFY(!file->compare(bytes + "x"));
-            QVERIFY(!file->compare(std::string_view(bytes).substr(1)));
-            QCOMPARE(pwrite(file->descriptor(), "y", 1, 2 << 20), ssize_t{1});
-            const Status compared = file->compare(bytes);
-            QVERIFY(!compared);
-            QCOMPARE(compared.error().code, ErrorCode::output_failed);
-        }
-        QCOMPARE(content(target_), QByteArray("old"));
-    }
-
     void a_file_is_written_whole() {
         put(target_, "old");
         const std::string bytes(5 << 20, 'x');

@@ -3,8 +3,13 @@
 
 #include <QtTest>
 
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <sched.h>
+#include <string>
+#include <sys/mount.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace test_same_file {
@@ -27,6 +32,8 @@ private slots:
         std::filesystem::create_symlink(path("there"), path("soft"));
         std::filesystem::create_hard_link(path("there"), path("hard"));
         std::filesystem::create_directory_symlink(path(""), path("sub/back"));
+        std::filesystem::create_directory_symlink(path("sub"), path("link"));
+        std::filesystem::create_directory(path("mounted"));
     }
 
     void paths_to_one_file_are_one_data() {
@@ -51,6 +58,10 @@ private slots:
         row("new", "sub/back/new", true);
         row("new", "other", false);
         row("new", "sub/new", false);
+        row("no/new", "sub/back/no/new", true);
+        row("no/new", "sub/no/new", false);
+        row("link/new", "sub/new", true);
+        row("link/new", "new", false);
     }
 
     void paths_to_one_file_are_one() {
@@ -69,6 +80,45 @@ private slots:
         const bool same = same_file("new", path("new")) && same_file("there", path("there"));
         std::filesystem::current_path(before);
         QVERIFY(same);
+    }
+
+    void a_path_through_a_descriptor_is_one() {
+        const int folder = ::open(path("sub").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        const std::string by_number = "/proc/self/fd/" + std::to_string(folder);
+        const bool same = same_file(by_number + "/new", path("sub/new")) &&
+                          !same_file(by_number + "/new", path("new"));
+        ::close(folder);
+        QVERIFY(same);
+        const auto before = std::filesystem::current_path();
+        std::filesystem::current_path(path(""));
+        const bool by_cwd = same_file("/proc/self/cwd/new", "new");
+        std::filesystem::current_path(before);
+        QVERIFY(by_cwd);
+    }
+
+    void a_folder_mounted_at_two_places_is_one() {
+        // In a child: it alone has the mount.
+        const pid_t child = fork();
+        if (child == 0) {
+            if (unshare(CLONE_NEWNS) != 0 ||
+                mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+                mount(path("sub").c_str(), path("mounted").c_str(), nullptr, MS_BIND, nullptr) !=
+                    0) {
+                _exit(2);
+            }
+            const bool right = same_file(path("mounted/new"), path("sub/new")) &&
+                               same_file(path("mounted/no/new"), path("sub/no/new")) &&
+                               !same_file(path("mounted/new"), path("sub/other")) &&
+                               !same_file(path("mounted/new"), path("new"));
+            _exit(right ? 0 : 1);
+        }
+        int status = 0;
+        QCOMPARE(waitpid(child, &status, 0), child);
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 2) {
+            QSKIP("NO MOUNT IS ALLOWED HERE: a folder at two places is NOT tested.");
+        }
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), 0);
     }
 
     void the_null_device_and_an_empty_path_are_no_file() {
