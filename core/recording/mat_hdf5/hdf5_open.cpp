@@ -52,8 +52,7 @@ OpenedHdf5 open_hdf5(int descriptor) {
     }
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, find_truncation, &opened.truncated);
     opened.not_closed = true;
-    opened.file =
-        Hdf5Handle(H5Fopen(any_name, H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()));
+    opened.file = Hdf5Handle(H5Fopen(any_name, H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()));
     if (!opened.file && H5Pexist(access.get(), pass_over_marks) > 0) {
         hbool_t yes = true;
         H5Pset(access.get(), pass_over_marks, &yes);
