@@ -175,7 +175,8 @@ void TestAudioReader::integers_of_more_than_32_bits_are_read_or_a_limit() {
     if (bits == 64) {
         QVERIFY(wrong);
         QCOMPARE(wrong->frames(), 100);
-        QCOMPARE(read_all(*wrong).c, std::vector<double>(100, 0x0101010101010101 * 0x1p-63));
+        QCOMPARE(read_all(*wrong).c,
+                 std::vector<double>(100, static_cast<double>(0x0101010101010101) * 0x1p-63));
         return;
     }
     QVERIFY(!wrong);
@@ -254,8 +255,9 @@ void TestAudioReader::a_file_whose_header_gives_rate_zero_takes_the_rate_of_the_
 
 void TestAudioReader::the_date_of_the_file_is_the_start() {
     const Folder folder;
-    for (const int container : {SF_FORMAT_WAV, SF_FORMAT_WAV | SF_ENDIAN_BIG, SF_FORMAT_WAVEX,
-                                SF_FORMAT_RF64, SF_FORMAT_FLAC}) {
+    for (const int container :
+         std::initializer_list<int>{SF_FORMAT_WAV, int{SF_FORMAT_WAV} | int{SF_ENDIAN_BIG},
+                                    SF_FORMAT_WAVEX, SF_FORMAT_RF64, SF_FORMAT_FLAC}) {
         write_audio(folder.file("run"), wave(20), container | SF_FORMAT_PCM_16, 48000, 2,
                     "2020-09-01 10:20");
         QCOMPARE(opened(folder.file("run")).start, std::string("2020-09-01 10:20"));
