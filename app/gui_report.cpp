@@ -20,6 +20,14 @@ namespace vybeg::cli {
 
 namespace {
 
+Status check_pdf(const std::string& path) {
+    return file_ending(path) == ".pdf"
+               ? Status()
+               : Error{ErrorCode::setting_invalid,
+                       "",
+                       {"--report", path, "a report is a PDF document: name it .pdf"}};
+}
+
 bool is_session(const std::string& input) {
     return ui::SessionKeeper::isSession(QString::fromStdString(input));
 }
@@ -133,7 +141,7 @@ Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementLis
 }  // namespace
 
 int write_report(const ReportRequest& request, std::stop_token stop) {
-    if (const Status is_pdf = check_ending(request.report, {".pdf"}); !is_pdf) {
+    if (const Status is_pdf = check_pdf(request.report); !is_pdf) {
         return fail(is_pdf.error());
     }
     if (request.inputs.size() == 1 && request.list.empty() && is_session(request.inputs.front())) {

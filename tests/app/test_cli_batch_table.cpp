@@ -245,6 +245,8 @@ private slots:
     }
 };
 
+VYBEG_TEST(TestCliBatchTable)
+
 }  // namespace test_cli_batch_table
 
 #include "test_cli_batch_table.moc"

@@ -60,9 +60,11 @@ std::string difference(const std::shared_ptr<const FileBytes>& file, HelperFile&
     const PlainSamples& plain = *header->plain;
     const Catalogue& catalogue = decoded.catalogue();
     const FileVariable& samples = catalogue.variables.front();
-    // libsndfile takes what stands behind the samples of a W64 file for samples.
-    const bool same_frames =
-        plain.container == "W64" ? plain.frames <= samples.frames : plain.frames == samples.frames;
+    // libsndfile takes what stands behind the samples of a W64 file for samples, and of an RF64
+    // file one of several sizes.
+    const bool same_frames = plain.container == "W64"
+                                 ? plain.frames <= samples.frames
+                                 : plain.container == "RF64" || plain.frames == samples.frames;
     if (!same_frames || plain.channels != samples.channels || plain.type_name != samples.type ||
         plain.container != catalogue.format ||
         (!header->rate_is_zero && static_cast<double>(plain.rate_hz) != samples.rate_hz)) {
@@ -73,9 +75,10 @@ std::string difference(const std::shared_ptr<const FileBytes>& file, HelperFile&
     OpenOptions options;
     options.rate_hz = 33333;
     const auto recording = open_audio(file, options, {});
-    const std::int64_t count = std::min(plain.frames, most_frames);
+    const std::int64_t frames = std::min(plain.frames, samples.frames);
+    const std::int64_t count = std::min(frames, most_frames);
     std::vector<double> c(static_cast<std::size_t>(count)), d(c), x(c);
-    for (const std::int64_t first : {std::int64_t{0}, plain.frames - count}) {
+    for (const std::int64_t first : {std::int64_t{0}, frames - count}) {
         if (!recording || !recording->source->read(first, c, d)) {
             return "samples that are not there in place";
         }

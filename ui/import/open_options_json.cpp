@@ -122,7 +122,7 @@ OpenOptions optionsFromJson(const QJsonObject& json) {
     if (json[QStringLiteral("text")].isObject()) {
         options.text = textFromJson(json[QStringLiteral("text")].toObject());
     }
-    for (const QJsonValue& name : json[QStringLiteral("variables")].toArray()) {
+    for (const auto& name : json[QStringLiteral("variables")].toArray()) {
         options.variables.push_back(name.toString().toStdString());
     }
     options.unit = json[QStringLiteral("unit")].toString().toStdString();

@@ -351,18 +351,19 @@ std::string audio_container(std::string_view head) {
     return "";
 }
 
-bool is_tagged_flac(std::string_view head, const FileBytes& file) {
+std::int64_t tag_before_flac(std::string_view head, const FileBytes& file) {
     constexpr std::size_t tag_head = 10;  // and as many bytes behind the tag where it has a footer
     if (head.size() < tag_head || !head.starts_with("ID3")) {
-        return false;
+        return 0;
     }
     std::int64_t behind = tag_head + ((head[5] & 0x10) != 0 ? tag_head : 0);
     for (int i = 0; i < 4; ++i) {
-        behind += static_cast<std::int64_t>(head[static_cast<std::size_t>(6 + i)] & 0x7F)
-                  << (7 * (3 - i));
+        const auto place = static_cast<std::size_t>(i) + 6;
+        behind += static_cast<std::int64_t>(head[place] & 0x7F) << (7 * (3 - i));
     }
     std::array<char, 4> name{};
-    return file.read(behind, name) && std::string_view(name.data(), name.size()) == "fLaC";
+    const bool flac = file.read(behind, name) && std::string_view(name.data(), 4) == "fLaC";
+    return flac ? behind : 0;
 }
 
 Result<AudioExtent> audio_extent(const FileBytes& file) {

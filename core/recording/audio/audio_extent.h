@@ -16,8 +16,8 @@ namespace vybeg {
 // (RIFF, RIFX), "RF64", "W64", "AIFF" (and AIFF-C), "CAF", "AU" or "FLAC"; empty for other files.
 std::string audio_container(std::string_view head);
 
-// Whether the file is FLAC behind an ID3v2 tag, which the decoder passes over.
-bool is_tagged_flac(std::string_view head, const FileBytes& file);
+// Bytes of an ID3v2 tag before FLAC, 0 for every other file.
+std::int64_t tag_before_flac(std::string_view head, const FileBytes& file);
 
 // Bytes passed to the decoder instead of those of the file, which it rejects.
 struct HeaderPatch {

@@ -27,7 +27,7 @@ Result<std::string> file_head(const FileBytes& file) {
 }
 
 FileKind file_kind(std::string_view head, const FileBytes& file) {
-    if (!audio_container(head).empty() || is_tagged_flac(head, file)) {
+    if (!audio_container(head).empty() || tag_before_flac(head, file) > 0) {
         return FileKind::audio;
     }
     if (is_npy(head)) {

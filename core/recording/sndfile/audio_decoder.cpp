@@ -9,19 +9,20 @@ namespace vybeg {
 struct AudioDecoder::Bytes {
     std::shared_ptr<const FileBytes> file;
     std::vector<HeaderPatch> patches;
+    std::int64_t begin = 0;  // of what the library sees
     sf_count_t position = 0;
 
+    sf_count_t size() const { return file->size() - begin; }
+
     sf_count_t seek(sf_count_t offset, int whence) {
-        const sf_count_t base = whence == SEEK_SET   ? 0
-                                : whence == SEEK_CUR ? position
-                                                     : file->size();
+        const sf_count_t base = whence == SEEK_SET ? 0 : whence == SEEK_CUR ? position : size();
         position = std::max<sf_count_t>(base + offset, 0);
         return position;
     }
 
     sf_count_t read(char* out, sf_count_t count) {
         const std::span<char> bytes(out, static_cast<std::size_t>(std::max<sf_count_t>(count, 0)));
-        const auto got = file->read(position, bytes);
+        const auto got = file->read(begin + position, bytes);
         if (!got) {
             return 0;
         }
@@ -56,9 +57,10 @@ AudioDecoder::~AudioDecoder() {
 }
 
 Result<std::unique_ptr<AudioDecoder>> AudioDecoder::open(std::shared_ptr<const FileBytes> file,
-                                                         const std::vector<HeaderPatch>& patches) {
+                                                         const std::vector<HeaderPatch>& patches,
+                                                         std::int64_t begin) {
     static SF_VIRTUAL_IO calls = {
-        [](void* data) -> sf_count_t { return static_cast<Bytes*>(data)->file->size(); },
+        [](void* data) -> sf_count_t { return static_cast<Bytes*>(data)->size(); },
         [](sf_count_t offset, int whence, void* data) {
             return static_cast<Bytes*>(data)->seek(offset, whence);
         },
@@ -71,6 +73,7 @@ Result<std::unique_ptr<AudioDecoder>> AudioDecoder::open(std::shared_ptr<const F
     std::unique_ptr<AudioDecoder> decoder(new AudioDecoder);
     decoder->bytes_->file = std::move(file);
     decoder->bytes_->patches = patches;
+    decoder->bytes_->begin = begin;
     decoder->handle_ = sf_open_virtual(&calls, SFM_READ, &decoder->info_, decoder->bytes_.get());
     if (!decoder->handle_) {
         return decoder->damaged(words(VYBEG_MESSAGE("Words", "its header cannot be understood")));

@@ -17,9 +17,10 @@ namespace vybeg {
 // One libsndfile handle on a file's bytes. Not for several threads at once.
 class AudioDecoder {
 public:
-    // Errors: format_damaged.
+    // `begin`: bytes before what the library sees. Errors: format_damaged.
     static Result<std::unique_ptr<AudioDecoder>> open(std::shared_ptr<const FileBytes> file,
-                                                      const std::vector<HeaderPatch>& patches);
+                                                      const std::vector<HeaderPatch>& patches,
+                                                      std::int64_t begin);
 
     AudioDecoder(const AudioDecoder&) = delete;
     AudioDecoder& operator=(const AudioDecoder&) = delete;

@@ -83,7 +83,8 @@ Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBy
     // Of a file without signature libsndfile looks for a resource fork beside it, which is another
     // file.
     const std::string_view start(head.data(), head.size());
-    if (audio_container(start).empty() && !is_tagged_flac(start, *file)) {
+    const std::int64_t tag = tag_before_flac(start, *file);
+    if (audio_container(start).empty() && tag == 0) {
         return Error{ErrorCode::format_damaged,
                      "",
                      {words(VYBEG_MESSAGE("Words", "audio")),
@@ -93,7 +94,7 @@ Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBy
     if (!header) {
         return header.error();
     }
-    auto decoder = AudioDecoder::open(std::move(file), header->patches);
+    auto decoder = AudioDecoder::open(std::move(file), header->patches, tag);
     if (!decoder) {
         return decoder.error();
     }

@@ -282,6 +282,17 @@ std::size_t add_words(std::span<const std::string> lines, std::size_t row, Rows&
         table.words = find_words(lines.subspan(row), table.dialect, table.columns);
     }
     std::vector<std::string_view> fields;
+    // A word may stand in the first row alone, behind its numbers. Before them it is the key of a
+    // line above the table.
+    if (row > 0 && table.words.empty() && table.columns <= most_columns) {
+        split_fields(lines[row], table.dialect.delimiter, fields);
+        int last = 0;
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            last = fields[i].empty() ? last : static_cast<int>(i);
+        }
+        table.words = find_words(lines.subspan(row - 1), table.dialect, table.columns);
+        std::erase_if(table.words, [last](int column) { return column <= last; });
+    }
     while (row > 0 && table.contain(lines[row - 1], fields)) {
         --row;
     }

@@ -15,7 +15,8 @@ public:
     void add(std::span<const double> times_s, double unit_s) {
         for (const double time_s : times_s) {
             const double time = time_s / unit_s;
-            whole_ = whole_ && time == std::round(time);
+            // But for the rounding of the unit.
+            whole_ = whole_ && std::abs(time - std::round(time)) <= 1e-15 * std::abs(time);
             single_ = single_ && is_single(time, 0);
         }
     }

@@ -137,8 +137,11 @@ private slots:
         QCOMPARE(*track_format("a.csv.h5"), TrackFormat::hdf5);
         QCOMPARE(*track_format("a.Hdf5"), TrackFormat::hdf5);
         QCOMPARE(*track_format("запись.npz"), TrackFormat::npz);
-        for (const char* other : {"a", "a.txt", "npz", "a.npz.gz", "/dev/null"}) {
+        for (const char* other : {"a", "a.txt", "npz", "/dev/null"}) {
             QCOMPARE(*track_format(other), TrackFormat::csv);
+        }
+        for (const char* other : {"a.npz.gz", "a.xlsx", "a.json"}) {
+            QCOMPARE(track_format(other).error().code, ErrorCode::output_format_unknown);
         }
         QCOMPARE(track_format("a.npy").error().code, ErrorCode::output_failed);
     }

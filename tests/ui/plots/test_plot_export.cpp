@@ -154,7 +154,7 @@ private slots:
                                            dir_.filePath(QStringLiteral("plots.bmp")));
         QVERIFY(!status);
         QVERIFY(status.error().code == ErrorCode::output_format_unknown);
-        QCOMPARE(status.error().args, std::vector<MessageArg>{"bmp"});
+        QCOMPARE(status.error().args, (std::vector<MessageArg>{".bmp", ".png, .svg, .pdf"}));
     }
 
     void a_failure_leaves_the_old_file() {
