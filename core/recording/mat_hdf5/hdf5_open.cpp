@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <unistd.h>
 #include <utility>
 
 namespace vybeg {
@@ -40,6 +41,20 @@ Hdf5Handle access_to_file(int descriptor) {
     return read_descriptor(access.get(), descriptor) ? std::move(access) : Hdf5Handle();
 }
 
+// Whether the superblock, of version 3 or later, says that a program writes the file. With a driver
+// of its own the library does not look.
+bool is_marked_as_written(int descriptor, hid_t file) {
+    constexpr std::size_t version_at = 8;
+    constexpr std::size_t marks_at = 11;
+    hsize_t before = 0;
+    const Hdf5Handle creation(H5Fget_create_plist(file));
+    std::array<unsigned char, 12> head{};
+    return creation && H5Pget_userblock(creation.get(), &before) >= 0 &&
+           ::pread(descriptor, head.data(), head.size(), static_cast<off_t>(before)) ==
+               static_cast<ssize_t>(head.size()) &&
+           head[version_at] >= 3 && (head[marks_at] & 1) != 0;
+}
+
 }  // namespace
 
 OpenedHdf5 open_hdf5(int descriptor) {
@@ -51,12 +66,15 @@ OpenedHdf5 open_hdf5(int descriptor) {
         return opened;
     }
     opened.file = Hdf5Handle(H5Fopen(any_name, H5F_ACC_RDONLY, access.get()));
-    if (opened.file) {
+    if (opened.file && !is_marked_as_written(descriptor, opened.file.get())) {
         return opened;
     }
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, find_truncation, &opened.truncated);
+    if (!opened.file) {
+        H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, find_truncation, &opened.truncated);
+    }
     opened.not_closed = true;
-    opened.file = Hdf5Handle(H5Fopen(any_name, H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()));
+    Hdf5Handle beside(H5Fopen(any_name, H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()));
+    opened.file = beside ? std::move(beside) : std::move(opened.file);
     if (!opened.file && H5Pexist(access.get(), pass_over_marks) > 0) {
         hbool_t yes = true;
         H5Pset(access.get(), pass_over_marks, &yes);
