@@ -24,12 +24,16 @@ Result<MeasurementList> FolderWatch::look() {
     std::set<std::filesystem::path> listed;
     std::optional<std::filesystem::path> list_path;
     std::vector<MeasurementSet> single;
+    bool list_in_writing = false;
     for (MeasurementSet& file : files->sets) {
         const std::filesystem::path& path = file.recordings.front().path;
-        if (!is_settled(path)) {
+        const bool settled = is_settled(path);
+        const bool is_list = is_measurement_list(path);
+        list_in_writing = list_in_writing || (is_list && !settled);
+        if (!settled) {
             continue;
         }
-        if (!is_measurement_list(path)) {
+        if (!is_list) {
             single.push_back(std::move(file));
             continue;
         }
@@ -50,7 +54,7 @@ Result<MeasurementList> FolderWatch::look() {
         }
         come = std::move(*list);
     }
-    if (fault_) {  // which files are of its sets is unknown
+    if (fault_ || list_in_writing) {  // which files are of its sets is unknown
         return MeasurementList{};
     }
     for (const MeasurementSet& set : come.sets) {

@@ -22,7 +22,8 @@ public:
     // `request` must outlive this object.
     explicit FolderWatch(const BatchRequest& request) : request_(request) {}
 
-    // Nothing while the folder's list has a fault. Errors: those of list_of_folder().
+    // Nothing while the folder's list has a fault or is being written. Errors: those of
+    // list_of_folder().
     Result<MeasurementList> look();
 
     // Why the folder's list does not count at the last look: those of read_measurement_list(), and
