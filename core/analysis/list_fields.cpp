@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/recording/samples/column_words.h"
 
 #include <algorithm>
 #include <array>
@@ -89,31 +90,9 @@ std::optional<double> take_date(std::string_view& text) {
     return 86400.0 * static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
 }
 
-// A text in small letters, Latin or Russian (UTF-8).
-std::string small_letters(std::string text) {
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        char& c = text[k];
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        if (c != '\xD0' || k + 1 == text.size()) {
-            continue;
-        }
-        const auto second = static_cast<unsigned char>(text[k + 1]);
-        if (second == 0x81) {  // Ё
-            c = '\xD1';
-            text[k + 1] = '\x91';
-        } else if (second >= 0x90 && second < 0xA0) {  // А to П
-            text[k + 1] = static_cast<char>(second + 0x20);
-        } else if (second >= 0xA0 && second < 0xB0) {  // Р to Я
-            c = '\xD1';
-            text[k + 1] = static_cast<char>(second - 0x20);
-        }
-    }
-    return text;
-}
-
 // A name without capitals, with "-" between its words.
 std::string plain_name(const std::string& name) {
-    std::string plain = small_letters(name);
+    std::string plain = lower_text(name);
     std::ranges::replace_if(
         plain, [](char c) { return c == '_' || c == ' '; }, '-');
     return plain;
@@ -224,7 +203,7 @@ std::string usual_date(const std::string& field) {
 }
 
 std::optional<bool> yes_or_no(const std::string& field) {
-    const std::string answer = small_letters(field);
+    const std::string answer = lower_text(field);
     if (answer == "yes" || answer == "да") {
         return true;
     }

@@ -64,6 +64,22 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
     return number ? std::optional(factor * *number) : std::nullopt;
 }
 
+std::optional<std::vector<std::pair<std::string, std::string_view>>> named_texts(
+    std::string_view text) {
+    std::vector<std::pair<std::string, std::string_view>> named;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string_view part = text.substr(begin, end - begin);
+        const std::size_t equals = part.find('=');
+        begin = end + 1;
+        if (equals == std::string_view::npos) {
+            return std::nullopt;
+        }
+        named.emplace_back(part.substr(0, equals), part.substr(equals + 1));
+    }
+    return named;
+}
+
 double assumed_tolerance(ErrorSource source, double calibrated_kappa) {
     if (source == kappa_error) {
         return calibrated_kappa == 1 ? ChannelTolerance{}.kappa : 0;
@@ -93,15 +109,12 @@ Result<Tolerance> read_tolerance(std::string_view text) {
         return tolerance;
     }
     std::set<std::string, std::less<>> given;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string_view part = text.substr(begin, end - begin);
-        const std::size_t equals = part.find('=');
-        begin = end + 1;
-        if (equals == std::string_view::npos) {
-            return wrong("it is NAME=X with commas, as in skew=0.1deg,delay=10ns");
-        }
-        const std::string name(part.substr(0, equals));
+    const auto named = named_texts(text);
+    if (!named) {
+        return wrong("it is NAME=X with commas, as in skew=0.1deg,delay=10ns");
+    }
+    for (const auto& part : *named) {
+        const std::string& name = part.first;
         const auto parameter = std::ranges::find_if(
             tolerance_parameters, [&](const auto& known) { return name == known.name(); });
         if (parameter == tolerance_parameters.end()) {
@@ -111,7 +124,7 @@ Result<Tolerance> read_tolerance(std::string_view text) {
             return wrong(name + " is given twice");
         }
         const std::string unit = parameter->unit;
-        const std::optional<double> value = number_with_unit(part.substr(equals + 1), unit);
+        const std::optional<double> value = number_with_unit(part.second, unit);
         if (!value || !within(tolerance_bounds, "--tolerance", *value)) {
             return wrong(name + " must be a number of zero or more" +
                          (unit.empty() ? "" : ", in " + unit));

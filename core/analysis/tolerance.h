@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -67,6 +68,10 @@ std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double
 // A number, plain or with a unit after it that `unit` can be told in: 25.4ms in s, 0.1deg in rad,
 // 2% and 5ppm of a ratio. Nothing for any other text.
 std::optional<double> number_with_unit(std::string_view text, std::string_view unit);
+
+// The names and texts X of NAME=X[,NAME=X]; nothing where a part has no "=".
+std::optional<std::vector<std::pair<std::string, std::string_view>>> named_texts(
+    std::string_view text);
 
 // Reads NAME=X[,NAME=X]: the names above, each at most once. X is a number of zero or more in the
 // parameter's unit, or with a unit after it: deg, rad, mrad (skew, phase-drift), s, ms, us, ns, ps

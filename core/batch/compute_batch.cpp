@@ -154,14 +154,7 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
     const bool limits = !request.limits.empty();
     const std::vector<std::string> names = batch_columns(limits);
     const auto passed = std::ranges::find(names, passed_column) - names.begin();
-    const auto line = [&](const std::string& row) {
-        return output.write((request.excel ? excel_row(row, limits) : row) + "\n");
-    };
-    // Of the head table programs get the names alone.
-    Status written = request.excel ? output.write("\xEF\xBB\xBF") : Status();
-    written = !written        ? written
-              : request.excel ? line(head.substr(head.rfind('\n') + 1))
-                              : line(head);
+    Status written = output.write((request.excel ? excel_head(head) : head) + "\n");
     for (const SetTask& task : tasks) {
         if (!written) {
             return written;
@@ -175,7 +168,7 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
             counts.failed += field == passed_text(Conformity::outside) ? 1 : 0;
             counts.undecided += field == passed_text(Conformity::unknown) ? 1 : 0;
         }
-        written = line(*row);
+        written = output.write((request.excel ? excel_row(*row, limits) : *row) + "\n");
     }
     return written ? output.commit() : written;
 }

@@ -136,49 +136,16 @@ std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits
     return of_type;
 }
 
-const char* passed_text(Conformity conformity) {
-    switch (conformity) {
-        case Conformity::within: return "yes";
-        case Conformity::outside: return "no";
-        case Conformity::unknown: break;
-    }
-    return "undecided";
-}
-
-LimitVerdict keeps_limits(const ResonatorEstimate& resonator,
-                          const std::vector<ParameterLimit>& limits) {
-    LimitVerdict verdict;
-    for (const ResonatorParameter& parameter : resonator_parameters) {
-        const ParameterLimit* const limit = limit_of(limits, parameter.name);
-        if (limit == nullptr) {
-            continue;
-        }
-        const Conformity one = conformity(resonator.*parameter.member, *limit);
-        if (one != Conformity::within) {
-            verdict.failed.emplace_back(parameter.name);
-            const bool outside =
-                one == Conformity::outside || verdict.conformity == Conformity::outside;
-            verdict.conformity = outside ? Conformity::outside : Conformity::unknown;
-        }
-    }
-    return verdict;
-}
-
 Result<std::vector<PracticalLimit>> read_practical_limits(std::string_view text) {
     const auto wrong = [text](const MessageArg& allowed) {
         return Error{ErrorCode::setting_invalid, "", {"--limit", std::string(text), allowed}};
     };
     std::vector<PracticalLimit> limits;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string_view part = text.substr(begin, end - begin);
-        const std::size_t equals = part.find('=');
-        begin = end + 1;
-        if (equals == std::string_view::npos) {
-            return wrong("it is NAME=X with commas, as in tau=0.5%,f_mean=10ppm");
-        }
-        const std::string name(part.substr(0, equals));
-        const std::string_view size = part.substr(equals + 1);
+    const auto named = named_texts(text);
+    if (!named) {
+        return wrong("it is NAME=X with commas, as in tau=0.5%,f_mean=10ppm");
+    }
+    for (const auto& [name, size] : *named) {
         const ResonatorParameter* const parameter = parameter_named(resonator_parameters, name);
         if (parameter == nullptr) {
             return wrong(no_parameter(resonator_parameters, name));

@@ -3,7 +3,6 @@
 #include "core/base/result.h"
 #include "core/resonator/results/parameter_limit.h"
 #include "core/resonator/results/passport.h"
-#include "core/resonator/results/resonator_result.h"
 
 #include <filesystem>
 #include <string>
@@ -26,18 +25,6 @@ Result<std::vector<TypedLimit>> read_limits(const std::filesystem::path& path);
 // The limits of one type of gyro, those of its own in place of those of all.
 std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits,
                                            const std::string& gyro_type);
-
-// "yes", "no", "undecided": field `passed` of the table.
-const char* passed_text(Conformity conformity);
-
-struct LimitVerdict {
-    Conformity conformity = Conformity::within;  // of all; outside where one parameter is
-    std::vector<std::string> failed;             // parameters that are not shown to be within
-};
-
-// Whether a resonator keeps the limits, as conformity() judges each parameter.
-LimitVerdict keeps_limits(const ResonatorEstimate& resonator,
-                          const std::vector<ParameterLimit>& limits);
 
 // Reads NAME=X[,NAME=X]: parameters named as in the table of results, whose unit may be left out
 // (tau, f_mean). X is in the parameter's unit or, as X% or Xppm, relative to the passport's value.

@@ -1,7 +1,6 @@
 #include "core/batch/set_work.h"
 
 #include "core/base/caught_error.h"
-#include "core/batch/limits.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
 #include "core/output/passport_json.h"
@@ -25,26 +24,18 @@ bool ends_batch(ErrorCode code) {
            status == exit_status(ErrorCode::interrupted);
 }
 
-// Numbers that may be wrong decide nothing, nor does a set without a result (null). A set of which
-// no limit is does not pass.
-std::optional<PassedFields> passed_fields(const SetTask& task, const Identification* found) {
+// Numbers that may be wrong decide nothing, nor does a set without a result (null).
+std::optional<LimitVerdict> limit_verdict(const SetTask& task, const Identification* found) {
     if (!task.limits) {
         return {};
     }
-    if (task.limits->empty()) {
-        return PassedFields{};
+    LimitVerdict verdict =
+        found != nullptr ? keeps_limits(found->fit.resonator, *task.limits) : LimitVerdict{};
+    const bool decides = found != nullptr && !is_doubtful(*found);
+    if (!decides && !task.limits->empty()) {
+        verdict.conformity = Conformity::unknown;
     }
-    if (found == nullptr) {
-        return PassedFields{passed_text(Conformity::unknown), ""};
-    }
-    const LimitVerdict verdict = keeps_limits(found->fit.resonator, *task.limits);
-    PassedFields fields{passed_text(is_doubtful(*found) ? Conformity::unknown : verdict.conformity),
-                        ""};
-    for (const std::string& name : verdict.failed) {
-        fields.failed_by += fields.failed_by.empty() ? "" : ";";
-        fields.failed_by += name;
-    }
-    return fields;
+    return verdict;
 }
 
 }  // namespace
@@ -60,7 +51,7 @@ SetWork::SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_to
     }
     done_ = batch_.tasks.size() - todo_.size();
     if (batch_.database != nullptr) {
-        batch_.database->on_waiting([this](const Diagnostic& waiting) {
+        waits_ = batch_.database->on_waiting([this](const Diagnostic& waiting) {
             const std::lock_guard lock(mutex_);
             if (events_.warned) {
                 events_.warned({waiting});
@@ -68,6 +59,12 @@ SetWork::SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_to
         });
     }
     prepare_sha256();
+}
+
+SetWork::~SetWork() {
+    if (batch_.database != nullptr) {
+        batch_.database->on_waiting(std::move(waits_));
+    }
 }
 
 Status SetWork::run() {
@@ -143,8 +140,8 @@ void SetWork::finish(const SetTask& task) {
             result->warnings.emplace_back("", std::move(*stored));
         }
     }
-    const std::optional<PassedFields> passed = passed_fields(task, &result->found);
-    FinishedRow row{.text = batch_row(set, result->found, compared, passed ? &*passed : nullptr),
+    const std::optional<LimitVerdict> limits = limit_verdict(task, &result->found);
+    FinishedRow row{.text = batch_row(set, result->found, compared, limits ? &*limits : nullptr),
                     .warnings = std::move(result->warnings),
                     .error = {},
                     .timing = result->found.timing,
@@ -197,8 +194,8 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
     if (ends_batch(error.code)) {
         give_up(error);
     } else {
-        const std::optional<PassedFields> passed = passed_fields(task, nullptr);
-        add_row(task, {.text = batch_row(*task.set, error, passed ? &*passed : nullptr),
+        const std::optional<LimitVerdict> limits = limit_verdict(task, nullptr);
+        add_row(task, {.text = batch_row(*task.set, error, limits ? &*limits : nullptr),
                        .warnings = warnings,
                        .error = error,
                        .timing = {}});

@@ -38,6 +38,10 @@ public:
     // `events` must outlive the work, too.
     SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_token stop);
 
+    ~SetWork();
+    SetWork(const SetWork&) = delete;
+    SetWork& operator=(const SetWork&) = delete;
+
     // Errors: out_of_memory, out_of_threads, interrupted, those of writing a file.
     Status run();
 
@@ -59,6 +63,7 @@ private:
     const BatchWork batch_;
     const BatchEvents& events_;
     std::vector<const SetTask*> todo_;
+    ResultsDatabase::WhenWaiting waits_;            // of the database before and after this work
     std::mutex database_mutex_;                     // a wait for other writers holds up no rows
     std::map<std::string, const SetTask*> stored_;  // by the key of the result
     std::stop_source halt_;

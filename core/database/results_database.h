@@ -51,8 +51,8 @@ public:
                                         const JobControl& job, double patience_s = 60,
                                         WhenWaiting waits = {});
 
-    // Another receiver for later waits.
-    void on_waiting(WhenWaiting waits) { *waits_ = std::move(waits); }
+    // Another receiver for later waits; returns the one before.
+    WhenWaiting on_waiting(WhenWaiting waits) { return std::exchange(*waits_, std::move(waits)); }
 
     // Made at random with the file: another file at this path has another.
     Result<std::string> identity();

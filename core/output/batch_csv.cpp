@@ -35,7 +35,7 @@ constexpr std::array parameters{
     Parameter{"angle_rate_rad_s", &ResonatorEstimate::angle_rate_rad_s},
     Parameter{"kappa", &ResonatorEstimate::kappa}};
 
-constexpr std::string_view excel_begin = "\xEF\xBB\xBFset;gyro;";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 // A text as a field: in quotes where it holds a separator, a quote or a blank at its end.
 std::string field(const std::string& text, char separator) {
@@ -73,7 +73,7 @@ std::string number(double value) {
 // `results`: from the model to the warnings; empty: there are none.
 std::string whole_row(const MeasurementSet& set, const std::string& status,
                       const std::string& message, const std::vector<std::string>& results,
-                      const PassedFields* passed) {
+                      const LimitVerdict* limits) {
     std::string files;
     for (const ListedRecording& recording : set.recordings) {
         files += (files.empty() ? "" : ";") + recording.file;
@@ -83,8 +83,13 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
     texts.insert(texts.end(), results.begin(), results.end());
     const auto conditions = conditions_of(set);
     texts.resize(batch_columns().size() - conditions.size());
-    if (passed != nullptr) {
-        texts.insert(texts.end(), {passed->passed, passed->failed_by});
+    if (limits != nullptr) {
+        std::string failed;
+        for (const std::string& name : limits->failed) {
+            failed += failed.empty() ? "" : ";";
+            failed += name;
+        }
+        texts.insert(texts.end(), {passed_text(limits->conformity), failed});
     }
     for (const auto& [column, field] : conditions) {
         texts.push_back(field);
@@ -116,6 +121,18 @@ std::pair<std::string, std::string> verdict(const PassportComparison* comparison
 
 }  // namespace
 
+const char* passed_text(const std::optional<Conformity>& conformity) {
+    if (!conformity) {
+        return "";
+    }
+    switch (*conformity) {
+        case Conformity::within: return "yes";
+        case Conformity::outside: return "no";
+        case Conformity::unknown: break;
+    }
+    return "undecided";
+}
+
 std::vector<std::string> batch_columns(bool limits) {
     std::vector<std::string> names{"set", "gyro", "date", "files", "status", "message", "model"};
     for (const Parameter& parameter : parameters) {
@@ -142,7 +159,7 @@ bool is_batch_table(const std::filesystem::path& path) {
         std::ifstream file(path, std::ios::binary);
         return file.read(head.data(), std::ssize(head)) && head == begin;
     };
-    return begins("# vybeg-cli ") || begins(excel_begin);
+    return begins("# vybeg-cli ") || begins(std::string(byte_order_mark) + "set;gyro;");
 }
 
 std::string batch_head(std::span<const std::string> header,
@@ -161,12 +178,12 @@ std::string batch_head(std::span<const std::string> header,
     return text + in_row(names);
 }
 
-std::string batch_row(const MeasurementSet& set, const Error& error, const PassedFields* passed) {
-    return whole_row(set, std::to_string(exit_status(error.code)), english(error), {}, passed);
+std::string batch_row(const MeasurementSet& set, const Error& error, const LimitVerdict* limits) {
+    return whole_row(set, std::to_string(exit_status(error.code)), english(error), {}, limits);
 }
 
 std::string batch_row(const MeasurementSet& set, const Identification& found,
-                      const PassportComparison* comparison, const PassedFields* passed) {
+                      const PassportComparison* comparison, const LimitVerdict* limits) {
     const ResonatorFit& fit = found.fit;
     std::vector<std::string> results{fit.model == ResonatorModel::structured ? "structured"
                                                                              : "free"};
@@ -186,7 +203,12 @@ std::string batch_row(const MeasurementSet& set, const Identification& found,
         results.push_back(estimate.given() ? number(estimate.u) : "");
     }
     results.push_back(warning_kinds(findings));
-    return whole_row(set, "ok", doubtful ? english(findings.front()) : "", results, passed);
+    return whole_row(set, "ok", doubtful ? english(findings.front()) : "", results, limits);
+}
+
+std::string excel_head(const std::string& head) {
+    return std::string(byte_order_mark) +
+           in_row(csv_fields(head.substr(head.rfind('\n') + 1)), ';');
 }
 
 std::string excel_row(const std::string& row, bool limits) {

@@ -4,8 +4,10 @@
 #include "core/analysis/measurement_list.h"
 #include "core/base/error.h"
 #include "core/output/identify_json.h"
+#include "core/resonator/results/parameter_limit.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,13 +16,10 @@ namespace vybeg {
 
 // The table of a batch, RESULTS.csv of the help, line by line without line feeds.
 
-// Fields `passed` (yes, no, undecided; empty: no limit is one of this set) and `failed_by` of a
-// table with limits.
-struct PassedFields {
-    std::string passed;
-    std::string failed_by;
-};
+// Column `passed` of a table with limits, beside `failed_by`, and its field: "yes", "no",
+// "undecided"; empty: no limit is one of this set.
 inline constexpr const char* passed_column = "passed";
+const char* passed_text(const std::optional<Conformity>& conformity);
 
 // The names of the table's own columns; those of the list come behind them. `limits`: with the
 // fields above.
@@ -34,16 +33,19 @@ bool is_batch_table(const std::filesystem::path& path);
 std::string batch_head(std::span<const std::string> header,
                        std::span<const std::string> other_columns, bool limits = false);
 
-// The row of a set that has no result; `passed` as below.
+// The row of a set that has no result; `limits` as below.
 std::string batch_row(const MeasurementSet& set, const Error& error,
-                      const PassedFields* passed = nullptr);
+                      const LimitVerdict* limits = nullptr);
 
 // The row of a set; `comparison`: with its gyro's passport, null: there is none. A serious warning
-// stands as the message, in place of a verdict. `passed`: null, the table has no limits.
+// stands as the message, in place of a verdict. `limits`: null, the table has none.
 std::string batch_row(const MeasurementSet& set, const Identification& found,
-                      const PassportComparison* comparison, const PassedFields* passed = nullptr);
+                      const PassportComparison* comparison, const LimitVerdict* limits = nullptr);
 
-// A line of the table as table programs of countries with a decimal comma read it: ";" between its
+// The head of the same table for table programs: a byte order mark and the line of names.
+std::string excel_head(const std::string& head);
+
+// A row of the table as table programs of countries with a decimal comma read it: ";" between its
 // fields, a comma in the numbers of the table's own columns.
 std::string excel_row(const std::string& row, bool limits);
 

@@ -166,7 +166,7 @@ private:
         return best;
     }
 
-    // A line that only tells the separator, or a comment.
+    // A line `sep=;` or a comment.
     static bool stands_before_names(const std::string& line) {
         const std::string_view text = trimmed(line);
         return text.starts_with('#') || (text.starts_with("sep=") && text.size() <= 5);

@@ -27,6 +27,28 @@ const ParameterLimit* limit_of(const std::vector<ParameterLimit>& limits, const 
     return found == limits.end() ? nullptr : &*found;
 }
 
+LimitVerdict keeps_limits(const ResonatorEstimate& resonator,
+                          const std::vector<ParameterLimit>& limits) {
+    LimitVerdict verdict;
+    if (!limits.empty()) {
+        verdict.conformity = Conformity::within;
+    }
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        const ParameterLimit* const limit = limit_of(limits, parameter.name);
+        if (limit == nullptr) {
+            continue;
+        }
+        const Conformity one = conformity(resonator.*parameter.member, *limit);
+        if (one != Conformity::within) {
+            verdict.failed.emplace_back(parameter.name);
+            const bool outside =
+                one == Conformity::outside || verdict.conformity == Conformity::outside;
+            verdict.conformity = outside ? Conformity::outside : Conformity::unknown;
+        }
+    }
+    return verdict;
+}
+
 std::vector<ResonatorParameter> limited_parameters() {
     std::vector<ResonatorParameter> limited;
     limited.reserve(resonator_parameters.size());

@@ -26,6 +26,14 @@ enum class Conformity { unknown, within, outside };
 // value without an uncertainty.
 Conformity conformity(const Estimate& estimate, const ParameterLimit& limit);
 
+// Whether a resonator keeps all of its limits.
+struct LimitVerdict {
+    std::optional<Conformity> conformity;  // outside where one parameter is; none: it has no limits
+    std::vector<std::string> failed;       // parameters that are not shown to be within
+};
+LimitVerdict keeps_limits(const ResonatorEstimate& resonator,
+                          const std::vector<ParameterLimit>& limits);
+
 // Of this parameter; nullptr: none.
 const ParameterLimit* limit_of(const std::vector<ParameterLimit>& limits, const char* parameter);
 

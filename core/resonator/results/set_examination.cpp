@@ -105,6 +105,12 @@ ScaledRun with_sign(const ScaledRun& run) {
     return transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}});
 }
 
+// How far the runs of a fit disagree with `noise`, the variance of each run's noise in units of
+// that of its windows.
+double disagree(const FitProblem& problem, const VectorXd& p, const std::vector<double>& noise) {
+    return disagreement(problem, p, run_information(problem, p, noise));
+}
+
 class Examination {
 public:
     Examination(const FitProblem& problem, const MapFit& joint, std::optional<double> spread,
@@ -122,7 +128,7 @@ public:
         if (!possible()) {
             return out;
         }
-        if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
+        if (runs_agree(problem_, joint_)) {
             return agreeing();
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
@@ -172,11 +178,6 @@ public:
 private:
     // One run agrees with itself.
     bool possible() const { return count_ > 1 && joint_.p.allFinite(); }
-
-    double disagree(const FitProblem& problem, const VectorXd& p,
-                    const std::vector<double>& noise) const {
-        return disagreement(problem, p, run_information(problem, p, noise));
-    }
 
     // Exchanged channels or a changed sign of D in one run that a spread would hide.
     bool name_turned(SetExamination& out) const {
@@ -443,8 +444,7 @@ SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
 }
 
 bool runs_agree(const FitProblem& problem, const MapFit& joint) {
-    const std::vector<double> noise(problem.runs.size(), 1);
-    return disagreement(problem, joint.p, run_information(problem, joint.p, noise)) <
+    return disagree(problem, joint.p, std::vector<double>(problem.runs.size(), 1)) <
            most_disagreement;
 }
 
