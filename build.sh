@@ -47,6 +47,9 @@ Usage: ./build.sh COMMAND
   test-sanitized [FOLDER...]
                 the same under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan,
                 without the long and the statistical tests
+  test-sanitized-files
+                those of readers, writers and document alone, in build/asan-files, with the mathematics
+                as it is: half the time, for .ci/run
   test-threads  the tests that run several threads under ThreadSanitizer, in build/tsan
   tidy          clang-tidy over core/, a quarter of an hour (not part of .ci/run)
   fuzz FORMAT [SECONDS]
@@ -265,6 +268,9 @@ case "${1:-}" in
     test-quick) run_tests release 'statistical|long' "${@:2}" ;;
     test-all) run_tests release "" ;;
     test-sanitized) run_tests asan 'statistical|long' "${@:2}" ;;
+    test-sanitized-files)
+        run_tests asan-files 'statistical|long' core/base core/recording core/output core/database fuzz ui/document
+        ;;
     test-threads) run_tests tsan "" ;;
     build)
         configure_tests release

@@ -91,12 +91,14 @@ Status open_into(const std::string& name, std::optional<OutputFile>& output,
 }
 
 Status open_into(const std::string& name, std::optional<ResultsDatabase>& database,
-                 const JobControl& job) {
+                 const JobControl& job, Log& log) {
     if (name.empty()) {
         return {};
     }
-    Result<ResultsDatabase> opened =
-        ResultsDatabase::open(name, ResultsDatabase::Access::write, job);
+    constexpr double patience_s = 60;
+    Result<ResultsDatabase> opened = ResultsDatabase::open(
+        name, ResultsDatabase::Access::write, job, patience_s,
+        [&log](const Diagnostic& waiting) { log.warnings(std::vector{waiting}); });
     if (!opened) {
         return opened.error();
     }
@@ -184,7 +186,7 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
             return log.fail(opened.error());
         }
     }
-    if (const Status there = open_into(request.database, outputs.database, silent_job(stop));
+    if (const Status there = open_into(request.database, outputs.database, silent_job(stop), log);
         !there) {
         return log.fail(there.error());
     }

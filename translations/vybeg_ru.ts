@@ -1561,6 +1561,14 @@
         <translation>В %1 — готовые строки прерванной пакетной обработки (%2). Все наборы вычисляются заново; строки остаются, пока таблица не записана, и их берёт продолженная обработка.</translation>
     </message>
     <message>
+        <source>Channel C is read from &quot;%1&quot;, channel D from &quot;%2&quot;. Exchange the channels if their names are right.</source>
+        <translation>Канал C читается из «%1», канал D — из «%2». Поменяйте каналы местами, если имена верны.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 finished rows that this batch cannot take: their sets, recordings, settings, limits or columns are others.</source>
+        <translation>В %1 — готовые строки (%2), которые эта обработка не может взять: их наборы, записи, настройки, пределы или столбцы другие.</translation>
+    </message>
+    <message>
         <source>%1 sets do not keep the limits and %2 are undecided, of %3.</source>
         <translation>Допускам не соответствуют наборы: %1, не решено: %2, всего: %3.</translation>
     </message>
@@ -3077,6 +3085,18 @@
 <context>
     <name>Words</name>
     <message>
+        <source>it is a workbook; save the sheet as CSV</source>
+        <translation>это книга таблиц; сохраните лист как CSV</translation>
+    </message>
+    <message>
+        <source>the columns are parameter, least, greatest, gyro_type and comment</source>
+        <translation>столбцы таблицы: parameter, least, greatest, gyro_type и comment</translation>
+    </message>
+    <message>
+        <source>neither least nor greatest is there</source>
+        <translation>нет ни least, ни greatest</translation>
+    </message>
+    <message>
         <source>%1 (gyro %2)</source>
         <translation>%1 (гироскоп %2)</translation>
     </message>
@@ -3621,8 +3641,8 @@
         <translation>в них %1 и %2 отсчётов</translation>
     </message>
     <message>
-        <source>two sample rates, %1 and %2 Hz</source>
-        <translation>две частоты дискретизации, %1 и %2 Гц</translation>
+        <source>two sample rates, %1 and %2 Hz (--variables C,D,RATE tells which holds)</source>
+        <translation>две частоты дискретизации, %1 и %2 Гц (какая верна, скажет --variables C,D,RATE)</translation>
     </message>
     <message>
         <source>columns %1 and %2 of different sample rates</source>

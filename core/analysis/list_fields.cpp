@@ -98,49 +98,76 @@ std::string plain_name(const std::string& name) {
     return plain;
 }
 
-struct RussianName {
-    std::string_view russian;
+// Signs that table programs put into numbers: a minus of its own, blanks that no line breaks at.
+std::string plain_number(std::string text) {
+    for (const auto& [sign, plain] : {std::pair<std::string_view, std::string_view>{"\u2212", "-"},
+                                      {"\u00A0", ""},
+                                      {"\u202F", ""},
+                                      {"\u2009", ""}}) {
+        for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at)) {
+            text.replace(at, sign.size(), plain);
+        }
+    }
+    return text;
+}
+
+struct OtherName {
+    std::string_view other;
     std::string_view name;
 };
 
-constexpr std::array russian_names{RussianName{"файл", "file"},
-                                   RussianName{"запись", "file"},
-                                   RussianName{"набор", "set"},
-                                   RussianName{"гироскоп", "gyro"},
-                                   RussianName{"прибор", "gyro"},
-                                   RussianName{"тип-гироскопа", "gyro-type"},
-                                   RussianName{"дата", "date"},
-                                   RussianName{"напряжение-смещения", "bias-v"},
-                                   RussianName{"температура", "temperature-c"},
-                                   RussianName{"перестановка", "exchanged"},
-                                   RussianName{"перестановка-усилителей", "exchanged"},
-                                   RussianName{"оператор", "operator"},
-                                   RussianName{"комментарий", "comment"},
-                                   RussianName{"примечание", "comment"},
-                                   RussianName{"каналы", "channels"},
-                                   RussianName{"от", "from"},
-                                   RussianName{"до", "to"},
-                                   RussianName{"полоса", "band"},
-                                   RussianName{"фильтр", "filter"},
-                                   RussianName{"частота-дискретизации", "rate"},
-                                   RussianName{"окно", "window"},
-                                   RussianName{"периоды", "periods"},
-                                   RussianName{"модель", "model"},
-                                   RussianName{"каппа", "kappa"},
-                                   RussianName{"смещения-каналов", "offset"},
-                                   RussianName{"задержка", "delay"},
-                                   RussianName{"допуски", "tolerance"},
-                                   RussianName{"параметр", "parameter"},
-                                   RussianName{"не-менее", "least"},
-                                   RussianName{"не-более", "greatest"}};
+constexpr std::array other_names{OtherName{"temperature", "temperature-c"},
+                                 OtherName{"bias", "bias-v"},
+                                 OtherName{"bias-voltage", "bias-v"},
+                                 OtherName{"gyroscope", "gyro"},
+                                 OtherName{"recording", "file"},
+                                 OtherName{"min", "least"},
+                                 OtherName{"minimum", "least"},
+                                 OtherName{"max", "greatest"},
+                                 OtherName{"maximum", "greatest"},
+                                 OtherName{"мин", "least"},
+                                 OtherName{"минимум", "least"},
+                                 OtherName{"макс", "greatest"},
+                                 OtherName{"максимум", "greatest"},
+                                 OtherName{"тип", "gyro-type"},
+                                 OtherName{"файл", "file"},
+                                 OtherName{"запись", "file"},
+                                 OtherName{"набор", "set"},
+                                 OtherName{"гироскоп", "gyro"},
+                                 OtherName{"прибор", "gyro"},
+                                 OtherName{"тип-гироскопа", "gyro-type"},
+                                 OtherName{"дата", "date"},
+                                 OtherName{"напряжение-смещения", "bias-v"},
+                                 OtherName{"температура", "temperature-c"},
+                                 OtherName{"перестановка", "exchanged"},
+                                 OtherName{"перестановка-усилителей", "exchanged"},
+                                 OtherName{"оператор", "operator"},
+                                 OtherName{"комментарий", "comment"},
+                                 OtherName{"примечание", "comment"},
+                                 OtherName{"каналы", "channels"},
+                                 OtherName{"от", "from"},
+                                 OtherName{"до", "to"},
+                                 OtherName{"полоса", "band"},
+                                 OtherName{"фильтр", "filter"},
+                                 OtherName{"частота-дискретизации", "rate"},
+                                 OtherName{"окно", "window"},
+                                 OtherName{"периоды", "periods"},
+                                 OtherName{"модель", "model"},
+                                 OtherName{"каппа", "kappa"},
+                                 OtherName{"смещения-каналов", "offset"},
+                                 OtherName{"задержка", "delay"},
+                                 OtherName{"допуски", "tolerance"},
+                                 OtherName{"параметр", "parameter"},
+                                 OtherName{"не-менее", "least"},
+                                 OtherName{"не-более", "greatest"}};
 
 }  // namespace
 
 std::string usual_column(const std::string& name) {
     std::string plain = plain_name(name);
-    for (const std::string& unit : {std::string("-в"), std::string("-c"), std::string("-с")}) {
+    for (const std::string unit : {"-°c", "-°с", "-в", "-c", "-с"}) {
         const bool russian = plain.starts_with('\xD0') || plain.starts_with('\xD1');
-        if (russian && plain.ends_with(unit)) {  // температура_c
+        if ((russian || unit.size() > 3) && plain.ends_with(unit)) {  // температура_c
             plain.resize(plain.size() - unit.size());
             break;
         }
@@ -151,8 +178,8 @@ std::string usual_column(const std::string& name) {
     while (plain.ends_with('-')) {
         plain.pop_back();
     }
-    const auto found = std::ranges::find(russian_names, plain, &RussianName::russian);
-    return found == russian_names.end() ? plain : std::string(found->name);
+    const auto found = std::ranges::find(other_names, plain, &OtherName::other);
+    return found == other_names.end() ? plain : std::string(found->name);
 }
 
 bool names_resemble(const std::string& one, const std::string& other) {
@@ -174,7 +201,13 @@ bool names_resemble(const std::string& one, const std::string& other) {
 }
 
 std::string usual_option(const std::string& field, bool several) {
-    std::string text = field;
+    std::string text = plain_number(field);
+    for (const std::string_view separator : {", ", "; "}) {
+        for (std::size_t at = text.find(separator); several && at != std::string::npos;
+             at = text.find(separator)) {
+            text.erase(at + 1, 1);
+        }
+    }
     if (several && field.find(';') == std::string::npos) {
         return text;
     }
@@ -184,30 +217,32 @@ std::string usual_option(const std::string& field, bool several) {
 }
 
 std::string usual_date(const std::string& field) {
-    std::string_view left = field;
-    const auto day = digits(left, 2);
-    if (!day || !take(left, '.')) {
-        return field;
+    constexpr std::size_t day_size = 10;  // of 2026-10-16, too
+    std::string date = field.substr(0, day_size);
+    std::string time = field.substr(std::min(day_size, field.size()));
+    if (time.size() > 2 && (time[0] == ' ' || time[0] == 'T')) {
+        // 9:05 of table programs
+        time = std::string("T") + (time[2] == ':' ? "0" : "") + time.substr(1);
     }
-    const auto month = digits(left, 2);
-    if (!month || !take(left, '.')) {
-        return field;
+    std::string_view left = date;
+    const bool is_day_first =
+        digits(left, 2) && take(left, '.') && digits(left, 2) && take(left, '.') && digits(left, 4);
+    if (is_day_first) {
+        date = date.substr(6, 4) + "-" + date.substr(3, 2) + "-" + date.substr(0, 2);
     }
-    const auto year = digits(left, 4);
-    if (!year || !(left.empty() || take(left, ' ') || take(left, 'T'))) {
-        return field;
-    }
-    const std::string iso = field.substr(6, 4) + "-" + field.substr(3, 2) + "-" +
-                            field.substr(0, 2) + (left.empty() ? "" : "T" + std::string(left));
-    return is_iso_date(iso) ? iso : field;
+    return is_iso_date(date + time) ? date + time : field;
 }
 
 std::optional<bool> yes_or_no(const std::string& field) {
     const std::string answer = lower_text(field);
-    if (answer == "yes" || answer == "да") {
-        return true;
-    }
-    return answer == "no" || answer == "нет" ? std::optional(false) : std::nullopt;
+    constexpr std::array<std::string_view, 5> yes{"yes", "да", "true", "истина", "1"};
+    constexpr std::array<std::string_view, 5> no{"no", "нет", "false", "ложь", "0"};
+    const auto is_one_of = [&answer](const auto& words) {
+        return std::ranges::find(words, answer) != words.end();
+    };
+    return is_one_of(yes)  ? std::optional(true)
+           : is_one_of(no) ? std::optional(false)
+                           : std::nullopt;
 }
 
 bool is_formula(const std::string& field) {

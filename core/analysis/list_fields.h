@@ -8,19 +8,20 @@ namespace vybeg {
 // Fields of a measurement list.
 
 // A name of a column in small letters, Latin or Russian, without the unit behind a comma or in
-// brackets and with "-" between its words, in English where it is one of the Russian names:
-// "Температура, °C" is temperature-c.
+// brackets and with "-" between its words; the usual one of names that mean the same, in Russian
+// too: "Temperature, °C" and "Температура" are temperature-c.
 std::string usual_column(const std::string& name);
 
-// The value of an option as the command line takes it: a comma in a number becomes a point. Of
-// options that take `several` values, those between semicolons: "5000,5;5600" is 5000.5,5600.
+// The value of an option as the command line takes it: a comma in a number becomes a point, signs
+// of table programs (U+2212, blanks that do not break) are plain ones. Of options that take
+// `several` values, those between semicolons: "5000,5;5600" is 5000.5,5600.
 std::string usual_option(const std::string& field, bool several);
 
-// A date as tables write it, 16.10.2026, alone or with a time 14:05 or 14:05:30, as one of ISO
-// 8601; any other text as it is.
+// A date as tables write it, 16.10.2026 or 2026-10-16, alone or with a time 9:05 or 14:05:30, as
+// one of ISO 8601 with T before its time; any other text as it is.
 std::string usual_date(const std::string& field);
 
-// yes, no, да, нет, in any letters; nothing for another text.
+// yes, no, да, нет, true, false, ИСТИНА, ЛОЖЬ, 1, 0, in any letters; nothing for another text.
 std::optional<bool> yes_or_no(const std::string& field);
 
 // Whether a table program runs the field as a formula: it begins with =, +, - or @ and is no

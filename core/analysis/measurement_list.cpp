@@ -168,7 +168,10 @@ private:
             for (CsvRow& row : table_.rows) {
                 if (placeholder) {
                     std::string& field = row.fields[column];
-                    field = usual_option(field, placeholder->find(',') != std::string::npos);
+                    const std::optional<bool> answer = yes_or_no(field);
+                    field = placeholder->empty() && answer
+                                ? std::string(*answer ? "yes" : "no")
+                                : usual_option(field, placeholder->find(',') != std::string::npos);
                 }
             }
         }
@@ -322,6 +325,17 @@ private:
         return settings;
     }
 
+    // "23,5 °C" of a column in °C.
+    static std::string without_unit(const std::string& field) {
+        for (const std::string_view unit : {"°C", "°С", "V", "В"}) {
+            if (field.ends_with(unit)) {
+                const std::string number = field.substr(0, field.size() - unit.size());
+                return usual_option(number.substr(0, number.find_last_not_of(' ') + 1), false);
+            }
+        }
+        return field;
+    }
+
     Status read_conditions(const CsvRow& row, Conditions& told) const {
         told.gyro = field(row, "gyro");
         told.operator_name = field(row, "operator");
@@ -337,7 +351,7 @@ private:
         }
         for (const auto& [column, value] :
              {std::pair{"bias_v", &told.bias_v}, std::pair{"temperature_c", &told.temperature_c}}) {
-            const std::string& text = field(row, column);
+            const std::string text = without_unit(field(row, column));
             const Result<double> number = read_number(column, text.empty() ? "0" : text);
             if (!number) {
                 return invalid(row.line, column,

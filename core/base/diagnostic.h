@@ -84,6 +84,8 @@ enum class DiagnosticKind {
     column_like_option,           // args: column of a list that is kept, the option it resembles
     formula_in_list,              // args: line, column, field. A table program runs it.
     earlier_rows,                 // args: file, number of its rows. An interrupted batch.
+    channels_crossed,             // args: name of the channel read as C, of that read as D
+    other_rows,                   // args: file, number of its rows. Of other settings.
     limits_not_kept,              // args: sets outside the limits, undecided ones, all
     database_waits,               // args: file, longest wait in s. Another program holds it.
     same_recordings,              // args: set that the database keeps, the other one

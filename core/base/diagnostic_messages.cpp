@@ -475,6 +475,16 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "%1 holds %2 finished rows of an interrupted batch. All sets are "
                                   "computed again; the rows stay until the table is written, and "
                                   "a resumed batch takes them.")};
+        case DiagnosticKind::channels_crossed:
+            return {"channels-crossed", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "Channel C is read from \"%1\", channel D from \"%2\". Exchange "
+                                  "the channels if their names are right.")};
+        case DiagnosticKind::other_rows:
+            return {"other-rows", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 holds %2 finished rows that this batch cannot take: their "
+                                  "sets, recordings, settings, limits or columns are others.")};
         case DiagnosticKind::limits_not_kept:
             return {"limits-not-kept", warning,
                     VYBEG_MESSAGE("Message",

@@ -240,6 +240,7 @@ private:
     Status watch() {
         FolderWatch folder(request_);
         std::optional<Error> told;
+        std::int64_t sets = 0;
         while (!stop_.stop_requested()) {
             const Result<MeasurementList> list = folder.look();
             if (!list) {
@@ -251,13 +252,17 @@ private:
                     events_.failed(*told);
                 }
             }
+            sets = std::ssize(list->sets);
             Status done = list->sets.empty() ? Status() : compute(*list);
             if (!done) {
                 return done;
             }
             pause(stop_, FolderWatch::pause_s);
         }
-        return Error{ErrorCode::interrupted, {}, {}};
+        return sets == 0 ? Error{ErrorCode::interrupted, {}, {}}
+                         : Error{ErrorCode::interrupted_midway,
+                                 request_.output,
+                                 {count_arg(sets), count_arg(sets)}};
     }
 
     // The table of these sets. Of a folder that is watched it stays as it is where all rows are in.
@@ -292,6 +297,7 @@ private:
             if (possible = set_keys(request_, identity_, *tasks); !possible) {
                 return possible;
             }
+            tell_other_rows(*tasks);
         }
         if (events_.begun) {
             events_.begun(list);
@@ -321,6 +327,17 @@ private:
                               count_arg(static_cast<std::int64_t>(journal_->found()))}}});
         }
         return {};
+    }
+
+    // Under --only the rows of other sets are theirs.
+    void tell_other_rows(const std::vector<SetTask>& tasks) {
+        const auto kept = std::ranges::count_if(
+            tasks, [this](const SetTask& task) { return journal_->has(task.key); });
+        const auto others = static_cast<std::int64_t>(journal_->size()) - kept;
+        if (events_.warned && request_.only.empty() && others > 0) {
+            events_.warned(
+                {{DiagnosticKind::other_rows, {journal_of(request_.output), count_arg(others)}}});
+        }
     }
 
     Status compute_rows(const MeasurementList& list, const std::vector<SetTask>& tasks,

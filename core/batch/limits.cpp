@@ -53,6 +53,9 @@ public:
         : path_(path), table_(std::move(table)), parameters_(limited_parameters()) {}
 
     Result<std::vector<TypedLimit>> read() {
+        if (const Status known = check_columns(); !known) {
+            return known.error();
+        }
         for (const CsvRow& row : table_.rows) {
             const std::string name = field(row, "parameter");
             const ResonatorParameter* const parameter = parameter_named(parameters_, name);
@@ -92,6 +95,33 @@ public:
     }
 
 private:
+    // A limit in a column that nobody reads would be none.
+    Status check_columns() const {
+        constexpr std::array<const char*, 5> columns{"parameter", "least", "greatest", "gyro_type",
+                                                     "comment"};
+        const auto has = [this](const char* name) {
+            return std::ranges::find(table_.names, name) != table_.names.end();
+        };
+        for (const std::string& name : table_.names) {
+            const auto is_it = [&name](const char* column) { return name == column; };
+            if (!name.empty() && std::ranges::none_of(columns, is_it)) {
+                return Error{ErrorCode::list_invalid,
+                             path_.string(),
+                             {"1", name,
+                              words(VYBEG_MESSAGE("Words",
+                                                  "the columns are parameter, least, "
+                                                  "greatest, gyro_type and comment"))}};
+            }
+        }
+        if (!has("least") && !has("greatest")) {
+            return Error{ErrorCode::list_invalid,
+                         path_.string(),
+                         {"1", "least",
+                          words(VYBEG_MESSAGE("Words", "neither least nor greatest is there"))}};
+        }
+        return {};
+    }
+
     std::string field(const CsvRow& row, const std::string& column) const {
         const auto found = std::ranges::find(table_.names, column);
         return found == table_.names.end()

@@ -1,6 +1,7 @@
 #include "core/output/output_file.h"
 
 #include "core/base/system_reason.h"
+#include "core/output/same_file.h"
 #include "core/output/temporary_file.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& target, const
         return file;
     }
     std::error_code unresolved;
-    std::filesystem::path resolved = std::filesystem::weakly_canonical(target, unresolved);
+    std::filesystem::path resolved = end_of_links(target, unresolved);
     if (unresolved) {
         return failure_of(name, unresolved.value());
     }

@@ -33,6 +33,7 @@ public:
     bool empty() const { return rows_.empty() && found_ == 0; }
     // Number of rows found that are not taken.
     std::size_t found() const { return found_; }
+    std::size_t size() const { return rows_.size(); }
     // Precondition: has(key). Errors: file_read_failed.
     Result<std::string> row(const std::string& key) const;
     // `row`: one line without its line feed. An error leaves the rows before. Errors:

@@ -31,7 +31,7 @@ struct NewPlace {
 
 std::optional<NewPlace> place_of(const std::filesystem::path& path) {
     std::error_code failed;
-    std::filesystem::path folder = weakly_canonical(absolute(path, failed), failed);
+    std::filesystem::path folder = end_of_links(path, failed);
     std::filesystem::path name;
     while (!failed && folder.has_relative_path()) {
         name = name.empty() ? folder.filename() : folder.filename() / name;
@@ -44,6 +44,23 @@ std::optional<NewPlace> place_of(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::filesystem::path end_of_links(const std::filesystem::path& path, std::error_code& failed) {
+    constexpr int most_links = 40;  // as the system follows
+    std::filesystem::path end = weakly_canonical(absolute(path, failed), failed);
+    for (int links = 0; !failed && is_symlink(symlink_status(end, failed)); ++links) {
+        if (links == most_links) {
+            failed = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+            break;
+        }
+        end = weakly_canonical(end.parent_path() / read_symlink(end, failed), failed);
+    }
+    // That there is no file at the end is no failure.
+    if (failed == std::errc::no_such_file_or_directory) {
+        failed.clear();
+    }
+    return end;
+}
 
 bool same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
     const auto first = status_of(one);

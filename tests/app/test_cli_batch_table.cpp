@@ -43,6 +43,7 @@ private slots:
         const std::array cases{
             Case{"parameter,least\ntau_s," + by(-2.1) + "\n", "yes", ""},
             Case{"Parameter;Least;Greatest\ntau;;" + by(2.1) + "\n", "yes", ""},
+            Case{"parameter,max,comment\ntau_s," + by(-2.1) + ",as drawn\n", "no", "tau_s"},
             Case{"parameter,least\ntau_s," + by(-1.9) + "\n", "undecided", "tau_s"},
             Case{"parameter,least\ntau_s," + by(2.1) + "\n", "no", "tau_s"},
             Case{"parameter,least,gyro_type\ntau_s," + by(2.1) + ",M2\n", "", ""},
@@ -75,6 +76,9 @@ private slots:
               std::pair{"parameter,least\ntau_s,\n", "neither end of the limit is told"},
               std::pair{"parameter,least,greatest\ntau_s,5,4\n", "above the greatest value"},
               std::pair{"parameter,least\ntau_s,5\ntau_s,4\n", "has a limit above already"},
+              std::pair{"parameter,least,gratest\ntau_s,1,3\n",
+                        "column \"gratest\": the columns are parameter, least, greatest"},
+              std::pair{"parameter,gyro_type\ntau_s,M1\n", "neither least nor greatest"},
               std::pair{"name,least\ntau_s,5\n", "its columns are name, least"}}) {
             QVERIFY(put(path("limits.csv"), limits));
             const Outcome outcome =
@@ -227,6 +231,7 @@ private slots:
         ::kill(static_cast<pid_t>(watching.processId()), SIGINT);
         QVERIFY(watching.waitForFinished());
         QCOMPARE(watching.exitCode(), 130);
+        QVERIFY(watching.readAllStandardError().contains("3 of 3 sets are done"));
         QCOMPARE(watching.readAllStandardOutput().count('\n'), 3);  // each once
         const QByteArray table = file("watched.csv");
         QCOMPARE(field_of(table, 0, "status"), QByteArray("ok"));

@@ -146,8 +146,8 @@ Verdict try_raw(std::string_view bytes) {
     layout.big_endian = (choice[0] & 4) != 0;
     layout.channels = load<std::int32_t>(choice.data() + 4, false);
     layout.skip_bytes = load<std::int64_t>(choice.data() + 8, false);
-    layout.scale = load<double>(choice.data() + 16, false);
     OpenOptions options = some_rate();
+    options.scale = load<double>(choice.data() + 16, false);
     options.raw = layout;
     const MemoryFile memory(bytes);
     const auto file = FileBytes::open(memory.path());

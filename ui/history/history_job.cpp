@@ -10,31 +10,41 @@ namespace {
 // While another program writes, a reader waits no longer than a person does.
 constexpr double patience_s = 20;
 
-Result<ResultsDatabase> opened(const QString& path, ResultsDatabase::Access access,
-                               const JobControl& job) {
-    return ResultsDatabase::open(path.toStdU16String(), access, job, patience_s);
+Result<ResultsDatabase> opened(Document& document, const QString& path,
+                               ResultsDatabase::Access access, const JobControl& job) {
+    const auto tell = [&document](const Diagnostic& waiting) {
+        QMetaObject::invokeMethod(
+            &document,
+            [&document, waiting] {
+                for (const Message& message : warningMessages({}, {waiting})) {
+                    document.report(message);
+                }
+            },
+            Qt::QueuedConnection);
+    };
+    return ResultsDatabase::open(path.toStdU16String(), access, job, patience_s, tell);
 }
 
 }  // namespace
 
-void makeDatabase(BackgroundJobs& job, int key, const QString& path,
+void makeDatabase(BackgroundJobs& job, int key, Document& document, const QString& path,
                   std::function<void(Result<bool>)> done) {
     job.run<bool>(
         key,
-        [path](const JobControl& control) -> Result<bool> {
-            const auto database = opened(path, ResultsDatabase::Access::write, control);
+        [&document, path](const JobControl& control) -> Result<bool> {
+            const auto database = opened(document, path, ResultsDatabase::Access::write, control);
             return database ? Result<bool>(true) : database.error();
         },
         std::move(done));
 }
 
-void readHistory(BackgroundJobs& job, int key, const QString& path,
+void readHistory(BackgroundJobs& job, int key, Document& document, const QString& path,
                  const std::optional<std::string>& gyro, const std::string& parameter,
                  std::function<void(Result<StoredHistory>)> done) {
     job.run<StoredHistory>(
         key,
-        [path, gyro, parameter](const JobControl& control) -> Result<StoredHistory> {
-            auto database = opened(path, ResultsDatabase::Access::read, control);
+        [&document, path, gyro, parameter](const JobControl& control) -> Result<StoredHistory> {
+            auto database = opened(document, path, ResultsDatabase::Access::read, control);
             if (!database) {
                 return database.error();
             }
@@ -49,12 +59,12 @@ void readHistory(BackgroundJobs& job, int key, const QString& path,
         std::move(done));
 }
 
-void readResult(BackgroundJobs& job, int key, const QString& path, std::int64_t id,
-                std::function<void(Result<StoredResult>)> done) {
+void readResult(BackgroundJobs& job, int key, Document& document, const QString& path,
+                std::int64_t id, std::function<void(Result<StoredResult>)> done) {
     job.run<StoredResult>(
         key,
-        [path, id](const JobControl& control) -> Result<StoredResult> {
-            auto database = opened(path, ResultsDatabase::Access::read, control);
+        [&document, path, id](const JobControl& control) -> Result<StoredResult> {
+            auto database = opened(document, path, ResultsDatabase::Access::read, control);
             auto found = database ? database->result(id)
                                   : Result<std::optional<StoredResult>>(database.error());
             if (!found) {
@@ -70,11 +80,12 @@ void readResult(BackgroundJobs& job, int key, const QString& path, std::int64_t 
         std::move(done));
 }
 
-void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
+void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
+                 ResultToStore result,
                  std::function<void(Result<std::optional<StoredName>>)> done) {
     job.run<std::optional<StoredName>>(
         key,
-        [path, result = std::move(result)](
+        [&document, path, result = std::move(result)](
             const JobControl& control) -> Result<std::optional<StoredName>> {
             const std::string program = result.program.toStdString();
             const ResonatorOutcome& outcome = *result.outcome;
@@ -84,7 +95,7 @@ void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStor
             if (!stored) {
                 return stored.error();
             }
-            auto database = opened(path, ResultsDatabase::Access::write, control);
+            auto database = opened(document, path, ResultsDatabase::Access::write, control);
             if (!database) {
                 return database.error();
             }

@@ -3,6 +3,7 @@
 #include "core/database/results_database.h"
 #include "core/database/stored_result.h"
 #include "ui/document/background_jobs.h"
+#include "ui/document/document.h"
 #include "ui/history/history_charts.h"
 
 #include <functional>
@@ -13,19 +14,19 @@
 namespace vybeg::ui {
 
 // A database of results in the background: each job opens the file for itself, so that none of them
-// holds it. Errors: those of ResultsDatabase.
+// holds it. The document tells where another program holds it. Errors: those of ResultsDatabase.
 
 // Makes the file where there is none, and says whether it is a database.
-void makeDatabase(BackgroundJobs& job, int key, const QString& path,
+void makeDatabase(BackgroundJobs& job, int key, Document& document, const QString& path,
                   std::function<void(Result<bool>)> done);
 
 // Gyros, and the history of a parameter. Without `gyro`, of all.
-void readHistory(BackgroundJobs& job, int key, const QString& path,
+void readHistory(BackgroundJobs& job, int key, Document& document, const QString& path,
                  const std::optional<std::string>& gyro, const std::string& parameter,
                  std::function<void(Result<StoredHistory>)> done);
 
-void readResult(BackgroundJobs& job, int key, const QString& path, std::int64_t id,
-                std::function<void(Result<StoredResult>)> done);
+void readResult(BackgroundJobs& job, int key, Document& document, const QString& path,
+                std::int64_t id, std::function<void(Result<StoredResult>)> done);
 
 // An identification of the window on its way into a database. `set` as the outcome's recordings.
 struct ResultToStore {
@@ -37,7 +38,7 @@ struct ResultToStore {
 
 // As `vybeg-cli batch --database` does. `done` gets the name of the earlier result that it
 // replaces.
-void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
-                 std::function<void(Result<std::optional<StoredName>>)> done);
+void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
+                 ResultToStore result, std::function<void(Result<std::optional<StoredName>>)> done);
 
 }  // namespace vybeg::ui

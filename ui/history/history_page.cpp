@@ -69,7 +69,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
     if (make) {
         reading_ = true;
         refresh();
-        makeDatabase(job_, reading_job, path_, [this](const Result<bool>& made) {
+        makeDatabase(job_, reading_job, document_, path_, [this](const Result<bool>& made) {
             if (made) {
                 read();
             } else {
@@ -96,7 +96,7 @@ void HistoryPage::showEvent(QShowEvent* event) {
 void HistoryPage::read() {
     reading_ = true;
     failure_.reset();
-    readHistory(job_, reading_job, path_, choices_->gyro(), choices_->parameter().name,
+    readHistory(job_, reading_job, document_, path_, choices_->gyro(), choices_->parameter().name,
                 [this](Result<StoredHistory> history) { take(std::move(history)); });
     refresh();
 }
@@ -247,7 +247,7 @@ void HistoryPage::openChosen() {
     if (!history_ || !chosen_) {
         return;
     }
-    readResult(job_, result_job, path_, history_->points[*chosen_].id,
+    readResult(job_, result_job, document_, path_, history_->points[*chosen_].id,
                [this](const Result<StoredResult>& result) {
                    if (result) {
                        openStored(*result);

@@ -55,7 +55,7 @@ void ResultAdder::add(const QString& path, const QString& gyro, const QString& d
                          outcome};
     tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());
     storeResult(
-        job_, storing_job, path, std::move(result),
+        job_, storing_job, document_, path, std::move(result),
         [this, path, gyro](const Result<std::optional<StoredName>>& replaced) {
             if (!replaced) {
                 document_.report(errorMessage(replaced.error()));

@@ -150,7 +150,7 @@ void ImportFields::setOptions(const OpenOptions& options) {
     select(*channel_c_, options.channel_c);
     select(*channel_d_, options.channel_d);
     rate_->setValue(options.rate_hz);
-    scale_->setValue(options.raw ? raw.scale : text.scale);
+    scale_->setValue(options.scale);
     unit_->setText(QString::fromStdString(options.unit));
     showRows();
 }
@@ -184,7 +184,6 @@ TextChoice ImportFields::textChoice() const {
         choice.time_column = time_column_->currentData().toInt();
     }
     choice.time_unit_s = listed(*time_unit_, time_units);
-    choice.scale = typed(*scale_).value_or(1);
     return choice;
 }
 
@@ -192,8 +191,7 @@ RawLayout ImportFields::rawLayout() const {
     return {.type = static_cast<RawType>(raw_type_->currentIndex()),
             .big_endian = raw_order_->currentIndex() == 1,
             .channels = raw_channels_->value(),
-            .skip_bytes = static_cast<std::int64_t>(typed(*raw_skip_).value_or(0)),
-            .scale = typed(*scale_).value_or(1)};
+            .skip_bytes = static_cast<std::int64_t>(typed(*raw_skip_).value_or(0))};
 }
 
 OpenOptions ImportFields::options() const {
@@ -201,6 +199,7 @@ OpenOptions ImportFields::options() const {
     options.rate_hz = typed(*rate_);
     options.channel_c = channel_c_->currentData().toInt();
     options.channel_d = channel_d_->currentData().toInt();
+    options.scale = typed(*scale_).value_or(1);
     options.unit = unit_->text().trimmed().toStdString();
     if (readAs() == ReadAs::raw) {
         options.raw = rawLayout();
@@ -242,7 +241,6 @@ void ImportFields::showRows() {
         form_->setRowVisible(fields_[row], raw);
     }
     form_->setRowVisible(variables_, hasVariables());
-    form_->setRowVisible(scale_, raw || isText());
     scale_->setConflict(typed(*scale_) == 0 ? tr("A number other than 0 is needed.") : QString());
 }
 

@@ -37,7 +37,6 @@ QJsonObject textToJson(const TextChoice& text) {
         put(json, "time_column", *text.time_column);
     }
     put(json, "time_unit_s", text.time_unit_s);
-    put(json, "scale", text.scale);
     return json;
 }
 
@@ -58,7 +57,6 @@ TextChoice textFromJson(const QJsonObject& json) {
         text.time_column = static_cast<int>(*column);
     }
     text.time_unit_s = number(json, "time_unit_s");
-    text.scale = number(json, "scale").value_or(1);
     return text;
 }
 
@@ -66,8 +64,7 @@ QJsonObject rawToJson(const RawLayout& raw) {
     return {{QStringLiteral("type"), raw_types[static_cast<int>(raw.type)]},
             {QStringLiteral("big_endian"), raw.big_endian},
             {QStringLiteral("channels"), raw.channels},
-            {QStringLiteral("skip_bytes"), static_cast<double>(raw.skip_bytes)},
-            {QStringLiteral("scale"), raw.scale}};
+            {QStringLiteral("skip_bytes"), static_cast<double>(raw.skip_bytes)}};
 }
 
 RawLayout rawFromJson(const QJsonObject& json) {
@@ -78,8 +75,16 @@ RawLayout rawFromJson(const QJsonObject& json) {
     raw.big_endian = json[QStringLiteral("big_endian")].toBool();
     raw.channels = json[QStringLiteral("channels")].toInt(2);
     raw.skip_bytes = static_cast<std::int64_t>(number(json, "skip_bytes").value_or(0));
-    raw.scale = number(json, "scale").value_or(1);
     return raw;
+}
+
+// Earlier versions kept it with the layout or the choice.
+double scaleFromJson(const QJsonObject& json) {
+    double scale = number(json, "scale").value_or(1);
+    for (const char* part : {"raw", "text"}) {
+        scale *= number(json[QLatin1String(part)].toObject(), "scale").value_or(1);
+    }
+    return scale;
 }
 
 }  // namespace
@@ -115,7 +120,7 @@ OpenOptions optionsFromJson(const QJsonObject& json) {
     options.rate_hz = number(json, "rate_hz");
     options.channel_c = json[QStringLiteral("channel_c")].toInt(1);
     options.channel_d = json[QStringLiteral("channel_d")].toInt(2);
-    options.scale = number(json, "scale").value_or(1);
+    options.scale = scaleFromJson(json);
     if (json[QStringLiteral("raw")].isObject()) {
         options.raw = rawFromJson(json[QStringLiteral("raw")].toObject());
     }

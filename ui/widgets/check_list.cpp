@@ -105,7 +105,8 @@ void CheckList::choose(const QUrl& link) {
 
 void CheckList::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
+    // The HTML keeps the colour that links had.
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) {
         refresh();
     }
 }

@@ -12,6 +12,28 @@ QFont indexFont(const QFont& font) {
     return small;
 }
 
+// Whether the underscore follows a symbol, one or two letters, and what is behind it is not the end
+// of a file's name: "run_2", "s_1.wav", "a_b_c" have none.
+bool beginsIndex(const QString& text, qsizetype at) {
+    const auto is_word = [&text](qsizetype place) {
+        return place >= 0 && place < text.size() &&
+               (text[place].isLetterOrNumber() || text[place] == '_');
+    };
+    constexpr qsizetype longest_symbol = 2;
+    qsizetype begin = at;
+    while (begin > 0 && text[begin - 1].isLetter()) {
+        --begin;
+    }
+    qsizetype end = at + 1;
+    while (is_word(end) && text[end] != '_') {
+        ++end;
+    }
+    const bool in_name = (end < text.size() && text[end] == '_') ||
+                         (end + 1 < text.size() && text[end] == '.' && is_word(end + 1)) ||
+                         (begin > 0 && text[begin - 1] == '_');
+    return begin < at && at - begin <= longest_symbol && end > at + 1 && !in_name;
+}
+
 }  // namespace
 
 std::vector<IndexTextPiece> indexPieces(const QString& text) {
@@ -24,8 +46,9 @@ std::vector<IndexTextPiece> indexPieces(const QString& text) {
         }
         piece.clear();
     };
-    for (const QChar c : text) {
-        if (c == '_') {
+    for (qsizetype at = 0; at < text.size(); ++at) {
+        const QChar c = text[at];
+        if (c == '_' && beginsIndex(text, at)) {
             close();
             index = true;
         } else if (index && !c.isLetterOrNumber()) {

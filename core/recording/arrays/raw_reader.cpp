@@ -28,7 +28,7 @@ std::shared_ptr<const SampleSource> raw_source(const std::shared_ptr<const FileB
     const auto column = [&](int channel) {
         const std::int64_t offset = layout.skip_bytes + (channel - 1) * width;
         return SampleColumn{
-            bytes, type, {even_run(frames, offset, stride, layout.big_endian)}, layout.scale, 0};
+            bytes, type, {even_run(frames, offset, stride, layout.big_endian)}, 1, 0};
     };
     return column_source(column(options.channel_c), column(options.channel_d));
 }

@@ -142,6 +142,14 @@ Layout layout_of(Container container, bool big_endian) {
     return {};
 }
 
+// An 80-bit number of AIFF, whose first bit is the whole number 1.
+double extended(const char* bytes) {
+    constexpr int bias = 16383, fraction_bits = 63;
+    const int exponent = load<std::uint16_t>(bytes, true) & 0x7FFF;
+    const auto mantissa = static_cast<double>(load<std::uint64_t>(bytes + 2, true));
+    return std::ldexp(mantissa, exponent - bias - fraction_bits);
+}
+
 // Reads the chunks of one file up to the samples.
 class ExtentReader {
 public:
@@ -156,6 +164,7 @@ public:
             long_data_size_ = load<std::int64_t>(chunk.payload + 8, false);
         } else if (chunk.id == "COMM") {
             extent_.promised_frames = load<std::uint32_t>(chunk.payload + 2, true);
+            extent_.rate_hz = extended(chunk.payload + 8);
             constexpr std::int64_t with_encoding = 22;  // of AIFF-C, perhaps of floats
             extent_.bits =
                 chunk.size < with_encoding ? load<std::uint16_t>(chunk.payload + 6, true) : 0;
@@ -163,6 +172,7 @@ public:
             const auto bytes = load<std::uint32_t>(chunk.payload + 16, true);
             const auto frames = load<std::uint32_t>(chunk.payload + 20, true);
             frame_bytes_ = frames == 1 ? bytes : 0;
+            extent_.rate_hz = load<double>(chunk.payload, true);
         } else if (chunk.id == "data") {
             take_data(chunk);
             return false;
@@ -280,8 +290,9 @@ private:
         std::int64_t size = chunk.size;
         extent_.samples_at = container_ == Container::caf ? 0 : chunk.payload_at;
         const std::int64_t present = file_size_ - chunk.payload_at;
-        if (container_ == Container::caf && size > present) {
+        if (container_ == Container::caf && (size > present || size == -1)) {
             extent_.patches.push_back({chunk.payload_at - 8, store(present, true)});
+            size = size == -1 ? present : size;  // -1: to the end of the file
         }
         if (container_ == Container::caf && size >= 0) {
             size -= 4;  // an edit count precedes the samples

@@ -46,7 +46,9 @@ struct AudioExtent {
     std::optional<std::int64_t> promised_frames;
     // Position of the first sample in a WAV, RF64 or W64 file, bytes; 0 without one.
     std::int64_t samples_at = 0;
-    int bits = 0;               // of integers in a WAV, RF64, W64 or AIFF file
+    int bits = 0;  // of integers in a WAV, RF64, W64 or AIFF file
+    // Of an AIFF or CAF file, whose rate may have a fraction, which the decoder drops.
+    std::optional<double> rate_hz;
     bool rate_is_zero = false;  // in a WAV, RF64 or W64 file; patched to 1 Hz
     // The sample length of a WAV file is still zero and the samples reach to the end of the file,
     // because the recorder stopped. Patched.

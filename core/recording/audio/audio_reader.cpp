@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -97,7 +99,10 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     if (const Status status = check_channels(*file, channels, options); !status) {
         return status.error();
     }
-    const SampleRate own{header.rate_is_zero ? 0.0 : samples.rate_hz.value_or(0), RateOrigin::file};
+    SampleRate own{header.rate_is_zero ? 0.0 : samples.rate_hz.value_or(0), RateOrigin::file};
+    if (header.rate_hz && std::abs(*header.rate_hz - own.hz) < 1) {
+        own.hz = *header.rate_hz;
+    }
     // Checked before frames are counted.
     if (const auto rate = choose_rate(*file, own, options); !rate) {
         return rate.error();
@@ -114,7 +119,10 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     found.own_rate = own;
     found.start = catalogue.start;
     found.frames = *frames;
-    found.promised_frames = std::max(header.promised_frames.value_or(0), samples.frames);
+    // A FLAC stream without its number of frames has the greatest one here.
+    const bool is_open = samples.frames == std::numeric_limits<std::int64_t>::max();
+    found.promised_frames =
+        std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
     if (found.frames > 0) {
         found.source = variable_source(reader, {0, options.channel_c - 1},

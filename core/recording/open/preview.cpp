@@ -28,7 +28,9 @@ Status take_samples(const Recording& recording, RecordingPreview& preview) {
 }
 
 // Fills the table with every channel, from the bytes.
-Status take_raw_cells(const FileBytes& file, const RawLayout& layout, RecordingPreview& preview) {
+Status take_raw_cells(const FileBytes& file, const OpenOptions& options,
+                      RecordingPreview& preview) {
+    const RawLayout& layout = *options.raw;
     const NumberType type = number_type(layout.type);
     const auto width = static_cast<std::size_t>(bytes_of(type));
     const auto channels = static_cast<std::size_t>(layout.channels);
@@ -41,7 +43,7 @@ Status take_raw_cells(const FileBytes& file, const RawLayout& layout, RecordingP
     std::vector<double> values(frames * channels);
     if (!values.empty()) {
         decode(type, layout.big_endian, bytes.data(), static_cast<std::int64_t>(width),
-               {layout.scale, 0}, values);
+               {options.scale, 0}, values);
     }
     preview.columns.resize(std::min<std::size_t>(channels, most_columns));
     for (std::size_t frame = 0; frame < frames; ++frame) {
@@ -98,7 +100,7 @@ Status preview_opened(const FileBytes& file, const OpenOptions& options, const J
         take_cells(preview);
         return {};
     }
-    Status status = take_raw_cells(file, *options.raw, preview);
+    Status status = take_raw_cells(file, options, preview);
     for (std::size_t k = 0; k < preview.columns.size(); ++k) {
         preview.columns[k] = recording->channels[k];
     }

@@ -97,9 +97,8 @@ std::optional<QuickOverview> look_at_table(const TextTable& table, const OpenOpt
         if (!rows) {
             return table.blocks.file().error(ErrorCode::file_read_failed);
         }
-        const double scale = options.scale * (options.text ? options.text->scale : 1);
-        scale_samples(rows->c, scale);
-        scale_samples(rows->d, scale);
+        scale_samples(rows->c, options.scale);
+        scale_samples(rows->d, options.scale);
         ScannedPlace seen{static_cast<double>(part) / static_cast<double>(parts),
                           bucket_of(rows->c, rows->d)};
         if (table.columns.time >= 0) {

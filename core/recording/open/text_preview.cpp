@@ -151,8 +151,12 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     }
     preview.used = std::move(*used);
     preview.format = format_of(*preview.used);
-    const double scale = choice.scale * options.scale;
-    preview.channels = channels_of(*preview.used, scale);
+    preview.channels = channels_of(*preview.used);
+    if (options.scale != 1) {
+        for (Channel& channel : preview.channels) {
+            channel.unit.clear();
+        }
+    }
     preview.time_column = preview.used->time_column;
     for (std::size_t i = 0; i < preview.used->names.size(); ++i) {
         preview.columns.push_back({preview.used->names[i], preview.used->units[i]});
@@ -161,10 +165,8 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
         return status;
     }
     find_rate(*file, options, preview);
-    if (scale != 1) {
-        scale_samples(preview.c, scale);
-        scale_samples(preview.d, scale);
-    }
+    scale_samples(preview.c, options.scale);
+    scale_samples(preview.d, options.scale);
     return {};
 }
 

@@ -291,6 +291,17 @@ bool begins_as_time_name(std::string_view name) {
     });
 }
 
+char channel_letter(std::string_view name) {
+    constexpr std::array<std::string_view, 4> before{"", "s", "ch", "channel"};
+    std::string letters = lower_text(name);
+    std::erase_if(letters, [](char c) { return c == '_' || c == ' ' || c == '-'; });
+    if (letters.empty() || (letters.back() != 'c' && letters.back() != 'd') ||
+        !among(before, std::string_view(letters).substr(0, letters.size() - 1))) {
+        return 0;
+    }
+    return letters.back();
+}
+
 bool is_remark_name(std::string_view name) {
     return among(remark_names, lower_text(name));
 }

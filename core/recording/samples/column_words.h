@@ -34,6 +34,9 @@ bool is_counter_name(std::string_view name);
 // Whether a field after the last column may have no numbers below it: a comment, a marker, a flag.
 bool is_remark_name(std::string_view name);
 
+// 'c' or 'd' of a name that stands for that pick-off alone: "C", "s_d", "S_C"; 0 of others.
+char channel_letter(std::string_view name);
+
 // Seconds per unit of time ("ms", "us", "мкс", ...); empty for other texts.
 std::optional<double> seconds_per(std::string_view unit);
 

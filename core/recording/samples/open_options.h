@@ -17,7 +17,6 @@ struct RawLayout {
     bool big_endian = false;
     int channels = 2;
     std::int64_t skip_bytes = 0;
-    double scale = 1;  // recording units per count
 
     friend bool operator==(const RawLayout&, const RawLayout&) = default;
 };
@@ -33,7 +32,7 @@ struct OpenOptions {
     std::vector<std::string> variables{};
     std::optional<TextChoice> text{};  // read the file as text in any case
     std::string unit{};                // of the samples; empty: that of the file
-    double scale = 1;                  // of all samples; besides that of a layout or choice
+    double scale = 1;                  // recording units per count or per unit of the file
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };

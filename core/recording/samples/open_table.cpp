@@ -244,16 +244,12 @@ Status read_scale(const std::string& option, const std::string& text, OpenOption
     if (!scale) {
         return scale.error();
     }
-    (options.raw    ? options.raw->scale
-     : options.text ? options.text->scale
-                    : options.scale) = *scale;
+    options.scale = *scale;
     return {};
 }
 
 std::string scale_text(const OpenOptions& options) {
-    const double own = options.raw ? options.raw->scale : options.text ? options.text->scale : 1;
-    const double scale = own * options.scale;
-    return options.raw || scale != 1 ? round_trip_text(scale) : "";
+    return options.raw || options.scale != 1 ? round_trip_text(options.scale) : "";
 }
 
 Status read_unit(const std::string& /*option*/, const std::string& text, OpenOptions& options) {
@@ -362,7 +358,7 @@ Status check_layout(const RawLayout& layout) {
                      {"--skip", count_arg(layout.skip_bytes),
                       words(VYBEG_MESSAGE("Words", "it must be 0 to 1e15 bytes"))}};
     }
-    return check_scale(layout.scale);
+    return {};
 }
 
 Status check_options(const OpenOptions& options) {

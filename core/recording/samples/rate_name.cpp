@@ -13,9 +13,16 @@ namespace {
 constexpr std::array<std::string_view, 9> rate_names{
     "fs",           "sr",         "rate",    "samplerate",       "samplingrate",
     "samplingfreq", "samplefreq", "fsample", "samplingfrequency"};
-constexpr std::array<std::string_view, 7> step_names{
-    "dt",           "wfincrement",   "increment", "sampleinterval", "samplinginterval",
-    "sampleperiod", "samplingperiod"};
+constexpr std::array<std::string_view, 10> step_names{"dt",
+                                                      "ts",
+                                                      "tinterval",
+                                                      "sampletime",
+                                                      "wfincrement",
+                                                      "increment",
+                                                      "sampleinterval",
+                                                      "samplinginterval",
+                                                      "sampleperiod",
+                                                      "samplingperiod"};
 
 struct RateUnit {
     std::string_view name;

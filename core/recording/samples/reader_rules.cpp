@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/recording/samples/channel_units.h"
+#include "core/recording/samples/column_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +121,11 @@ void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& rec
 
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options) {
-    if (own && own->hz > 0) {
+    constexpr double too_coarse = 0.01;  // of times in whole seconds
+    constexpr double most_hz = 1e9;      // what is above counts days, from 1900 or year 0
+    const bool is_told = own && own->hz > 0 && own->relative_sd < too_coarse &&
+                         (own->from != RateOrigin::time_column || own->hz < most_hz);
+    if (is_told) {
         return *own;
     }
     if (options.rate_hz) {
@@ -155,6 +160,14 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     recording.start = std::move(found.start);
     recording.diagnostics = std::move(found.diagnostics);
     recording.source = std::move(found.source);
+    const auto name_of = [&](int channel) {
+        return recording.channels[static_cast<std::size_t>(channel - 1)].name;
+    };
+    const std::string c = name_of(options.channel_c);
+    const std::string d = name_of(options.channel_d);
+    if (channel_letter(c) == 'd' && channel_letter(d) == 'c') {
+        recording.diagnostics.push_back({DiagnosticKind::channels_crossed, {c, d}});
+    }
     if (recording.source) {
         if (const Status status = check_signals(file, recording); !status) {
             return status.error();

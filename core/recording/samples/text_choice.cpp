@@ -44,6 +44,9 @@ Status check_choice(const TextChoice& choice) {
         return invalid("--delimiter", std::string(1, *choice.delimiter),
                        "it is comma, semicolon, tab, space or bar");
     }
+    if (choice.delimiter == ',' && choice.decimal_comma.value_or(false)) {
+        return invalid("--delimiter", "comma", "the comma is the decimal sign");
+    }
     if (choice.lines_to_skip &&
         (*choice.lines_to_skip < 0 || *choice.lines_to_skip > most_skipped_lines)) {
         return invalid("--skip-lines", integer_text(*choice.lines_to_skip),
@@ -55,9 +58,6 @@ Status check_choice(const TextChoice& choice) {
     }
     if (choice.time_unit_s && time_unit_name(*choice.time_unit_s).empty()) {
         return invalid("--time-unit", short_text(*choice.time_unit_s), "it is s, ms, us or ns");
-    }
-    if (!std::isfinite(choice.scale) || choice.scale == 0) {
-        return invalid("--scale", short_text(choice.scale), "it must be a number other than 0");
     }
     return {};
 }

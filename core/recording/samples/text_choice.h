@@ -17,7 +17,6 @@ struct TextChoice {
     std::optional<std::int64_t> lines_to_skip{};  // above the first row
     std::optional<int> time_column{};     // from 1, counting every column of the file; 0: none
     std::optional<double> time_unit_s{};  // seconds per unit of the time column
-    double scale = 1;                     // recording units per unit of the file
 
     friend bool operator==(const TextChoice&, const TextChoice&) = default;
 };

@@ -7,6 +7,8 @@
 #include "core/recording/text/text_lines.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 namespace vybeg {
@@ -166,10 +168,11 @@ private:
         return best;
     }
 
-    // A line `sep=;` or a comment.
+    // An empty line, a line `sep=;` or a comment.
     static bool stands_before_names(const std::string& line) {
         const std::string_view text = trimmed(line);
-        return text.starts_with('#') || (text.starts_with("sep=") && text.size() <= 5);
+        return text.empty() || text.starts_with('#') ||
+               (text.starts_with("sep=") && text.size() <= 5);
     }
 
     Status read_names(const std::string& needed) {
@@ -265,6 +268,15 @@ Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& n
     auto file = FileBytes::open(path);
     if (!file) {
         return file.error();
+    }
+    std::array<char, 4> head{};
+    const Result<std::int64_t> got = (*file)->read(0, head);
+    const std::string_view start(head.data(), head.size());
+    if (got && (start == "PK\3\4" || start == "\xD0\xCF\x11\xE0")) {
+        return Error{ErrorCode::list_invalid,
+                     path.string(),
+                     {"1", needed,
+                      words(VYBEG_MESSAGE("Words", "it is a workbook; save the sheet as CSV"))}};
     }
     return Reader(std::move(*file), path.string(), usual).read(needed);
 }

@@ -31,11 +31,11 @@ using UsualName = std::function<std::string(const std::string&)>;
 inline const UsualName same_name = [](const std::string& name) { return name; };
 
 // Reads a CSV file of spreadsheets: comma, semicolon or tabulator, whichever separates a name
-// `needed` from the others; before the names a line `sep=;` and lines with `#`. Fields in double
-// quotes (RFC 4180) may hold separators, line ends and doubled quotes. UTF-8 with or without byte
-// order mark, UTF-16 with it, otherwise Windows-1251. Spaces around a field are removed. Errors:
-// those of reading a file; format_limit for a line longer than 1 MiB; list_invalid with the line
-// and the column.
+// `needed` from the others; before the names empty lines, a line `sep=;` and lines with `#`. Fields
+// in double quotes (RFC 4180) may hold separators, line ends and doubled quotes. UTF-8 with or
+// without byte order mark, UTF-16 with it, otherwise Windows-1251. Spaces around a field are
+// removed. Errors: those of reading a file; format_limit for a line longer than 1 MiB; list_invalid
+// with the line and the column.
 Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed,
                          const UsualName& usual = same_name);
 

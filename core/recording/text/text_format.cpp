@@ -381,13 +381,12 @@ bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& fo
     return leading_zero;
 }
 
-std::vector<Channel> channels_of(const TextFormat& format, double scale) {
+std::vector<Channel> channels_of(const TextFormat& format) {
     std::vector<Channel> channels;
     for (const int column : channel_columns(format)) {
         const auto i = static_cast<std::size_t>(column);
         const std::string number = std::to_string(channels.size() + 1);
-        channels.push_back({format.names[i].empty() ? number : format.names[i],
-                            scale == 1 ? format.units[i] : std::string{}});
+        channels.push_back({format.names[i].empty() ? number : format.names[i], format.units[i]});
     }
     return channels;
 }

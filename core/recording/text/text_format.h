@@ -19,9 +19,8 @@ namespace vybeg {
 std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
                                             const TextChoice& choice = {});
 
-// The names of the channels, numbers from 1 where the file has none, and units: the file's where
-// the samples are read as they stand there, with a scale of 1, else none.
-std::vector<Channel> channels_of(const TextFormat& format, double scale);
+// The channels of the file by name, numbers from 1 where it has none, and unit.
+std::vector<Channel> channels_of(const TextFormat& format);
 
 // Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
 // leading zeros, decimals between delimiters have.

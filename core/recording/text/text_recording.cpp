@@ -279,15 +279,11 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     }
     FoundSamples found;
     found.format = format_of(table->format);
-    const double scale = options.text ? options.text->scale : 1;
-    found.channels = channels_of(table->format, scale);
+    found.channels = channels_of(table->format);
     found.one_unit = true;
     note_words(table->format, found);
     if (const Status status = take_table(*file, std::move(*table), options, job, found); !status) {
         return status.error();
-    }
-    if (scale != 1) {
-        found.source = scaled_source(std::move(found.source), scale, scale);
     }
     return complete_recording(*file, std::move(found), options);
 }

@@ -5,6 +5,7 @@
 #include "core/recording/samples/rate_name.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -157,12 +158,34 @@ private:
             for (const std::int64_t place : vectors_of(*pair)) {
                 choice_.channels.push_back({place, 0});
             }
+            put_named_first();
         } else if (array) {
             add_all_channels(*array);
         } else {
             return none_found(lengths.size());
         }
         return {};
+    }
+
+    // C before D where the names tell them apart, whatever their order in the file.
+    void put_named_first() {
+        std::array<std::optional<ChannelPlace>, 2> named;
+        for (const ChannelPlace& place : choice_.channels) {
+            const char letter = channel_letter(last_name(variable(place.variable).name));
+            if (letter != 0) {
+                auto& of = named[letter == 'c' ? 0 : 1];
+                if (of) {
+                    return;  // two of them: nothing is told
+                }
+                of = place;
+            }
+        }
+        if (named[0] && named[1]) {
+            std::erase_if(choice_.channels, [&named](const ChannelPlace& place) {
+                return place.variable == named[0]->variable || place.variable == named[1]->variable;
+            });
+            choice_.channels.insert(choice_.channels.begin(), {*named[0], *named[1]});
+        }
     }
 
     Error none_found(std::size_t vectors) const {
@@ -190,7 +213,6 @@ private:
         }
         if (c.rate_hz) {
             choice_.rate = SampleRate{*c.rate_hz, RateOrigin::file};
-            return {};
         }
         const std::string own = c.name.substr(0, c.name.size() - last_name(c.name).size());
         for (const bool near : {true, false}) {
@@ -207,27 +229,20 @@ private:
                     choice_.rate = SampleRate{*rate, RateOrigin::file};
                 }
             }
-            for (std::int64_t i = 0; i < count() && !choice_.rate && !choice_.time; ++i) {
+            for (std::int64_t i = 0; i < count() && !choice_.time; ++i) {
                 if ((!near || variable(i).name.starts_with(own)) && is_time(variable(i))) {
                     choice_.time = i;
                 }
             }
         }
-        if (choice_.rate) {
-            choice_.time.reset();
-        } else if (choice_.time) {
+        if (choice_.time) {
             choice_.time_unit_s = unit_of_times(variable(*choice_.time)).value_or(1);
         }
         return {};
     }
 
-    static bool same_rate(double a, double b) { return std::abs(a / b - 1) < 1e-4; }
-
     Error rates_differ(double first_hz, double second_hz) const {
-        return file_.error(
-            ErrorCode::format_unsupported,
-            {catalogue_.format, words(VYBEG_MESSAGE("Words", "two sample rates, %1 and %2 Hz"),
-                                      {number_arg(first_hz), number_arg(second_hz)})});
+        return two_rates(file_, catalogue_, first_hz, second_hz);
     }
 
     // Seconds, unless the name or the unit tells otherwise. Whole numbers without a unit count
@@ -274,6 +289,21 @@ private:
 };
 
 }  // namespace
+
+bool same_rate(double one_hz, double other_hz) {
+    return std::abs(one_hz / other_hz - 1) < 1e-4;
+}
+
+Error two_rates(const FileBytes& file, const Catalogue& catalogue, double first_hz,
+                double second_hz) {
+    return file.error(
+        ErrorCode::format_unsupported,
+        {catalogue.format,
+         words(VYBEG_MESSAGE("Words",
+                             "two sample rates, %1 and %2 Hz (--variables C,D,RATE tells "
+                             "which holds)"),
+               {number_arg(first_hz), number_arg(second_hz)})});
+}
 
 Result<VariableChoice> choose_variables(const FileBytes& file, const Catalogue& catalogue,
                                         const OpenOptions& options) {

@@ -5,6 +5,7 @@
 #include "core/recording/variables/time_variable.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace vybeg {
@@ -48,10 +49,30 @@ Status take_uneven(const Opening& opening, const TimeResolution& resolution, Fou
     return {};
 }
 
+// Whether the first and the last of the times have the rate that the file states. Times in steps of
+// a second or more count something.
+Status check_times(const Opening& opening, double rate_hz) {
+    const VariableReader& reader = *opening.variables.reader;
+    std::array<double, 2> ends{};
+    Status read = opening.time->read(reader, 0, std::span(ends).first(1));
+    read = read ? opening.time->read(reader, opening.choice.frames - 1, std::span(ends).last(1))
+                : read;
+    const double step_s = (ends[1] - ends[0]) / static_cast<double>(opening.choice.frames - 1);
+    const bool is_time = step_s > 0 && step_s < 1;
+    return read && is_time && !same_rate(1 / step_s, rate_hz)
+               ? two_rates(*opening.variables.file, opening.variables.catalogue, rate_hz,
+                           1 / step_s)
+               : read;
+}
+
 Status take_samples(const Opening& opening, const OpenOptions& options, const JobControl& job,
                     FoundSamples& found) {
     found.own_rate = opening.choice.rate;
-    if (opening.time) {
+    if (opening.time && found.own_rate) {
+        if (Status agree = check_times(opening, found.own_rate->hz); !agree) {
+            return agree;
+        }
+    } else if (opening.time) {
         const auto steps = scan_times(*opening.variables.file, *opening.variables.reader,
                                       *opening.time, opening.choice.frames, job);
         if (!steps) {

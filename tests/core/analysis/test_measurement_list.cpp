@@ -162,7 +162,7 @@ private slots:
         QVERIFY(set.settings.signal.repair_lost);
         QCOMPARE(set.settings.signal.calibration.kappa, 1.1);
         QCOMPARE(set.recordings[0].open.raw->channels, 3);
-        QCOMPARE(set.recordings[0].open.raw->scale, 2.0);
+        QCOMPARE(set.recordings[0].open.scale, 2.0);
         QVERIFY(set.recordings[0].open.raw->big_endian);
         QCOMPARE(set.recordings[0].open.unit, "V");
         // What an identification does not use is said once.
@@ -274,10 +274,10 @@ private slots:
         row("file,date\na.wav,31.02.2026\n",
             ", line 2, column \"date\": \"31.02.2026\" is no date as in 2026-03-31 or 31.03.2026, "
             "with or without a time as in T14:05.");
-        row("file,bias_v\na.wav,100 V\n",
-            ", line 2, column \"bias_v\": \"100 V\" is not a number.");
-        row("file,exchanged\na.wav,1\n",
-            ", line 2, column \"exchanged\": \"1\" is neither yes nor no.");
+        row("file,bias_v\na.wav,100 kV\n",
+            ", line 2, column \"bias_v\": \"100 kV\" is not a number.");
+        row("file,exchanged\na.wav,2\n",
+            ", line 2, column \"exchanged\": \"2\" is neither yes nor no.");
         row("file,set\n,A\n", ", line 2, column \"file\": no file is named.");
         row("file,set\n", ", line 1, column \"file\": no row names a recording below it.");
         row("file,--from\na.wav,1\n", ", line 1, column \"--from\": an option has no dashes here.");
@@ -294,6 +294,10 @@ private slots:
                               << true;
         QTest::newRow("time") << QByteArray("16.10.2026 14:05") << "2026-10-16T14:05"
                               << QByteArray("Нет") << false;
+        QTest::newRow("hour of one digit")
+            << QByteArray("16.10.2026 9:05") << "2026-10-16T09:05" << QByteArray("ИСТИНА") << true;
+        QTest::newRow("ISO with a blank")
+            << QByteArray("2026-10-16 14:05") << "2026-10-16T14:05" << QByteArray("FALSE") << false;
         QTest::newRow("seconds") << QByteArray("01.02.2026 04:05:06") << "2026-02-01T04:05:06"
                                  << QByteArray("YES") << true;
     }
@@ -317,6 +321,12 @@ private slots:
         QTest::newRow("capitals") << QByteArray(
             "FILE,Set,Gyro,Temperature_C,Bias_V,Exchanged,From");
         QTest::newRow("blanks") << QByteArray("File,Set,Gyro,Temperature C,bias v,exchanged,from");
+        QTest::newRow("English with units")
+            << QByteArray("file,set,gyro,\"Temperature, °C\",Bias (V),exchanged,from");
+        QTest::newRow("a unit behind a blank")
+            << QByteArray("file,set,gyro,Temperature °C,Bias voltage,exchanged,from");
+        QTest::newRow("below empty lines")
+            << QByteArray("\n# March\n \nfile,set,gyro,temperature_c,bias_v,exchanged,from");
         QTest::newRow("Russian") << QByteArray(
             "файл,набор,гироскоп,температура,напряжение смещения,перестановка,от");
         QTest::newRow("Russian with units") << QByteArray(
@@ -340,6 +350,34 @@ private slots:
         QVERIFY(read.warnings.empty());
         QCOMPARE(read.other_columns.size(), std::size_t{1});
         QCOMPARE(read.sets[0].recordings[0].others[0], "L1");
+    }
+
+    void numbers_have_the_signs_of_table_programs() {
+        for (const char* number :
+             {"-1022.5", "\u22121\u00A0022,5", "-1022,5 °C", "\u22121022.5°C"}) {
+            const MeasurementList read =
+                list("file;temperature_c\na.wav;" + QByteArray(number) + "\n");
+            QCOMPARE(read.sets[0].recordings[0].conditions.temperature_c, std::optional(-1022.5));
+        }
+    }
+
+    void options_take_the_answers_and_blanks_of_table_programs() {
+        const MeasurementList read =
+            list("file;snap;filter\na.wav;да;2900, 3100\nb.wav;FALSE;2900,5; 3100\n");
+        QVERIFY(read.sets[0].settings.windows.snap);
+        QVERIFY(!read.sets[1].settings.windows.snap);
+        QCOMPARE(read.sets[0].settings.signal.filter->low_hz, 2900.0);
+        QCOMPARE(read.sets[1].settings.signal.filter->low_hz, 2900.5);
+        QCOMPARE(read.sets[1].settings.signal.filter->high_hz, 3100.0);
+    }
+
+    void a_workbook_is_no_list_and_named() {
+        for (const QByteArray& start : {QByteArray("PK\3\4"), QByteArray("\xD0\xCF\x11\xE0")}) {
+            const auto read = read_measurement_list(write(start + QByteArray(500, '\xB4')), {});
+            QVERIFY(!read);
+            const std::string text = english(read.error());
+            QVERIFY2(text.ends_with("it is a workbook; save the sheet as CSV."), text.c_str());
+        }
     }
 
     void a_path_of_windows_names_a_file_of_the_list() {

@@ -122,6 +122,16 @@ private slots:
         QCOMPARE(status.st_mode & 0777U, 0640U);
     }
 
+    void a_link_to_a_file_that_is_to_come_is_followed() {
+        const QString link = folder_->filePath("early.csv");
+        QVERIFY(QFile::link(folder_->filePath("later.csv"), link));
+        auto file = OutputFile::create(link.toStdString(), {});
+        QVERIFY(file && file->write("x"));
+        QVERIFY(file->commit());
+        QVERIFY(QFileInfo(link).isSymLink());
+        QCOMPARE(QFileInfo(folder_->filePath("later.csv")).size(), 1);
+    }
+
     void a_link_is_followed() {
         put(target_, "old");
         const QString link = folder_->filePath("link.csv");

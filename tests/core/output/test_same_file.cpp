@@ -32,6 +32,9 @@ private slots:
         std::filesystem::create_symlink(path("there"), path("soft"));
         std::filesystem::create_hard_link(path("there"), path("hard"));
         std::filesystem::create_directory_symlink(path(""), path("sub/back"));
+        std::filesystem::create_symlink("new", path("dangling"));
+        std::filesystem::create_symlink("dangling", path("chained"));
+        std::filesystem::create_symlink("round", path("round"));
         std::filesystem::create_directory_symlink(path("sub"), path("link"));
         std::filesystem::create_directory(path("mounted"));
     }
@@ -62,6 +65,9 @@ private slots:
         row("no/new", "sub/no/new", false);
         row("link/new", "sub/new", true);
         row("link/new", "new", false);
+        row("dangling", "new", true);
+        row("chained", "sub/../new", true);
+        row("round", "new", false);
     }
 
     void paths_to_one_file_are_one() {

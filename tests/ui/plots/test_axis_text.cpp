@@ -177,6 +177,11 @@ private slots:
                                                    {QStringLiteral("⟩"), false}};
         QVERIFY(indexPieces(QStringLiteral("⟨S_A S_B⟩")) == expected);
         QCOMPARE(richText(QStringLiteral("Δφ_CD")), QStringLiteral("Δφ<sub>CD</sub>"));
+        for (const char* name : {"s1_0.wav", "a_1.wav: 3 s", "run_2", "my_long_name", "a_"}) {
+            QCOMPARE(richText(QString::fromLatin1(name)), QString::fromLatin1(name));
+        }
+        QCOMPARE(richText(QStringLiteral("d(a_B/a_A)/dt; θ_A.")),
+                 QStringLiteral("d(a<sub>B</sub>/a<sub>A</sub>)/dt; θ<sub>A</sub>."));
         QCOMPARE(richText(QStringLiteral("a<b")), QStringLiteral("a&lt;b"));
         const auto path = QStringLiteral("/data/<b>bold</b> & <img src=x>.wav");
         QCOMPARE(QTextDocumentFragment::fromHtml(plainTip(path)).toPlainText(), path);

@@ -34,6 +34,23 @@ class TestSessionRecovery : public QObject {
         return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/backups");
     }
 
+    // Whether this process is one that a_killed_recovery_loses_nothing() starts and kills.
+    static bool isRecovering() { return qEnvironmentVariableIsSet("VYBEG_RECOVERING"); }
+
+    // Whether a killed program has left the only copy, of the recording in windows of 77 samples.
+    bool leaveCopyOf(const QString& recording) {
+        const auto program = started({recording, "--window", "77"});
+        const bool copied =
+            program &&
+            QTest::qWaitFor(
+                [this] { return !copies().entryList({"*.vybeg"}, QDir::Files).isEmpty(); }, 20000);
+        // It still runs.
+        const bool locked = SessionBackup::abandoned().isEmpty();
+        program->kill();
+        return program->waitForFinished() && copied && locked &&
+               SessionBackup::abandoned().size() == 1;
+    }
+
     std::unique_ptr<QProcess> started(const QStringList& arguments) {
         auto program = std::make_unique<QProcess>();
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -51,7 +68,9 @@ private slots:
         QStandardPaths::setTestModeEnabled(false);
         QCoreApplication::setOrganizationName(QStringLiteral("vybeg"));
         QCoreApplication::setApplicationName(QStringLiteral("vybeg"));
-        qputenv("XDG_DATA_HOME", home_.path("data").toUtf8());
+        if (!isRecovering()) {
+            qputenv("XDG_DATA_HOME", home_.path("data").toUtf8());
+        }
     }
 
     void a_killed_program_leaves_a_whole_copy_or_none() {
@@ -92,15 +111,7 @@ private slots:
     }
 
     void the_next_program_recovers_it() {
-        const QString recording = home_.recording("recovered.wav");
-        const auto program = started({recording, "--window", "77"});
-        QVERIFY(program);
-        QTRY_VERIFY_WITH_TIMEOUT(!copies().entryList({"*.vybeg"}, QDir::Files).isEmpty(), 20000);
-        QVERIFY(SessionBackup::abandoned().isEmpty());  // it still runs
-        program->kill();
-        QVERIFY(program->waitForFinished());
-        QCOMPARE(SessionBackup::abandoned().size(), 1);
-
+        QVERIFY(leaveCopyOf(home_.recording("recovered.wav")));
         const auto window = shownWindow();
         window->session().offerAbandoned();
         auto& bar = childOf<MessageBar>(*window);
@@ -113,15 +124,82 @@ private slots:
         window->session().end();
     }
 
-    // Killed once more before it has a copy of its own, the program leaves the first one.
-    void a_copy_stays_until_there_is_another_one() {
-        const auto program = started({home_.recording("twice.wav")});
-        QVERIFY(program);
-        QTRY_VERIFY_WITH_TIMEOUT(!copies().entryList({"*.vybeg"}, QDir::Files).isEmpty(), 20000);
-        program->kill();
-        QVERIFY(program->waitForFinished());
+    // The window that a_killed_recovery_loses_nothing() kills; by itself, a recovery to its end.
+    void a_recovery_leaves_one_copy() {
+        if (!isRecovering()) {
+            QVERIFY(leaveCopyOf(home_.recording("alone.wav")));
+        }
         const QStringList left = SessionBackup::abandoned();
         QCOMPARE(left.size(), 1);
+        const auto window = shownWindow();
+        window->session().offerAbandoned();
+        QTest::mouseClick(childOf<MessageBar>(*window).findChild<QPushButton*>(), Qt::LeftButton);
+        QTRY_VERIFY(!QFile::exists(left.first()));
+        QCOMPARE(copies().entryList({"*.vybeg"}, QDir::Files).size(), 1);
+        if (isRecovering()) {
+            QTest::qWait(60000);  // for the kill
+        }
+        window->session().end();
+    }
+
+    // Each process recovers what the one before it has left, and is killed at any moment of that:
+    // 10 times, or as often as VYBEG_KILLS says.
+    void a_killed_recovery_loses_nothing() {
+        QVERIFY(leaveCopyOf(home_.recording("lasts.wav")));
+        const auto recovering = [this] {
+            auto program = std::make_unique<QProcess>();
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert("VYBEG_RECOVERING", "1");
+            program->setProcessEnvironment(environment);
+            program->start(QCoreApplication::applicationFilePath(),
+                           {"TestSessionRecovery", "a_recovery_leaves_one_copy"});
+            return program->waitForStarted() ? std::move(program) : nullptr;
+        };
+        QElapsedTimer needed;
+        needed.start();
+        const QString first = SessionBackup::abandoned().value(0);
+        const auto undisturbed = recovering();
+        QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(first), 60000);
+        std::uniform_int_distribution<int> any_ms(0, static_cast<int>(3 * needed.elapsed() / 2));
+        undisturbed->kill();
+        QVERIFY(undisturbed->waitForFinished());
+
+        bool given = false;
+        const int wanted = qEnvironmentVariableIntValue("VYBEG_KILLS", &given);
+        const int kills = given ? wanted : 10;
+        std::mt19937_64 random(25);
+        int replaced = 0;
+        for (int k = 0; k < kills; ++k) {
+            const QStringList before = SessionBackup::abandoned();
+            const auto program = recovering();
+            QVERIFY(program);
+            QTest::qWait(any_ms(random));  // the moment of the kill
+            QVERIFY2(program->state() == QProcess::Running, program->readAllStandardOutput());
+            program->kill();
+            QVERIFY(program->waitForFinished());
+            QStringList left = SessionBackup::abandoned();
+            QVERIFY(!left.isEmpty());
+            for (const QString& path : left) {
+                QFile file(path);
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+                QCOMPARE(json["recordings"].toArray().size(), 1);
+                QCOMPARE(json["settings"]["window"].toVariant().toInt(), 77);
+            }
+            replaced += left.last() != before.last() ? 1 : 0;
+            while (left.size() > 1) {  // between the new copy and the old one's end
+                SessionBackup::discard(left.takeFirst());
+            }
+        }
+        VYBEG_MORE(replaced, 0);
+        VYBEG_LESS(replaced, kills);
+        SessionBackup::discard(SessionBackup::abandoned().first());
+    }
+
+    // Killed once more before it has a copy of its own, the program leaves the first one.
+    void a_copy_stays_until_there_is_another_one() {
+        QVERIFY(leaveCopyOf(home_.recording("twice.wav")));
+        const QStringList left = SessionBackup::abandoned();
         const auto window = shownWindow();
         window->session().offerAbandoned();
         QTest::mouseClick(childOf<MessageBar>(*window).findChild<QPushButton*>(), Qt::LeftButton);

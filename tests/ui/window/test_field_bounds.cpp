@@ -215,7 +215,7 @@ private slots:
         QCOMPARE(fields.findChildren<NumberField*>().size(), 4);
         for (const double scale : {0.0, -1.0, 1e-300}) {
             OpenOptions options;
-            options.raw = RawLayout{.scale = scale};
+            options.scale = scale;
             fields.setOptions(options);
             QCOMPARE(fields.isValid(), bool(check_options(options)));
         }

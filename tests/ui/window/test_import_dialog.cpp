@@ -200,7 +200,6 @@ private slots:
         show(home_.recording("wave.wav"));
         QTRY_VERIFY(openButton().isEnabled());
         QVERIFY(the<QComboBox>("raw_type").isHidden());
-        QVERIFY(the<NumberField>("scale").isHidden());
         choose("read_as", "raw samples");
         // 64 bit floating point behind the header of a WAV file.
         QTRY_COMPARE(the<QComboBox>("raw_type").currentText(), QString("64 bit float"));
@@ -235,10 +234,21 @@ private slots:
         QCOMPARE(dialog_->options(), rate);
     }
 
+    void a_sound_file_is_scaled_as_well() {
+        show(home_.recording("scaled.wav"));
+        QTRY_VERIFY(samples() > 0);
+        const double first = the<QCustomPlot>().graph(0)->data()->constBegin()->value;
+        QVERIFY(the<QLineEdit>("scale").isVisible());
+        type("scale", "2.5");
+        QCOMPARE(dialog_->options().scale, 2.5);
+        QTRY_COMPARE(the<QCustomPlot>().graph(0)->data()->constBegin()->value, 2.5 * first);
+    }
+
     void raw_layouts_are_remembered_by_the_ending() {
         OpenOptions options;
         options.rate_hz = 1000;
-        options.raw = RawLayout{.type = RawType::f32, .channels = 3, .skip_bytes = 8, .scale = 4};
+        options.raw = RawLayout{.type = RawType::f32, .channels = 3, .skip_bytes = 8};
+        options.scale = 4;
         options.channel_d = 3;
         rememberImport(importKind("/a/b.BIN", {}, true), options);
         show(raw("other.bin"));
@@ -262,13 +272,19 @@ private slots:
         OpenOptions options;
         options.rate_hz = 33333.25;
         options.channel_c = 4;
-        options.text = TextChoice{'\t', true, 7, 0, 1e-6, -0.125};
+        options.text = TextChoice{'\t', true, 7, 0, 1e-6};
+        options.scale = -0.125;
         options.unit = "мкВ";
         options.variables = {"XY", "", "fs"};
         QCOMPARE(optionsFromJson(optionsToJson(options)), options);
         OpenOptions raw;
-        raw.raw = RawLayout{RawType::i32, true, 5, std::int64_t{1} << 40, 1e-9};
+        raw.raw = RawLayout{RawType::i32, true, 5, std::int64_t{1} << 40};
+        raw.scale = 1e-9;
         QCOMPARE(optionsFromJson(optionsToJson(raw)), raw);
+        // Earlier versions kept the scale with the layout or the choice.
+        for (const char* part : {"raw", "text"}) {
+            QCOMPARE(optionsFromJson({{part, QJsonObject{{"scale", 0.25}}}}).scale, 0.25);
+        }
         QCOMPARE(optionsFromJson({}), OpenOptions{});
     }
 

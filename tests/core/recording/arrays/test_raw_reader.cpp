@@ -109,7 +109,7 @@ void TestRawReader::skipped_bytes_channels_and_scale_are_heeded() {
     OpenOptions options = raw(RawType::f64);
     options.raw->skip_bytes = 7;
     options.raw->channels = 3;
-    options.raw->scale = 0.5;
+    options.scale = 0.5;
     options.channel_c = 3;
     const Recording recording = opened(path, options);
     QCOMPARE(recording.channels.size(), 3u);

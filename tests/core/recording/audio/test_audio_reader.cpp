@@ -1,7 +1,9 @@
+#include "core/recording/bytes/byte_order.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/audio/audio_files.h"
 #include "tests/test_registry.h"
 
+#include <cmath>
 #include <cstring>
 #include <thread>
 
@@ -22,6 +24,7 @@ private slots:
     void flac_behind_a_tag_of_any_length_is_read();
     void integers_of_more_than_32_bits_are_read_or_a_limit_data();
     void integers_of_more_than_32_bits_are_read_or_a_limit();
+    void rates_with_a_fraction_and_open_ends_are_read();
     void a_scale_gives_the_samples_their_unit();
     void any_two_channels_can_be_c_and_d_in_any_order();
     void the_rate_of_the_file_wins_over_the_option();
@@ -183,6 +186,34 @@ void TestAudioReader::integers_of_more_than_32_bits_are_read_or_a_limit() {
     QCOMPARE(wrong.error().code, ErrorCode::format_limit);
     QCOMPARE(english(wrong.error().args.at(1)),
              "integers of " + std::to_string(bits) + " bits; up to 32, and 64 in WAV, are read");
+}
+
+void TestAudioReader::rates_with_a_fraction_and_open_ends_are_read() {
+    const Folder folder;
+    const auto written = [&folder](int format) {
+        write_audio(folder.file("run"), wave(5000), format);
+        return bytes_of(folder.file("run"));
+    };
+    std::string aiff = written(SF_FORMAT_AIFF | SF_FORMAT_PCM_16);
+    aiff.replace(aiff.find("COMM") + 16, 10,
+                 store(std::uint16_t{16383 + 15}, true) +
+                     store(static_cast<std::uint64_t>(std::ldexp(33333.5, 48)), true));
+    QCOMPARE(opened(folder.write("fraction.aiff", aiff)).rate_hz, 33333.5);
+
+    std::string caf = written(SF_FORMAT_CAF | SF_FORMAT_DOUBLE);
+    caf.replace(20, 8, store(16000.25, true));
+    caf.replace(caf.find("data") + 4, 8, store(std::int64_t{-1}, true));
+    const Recording open_caf = opened(folder.write("open.caf", caf));
+    QCOMPARE(open_caf.rate_hz, 16000.25);
+    QCOMPARE(open_caf.frames(), 5000);
+    QVERIFY(open_caf.diagnostics.empty());
+
+    std::string flac = written(SF_FORMAT_FLAC | SF_FORMAT_PCM_16);
+    flac[21] = static_cast<char>(flac[21] & 0xF0);
+    flac.replace(22, 4, std::string(4, '\0'));
+    const Recording open_flac = opened(folder.write("open.flac", flac));
+    QCOMPARE(open_flac.frames(), 5000);
+    QVERIFY(open_flac.diagnostics.empty());
 }
 
 void TestAudioReader::a_scale_gives_the_samples_their_unit() {

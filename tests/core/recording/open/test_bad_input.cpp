@@ -206,8 +206,8 @@ void TestBadInput::wrong_options_are_the_callers_fault_data() {
     add("too many raw channels", "--raw-channels",
         [](OpenOptions& o) { o.raw->channels = 1 << 30; });
     add("skip backwards", "--skip", [](OpenOptions& o) { o.raw->skip_bytes = -1; });
-    add("scale 0", "--scale", [](OpenOptions& o) { o.raw->scale = 0; });
-    add("scale nan", "--scale", [](OpenOptions& o) { o.raw->scale = no_value; });
+    add("scale 0", "--scale", [](OpenOptions& o) { o.scale = 0; });
+    add("scale nan", "--scale", [](OpenOptions& o) { o.scale = no_value; });
 }
 
 void TestBadInput::wrong_options_are_the_callers_fault() {

@@ -80,7 +80,7 @@ private slots:
         add("missing.csv", "1;2\n;3\n4;nan\n5;6\n7;8\n9;10", rate);
         OpenOptions choice = rate;
         choice.text = TextChoice{.delimiter = ';', .decimal_comma = true, .lines_to_skip = 2};
-        choice.text->scale = 0.1;
+        choice.scale = 0.1;
         choice.unit = "V";
         add("choice.csv", "1;2\nC;D\n1,5;2\n3;4\n5;6\n7,25;8\n9;10\n", choice);
         OpenOptions swapped;
@@ -92,8 +92,9 @@ private slots:
             bytes += store(static_cast<std::int16_t>(1000 * std::cos(0.9 * i)), true);
         }
         OpenOptions raw = rate;
-        raw.raw = RawLayout{
-            .type = RawType::i16, .big_endian = true, .channels = 3, .skip_bytes = 4, .scale = 0.5};
+        raw.raw =
+            RawLayout{.type = RawType::i16, .big_endian = true, .channels = 3, .skip_bytes = 4};
+        raw.scale = 0.5;
         raw.channel_c = 3;
         add("raw.bin", bytes, raw);
     }
@@ -193,7 +194,8 @@ private slots:
             bytes += store(static_cast<std::int16_t>(i), false);
         }
         OpenOptions options;
-        options.raw = RawLayout{.channels = 6, .skip_bytes = 2, .scale = 0.5};
+        options.raw = RawLayout{.channels = 6, .skip_bytes = 2};
+        options.scale = 0.5;
         options.rate_hz = 100;
         options.channel_c = 5;
         const RecordingPreview preview = shown(folder_.write("six.bin", bytes), options);

@@ -18,6 +18,12 @@ OpenOptions said(const TextChoice& choice, std::optional<double> rate_hz = {}) {
     return options;
 }
 
+OpenOptions scaled_by(double scale, std::optional<double> rate_hz = {}) {
+    OpenOptions options = said({}, rate_hz);
+    options.scale = scale;
+    return options;
+}
+
 std::string number(double value, int decimals, char sign) {
     std::string text = QByteArray::number(value, 'f', decimals).toStdString();
     std::replace(text.begin(), text.end(), '.', sign);
@@ -171,10 +177,10 @@ private slots:
     void samples_are_scaled_and_lose_the_unit_that_is_no_longer_theirs() {
         const auto path =
             folder_.write("scale.csv", "C [mV],D [mV]\n1,2\n3,\n5,1e308\n7,8\n9,10\n");
-        const Recording recording = opened(path, said({.scale = -2}, 10));
+        const Recording recording = opened(path, scaled_by(-2, 10));
         same(recording, {{-2, -6, -10, -14, -18}, {-4, no_value, no_value, -16, -20}});
         QCOMPARE(recording.channels[0], (Channel{"C", ""}));
-        OpenOptions options = said({.scale = 1e-3}, 10);
+        OpenOptions options = scaled_by(1e-3, 10);
         options.unit = "V";
         QCOMPARE(opened(path, options).channels[1], (Channel{"D", "V"}));
         QCOMPARE(opened(path, options).read_with, std::string("--scale 0.001 --unit V"));
@@ -188,7 +194,7 @@ private slots:
         const auto path = folder_.write("uneven.csv", text);
         const Recording plain = opened(path);
         QVERIFY(find(plain, DiagnosticKind::time_uneven));
-        const Samples scaled = read_all(opened(path, said({.scale = 3})));
+        const Samples scaled = read_all(opened(path, scaled_by(3)));
         Samples expected = read_all(plain);
         for (std::vector<double>* values : {&expected.c, &expected.d}) {
             for (double& value : *values) {
@@ -204,7 +210,7 @@ private slots:
         QVERIFY(!open(path));
         same(opened(path, said({.lines_to_skip = 2}, 10)), {{1, 3, 5, 7, 9}, {2, 4, 6, 8, 1}});
         const auto wave = folder_.write("wave.wav", std::string("RIFF\0\0\0\0WAVEfmt ", 16));
-        const auto wrong = open(wave, said({.scale = 2}, 10));
+        const auto wrong = open(wave, said({.delimiter = ','}, 10));
         QCOMPARE(wrong.error().code, ErrorCode::text_no_table);
     }
 
@@ -213,14 +219,15 @@ private slots:
                                     .decimal_comma = true,
                                     .lines_to_skip = 4,
                                     .time_column = 0,
-                                    .time_unit_s = 1e-6,
-                                    .scale = 0.25});
+                                    .time_unit_s = 1e-6});
+        options.scale = 0.25;
         options.unit = "mV";
         QCOMPARE(options_text(options),
                  std::string("--delimiter tab --decimal comma --skip-lines 4 --time-column none "
                              "--time-unit us --scale 0.25 --unit mV"));
         OpenOptions raw;
-        raw.raw = RawLayout{RawType::f32, true, 3, 512, 0.5};
+        raw.raw = RawLayout{RawType::f32, true, 3, 512};
+        raw.scale = 0.5;
         raw.variables = {"C", "D"};
         QCOMPARE(options_text(raw), std::string("--variables C,D --raw f32:be --raw-channels 3 "
                                                 "--skip 512 --scale 0.5"));
@@ -232,14 +239,15 @@ private slots:
                                  .decimal_comma = false,
                                  .lines_to_skip = 12,
                                  .time_column = 3,
-                                 .time_unit_s = 1e-9,
-                                 .scale = 1. / 3},
+                                 .time_unit_s = 1e-9},
                                 33333.125);
+        text.scale = 1. / 3;
         text.channel_c = 4;
         text.channel_d = 2;
         text.unit = "V";
         OpenOptions raw;
-        raw.raw = RawLayout{RawType::f64, true, 5, 44, -1e-7};
+        raw.raw = RawLayout{RawType::f64, true, 5, 44};
+        raw.scale = -1e-7;
         raw.variables = {"XY", "", "fs"};
         for (const OpenOptions& wanted : {OpenOptions(), text, raw}) {
             OpenOptions read;
@@ -256,12 +264,14 @@ private slots:
         QTest::addColumn<QString>("setting");
         QTest::addColumn<OpenOptions>("options");
         QTest::newRow("delimiter") << "--delimiter" << said({.delimiter = 'x'});
+        QTest::newRow("comma and decimal comma")
+            << "--delimiter" << said({.delimiter = ',', .decimal_comma = true});
         QTest::newRow("below 0") << "--skip-lines" << said({.lines_to_skip = -1});
         QTest::newRow("too many") << "--skip-lines" << said({.lines_to_skip = 1'000'001});
         QTest::newRow("time column") << "--time-column" << said({.time_column = -1});
         QTest::newRow("time unit") << "--time-unit" << said({.time_unit_s = 60});
-        QTest::newRow("scale 0") << "--scale" << said({.scale = 0});
-        QTest::newRow("scale nan") << "--scale" << said({.scale = no_value});
+        QTest::newRow("scale 0") << "--scale" << scaled_by(0);
+        QTest::newRow("scale nan") << "--scale" << scaled_by(no_value);
         OpenOptions both = said({.delimiter = ','});
         both.raw = RawLayout{};
         QTest::newRow("text and raw") << "--raw" << both;

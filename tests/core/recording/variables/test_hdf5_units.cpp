@@ -95,7 +95,8 @@ void TestHdf5Units::a_rate_may_have_a_unit() {
 
 void TestHdf5Units::what_contradicts_itself_or_is_scaled_is_refused_data() {
     QTest::addColumn<QString>("reason");
-    QTest::newRow("two_rates.h5") << "two sample rates, 33333 and 33000 Hz";
+    QTest::newRow("two_rates.h5")
+        << "two sample rates, 33333 and 33000 Hz (--variables C,D,RATE tells which holds)";
     QTest::newRow("netcdf.h5") << "values for scale_factor and add_offset (/C)";
 }
 

@@ -51,6 +51,7 @@ private slots:
     void the_rate_comes_from_a_number_or_from_times();
     void uneven_times_are_brought_onto_a_grid();
     void variables_are_chosen_by_name();
+    void variables_named_as_channels_are_these();
     void a_name_that_is_not_there_is_an_error();
     void of_several_the_longest_are_taken();
     void what_is_not_read_is_refused_by_name_data();
@@ -90,6 +91,9 @@ np.savez('several', Temp=c[:10], a=c[:1000], long=np.stack([c, d, -c], 1)[:5000]
          hz=np.float64(50), x=c[:1000] + 1, fs=20)
 np.savez('other', words=np.array(['a', 'b']), z=np.zeros((10, 2), 'c16'), o=np.zeros((10, 3, 2)))
 np.savez('one', c=c[:1000], fs=20)
+np.savez('crossed', t=s * 0.05, S_D=d[:1000], b=c[:1000], S_C=c[:1000])
+np.savez('two-rates', fs=48.0, t=s * 0.05, **few)
+np.savez('counted', fs=20.0, t=s * 1.0, **few)
 np.savez('small', c=c[:40], d=d[:40], fs=20.0)
 np.savez_compressed('small-deflated', c=c[:40], d=d[:40], fs=20.0)
 with zipfile.ZipFile('texts.zip', 'w') as archive:
@@ -188,6 +192,8 @@ void TestNpzReader::the_rate_comes_from_a_number_or_from_times_data() {
     QTest::newRow("times") << "times.npz" << static_cast<int>(RateOrigin::time_column);
     QTest::newRow("milliseconds") << "milliseconds.npz"
                                   << static_cast<int>(RateOrigin::time_column);
+    QTest::newRow("number beside what counts the rows")
+        << "counted.npz" << static_cast<int>(RateOrigin::file);
     QTest::newRow("option") << "no-rate.npz" << static_cast<int>(RateOrigin::option);
 }
 
@@ -225,6 +231,17 @@ void TestNpzReader::variables_are_chosen_by_name() {
     QCOMPARE(read_all(array).d[5], -written().c[5]);
 }
 
+void TestNpzReader::variables_named_as_channels_are_these() {
+    const Recording recording = opened(folder_.file("crossed.npz"));
+    QCOMPARE(recording.channels[0].name, std::string("S_C"));
+    QCOMPARE(recording.channels[1].name, std::string("S_D"));
+    QCOMPARE(recording.channels[2].name, std::string("b"));
+    QCOMPARE(read_all(recording).d[5], written().d[5]);
+    QVERIFY(!find(recording, DiagnosticKind::channels_crossed));
+    QVERIFY(find(opened(folder_.file("crossed.npz"), named({"S_D", "S_C", "t"})),
+                 DiagnosticKind::channels_crossed));
+}
+
 void TestNpzReader::a_name_that_is_not_there_is_an_error() {
     const auto recording = open(folder_.file("several.npz"), named({"a", "none"}));
     QVERIFY(!recording);
@@ -248,6 +265,7 @@ void TestNpzReader::what_is_not_read_is_refused_by_name_data() {
     QTest::newRow("no numbers") << "other.npz" << unsupported << "<U1";
     QTest::newRow("bzip2") << "bzip2.npz" << unsupported << "method 12";
     QTest::newRow("lzma") << "lzma.npz" << unsupported << "method 14";
+    QTest::newRow("two rates") << "two-rates.npz" << unsupported << "48 and 20 Hz";
     QTest::newRow("one vector") << "one.npz" << static_cast<int>(ErrorCode::too_few_channels)
                                 << "1 channel";
 }
