@@ -1569,7 +1569,7 @@
         <translation>В %1 — готовые строки (%2), которые эта обработка не может взять: их наборы, записи, настройки, пределы или столбцы другие.</translation>
     </message>
     <message>
-        <source>%1 sets do not keep the limits and %2 are undecided, of %3.</source>
+        <source>The limits are not kept by %1 of %3 sets; %2 are undecided.</source>
         <translation>Допускам не соответствуют наборы: %1, не решено: %2, всего: %3.</translation>
     </message>
     <message>
@@ -3729,8 +3729,8 @@
         <translation>«%1» нет среди %2</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is none of %2; did you mean %3?</source>
-        <translation>«%1» нет среди %2; имеется в виду %3?</translation>
+        <source>&quot;%1&quot; is none of %2 (did you mean %3?)</source>
+        <translation>«%1» нет среди %2 (имеется в виду %3?)</translation>
     </message>
     <message>
         <source>another result of this batch goes there</source>

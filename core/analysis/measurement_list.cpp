@@ -354,8 +354,9 @@ private:
             const std::string text = without_unit(field(row, column));
             const Result<double> number = read_number(column, text.empty() ? "0" : text);
             if (!number) {
-                return invalid(row.line, column,
-                               words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {text}));
+                return invalid(
+                    row.line, column,
+                    words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {field(row, column)}));
             }
             *value = text.empty() ? std::nullopt : std::optional(*number);
         }

@@ -230,7 +230,8 @@ SettingRow<IdentifySettings> tolerance_row() {
         {"tolerance", "NAME=X[,NAME=X]",
          "How well the channels are known, standard deviations: kappa (relative), skew (deg), "
          "delay (s), crosstalk (relative), phase-drift (rad over a run), gain-drift (relative, "
-         "over a run); and rate (ppm), the recorder's clock. 0 is exact; where none is told, u "
+         "over a run); rate (ppm), the recorder's clock; and spread (relative), by which recordings of one "
+         "set may differ. 0 is exact; where none is told, u "
          "assumes " +
              tolerance_text(assumed()) + ". Units may follow, as in skew=0.1deg,delay=10ns"},
         [](auto& s) -> auto& { return s.tolerance; }, read_tolerance, tolerance_text, any_value);

@@ -488,7 +488,7 @@ MessageRow message_row(DiagnosticKind kind) {
         case DiagnosticKind::limits_not_kept:
             return {"limits-not-kept", warning,
                     VYBEG_MESSAGE("Message",
-                                  "%1 sets do not keep the limits and %2 are undecided, of %3.")};
+                                  "The limits are not kept by %1 of %3 sets; %2 are undecided.")};
         case DiagnosticKind::database_waits:
             return {"database-waits", warning,
                     VYBEG_MESSAGE("Message",

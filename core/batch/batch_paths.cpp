@@ -48,9 +48,9 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
         return read_measurement_list(request.list, defaults);
     }
     return list_of_folder(request.list, defaults, [&request](const fs::path& path) {
-        // A file of another kind stays an input, which check_paths() keeps from being replaced.
-        return (same_file(path, request.output) && is_batch_table(path)) ||
-               same_file(path, journal_of(request.output)) ||
+        // An output that is a file of another kind stays an input, which check_paths() keeps from
+        // being replaced.
+        return is_batch_table(path) || path.extension() == journal_of("") ||
                (!request.database.empty() && (same_file(path, request.database) ||
                                               same_file(path, rollback_of(request.database))));
     });

@@ -3,10 +3,12 @@
 #include "core/analysis/list_fields.h"
 #include "core/analysis/tolerance.h"
 #include "core/base/number_text.h"
+#include "core/recording/samples/column_words.h"
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -36,7 +38,7 @@ MessageArg no_parameter(std::span<const ResonatorParameter> parameters, const st
     }
     const ResonatorParameter* const like = parameter_named(parameters, name, names_resemble);
     return like == nullptr ? words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2"), {name, names})
-                           : words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2; did you mean %3?"),
+                           : words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2 (did you mean %3?)"),
                                    {name, names, like->name});
 }
 
@@ -67,7 +69,7 @@ public:
                  {std::pair{"least", &read.limit.lower}, {"greatest", &read.limit.upper}}) {
                 const std::string text = usual_option(field(row, column), false);
                 *end = number_with_unit(text, parameter->unit);
-                if (!text.empty() && !*end) {
+                if (!text.empty() && !(*end && std::isfinite(**end))) {
                     return invalid(row, column,
                                    words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {text}));
                 }
@@ -81,7 +83,7 @@ public:
                                words(VYBEG_MESSAGE("Words", "it is above the greatest value")));
             }
             const bool twice = std::ranges::any_of(limits_, [&read](const TypedLimit& each) {
-                return each.gyro_type == read.gyro_type &&
+                return lower_text(each.gyro_type) == lower_text(read.gyro_type) &&
                        each.limit.parameter == read.limit.parameter;
             });
             if (twice) {
@@ -156,7 +158,8 @@ std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits
     std::vector<ParameterLimit> of_type;
     for (const bool own : {true, false}) {
         for (const TypedLimit& each : limits) {
-            const bool fits = own ? !each.gyro_type.empty() && each.gyro_type == gyro_type
+            const bool fits = own ? !each.gyro_type.empty() &&
+                                        lower_text(each.gyro_type) == lower_text(gyro_type)
                                   : each.gyro_type.empty();
             if (fits && limit_of(of_type, each.limit.parameter.c_str()) == nullptr) {
                 of_type.push_back(each.limit);

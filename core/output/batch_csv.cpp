@@ -12,6 +12,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -159,7 +160,8 @@ bool is_batch_table(const std::filesystem::path& path) {
         std::ifstream file(path, std::ios::binary);
         return file.read(head.data(), std::ssize(head)) && head == begin;
     };
-    return begins("# vybeg-cli ") || begins(std::string(byte_order_mark) + "set;gyro;");
+    return (begins("# vybeg-cli ") && csv_has_name(path, "verdict")) ||
+           begins(std::string(byte_order_mark) + "set;gyro;");
 }
 
 std::string batch_head(std::span<const std::string> header,
@@ -218,7 +220,11 @@ std::string excel_row(const std::string& row, bool limits) {
                                "comment", "verdict", "operator", "failed_by"};
     for (std::size_t k = 0; k < std::min(fields.size(), names.size()); ++k) {
         const bool is_text = std::ranges::find(texts, names[k]) != texts.end();
-        if (!is_text && parse_number(fields[k])) {
+        // Conditions that differ are several numbers: "20.5;21.5".
+        const auto is_number = [](const auto& part) {
+            return parse_number(std::string(part.begin(), part.end())).has_value();
+        };
+        if (!is_text && std::ranges::all_of(std::views::split(fields[k], ';'), is_number)) {
             std::ranges::replace(fields[k], '.', ',');
         }
     }

@@ -145,7 +145,8 @@ private slots:
         QVERIFY(QFile::copy(path("b.wav"), path("folder/2.wav")));
         QVERIFY(QFile::copy(path("a.wav"), path("folder/1.wav")));
         QVERIFY(put(path("folder/notes.txt"), "no table\n"));
-        for (int again = 0; again < 2; ++again) {  // the table itself is no recording
+        QVERIFY(put(path("folder/earlier.csv.unfinished"), "vybeg rows\n"));
+        for (int again = 0; again < 2; ++again) {  // neither this table nor an earlier one counts
             QCOMPARE(run({"batch", "folder", "-o", "folder/out.csv", "--from", "0.1"}).status, 0);
             const QByteArray table = file("folder/out.csv");
             QCOMPARE(rows_of(table).size(), 3);
@@ -155,6 +156,7 @@ private slots:
             QCOMPARE(field_of(table, 2, "status"), QByteArray("3"));
             QVERIFY(table.contains("# folder: folder\n"));
             QVERIFY(table.contains("# from: 0.1\n"));
+            QVERIFY(put(path("folder/earlier.csv"), table));
         }
     }
 

@@ -158,17 +158,20 @@ public:
 
     // False if no relevant chunk can follow.
     bool take(const Chunk& chunk) {
-        if (chunk.id == "fmt ") {
+        // Names of other containers mean nothing here.
+        const bool is_aiff = container_ == Container::aiff;
+        const bool is_caf = container_ == Container::caf;
+        if (chunk.id == "fmt " && !is_aiff && !is_caf) {
             take_wav_format(chunk);
-        } else if (chunk.id == "ds64") {
+        } else if (chunk.id == "ds64" && container_ == Container::rf64) {
             long_data_size_ = load<std::int64_t>(chunk.payload + 8, false);
-        } else if (chunk.id == "COMM") {
+        } else if (chunk.id == "COMM" && is_aiff) {
             extent_.promised_frames = load<std::uint32_t>(chunk.payload + 2, true);
             extent_.rate_hz = extended(chunk.payload + 8);
             constexpr std::int64_t with_encoding = 22;  // of AIFF-C, perhaps of floats
             extent_.bits =
                 chunk.size < with_encoding ? load<std::uint16_t>(chunk.payload + 6, true) : 0;
-        } else if (chunk.id == "desc") {
+        } else if (chunk.id == "desc" && is_caf) {
             const auto bytes = load<std::uint32_t>(chunk.payload + 16, true);
             const auto frames = load<std::uint32_t>(chunk.payload + 20, true);
             frame_bytes_ = frames == 1 ? bytes : 0;

@@ -116,8 +116,9 @@ std::vector<std::string> header_fields(std::string_view line, char delimiter) {
     split_fields(is_comment(line, delimiter) ? without_comment_mark(line) : line, delimiter, parts);
     std::vector<std::string> fields;
     for (const std::string_view part : parts) {
+        // "S_C [V]", "t, ms" between blanks
         if (delimiter == ' ' && !fields.empty() &&
-            (part.starts_with('[') || part.starts_with('('))) {
+            (part.starts_with('[') || part.starts_with('(') || fields.back().ends_with(','))) {
             fields.back().append(" ").append(part);
         } else {
             fields.emplace_back(part);

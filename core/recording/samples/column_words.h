@@ -13,8 +13,8 @@ namespace vybeg {
 // The name and unit in one field of a header: "S_C [V]", "C (V)", "Time, s", "CH1 in V", "C/V".
 Channel name_and_unit(std::string_view field);
 
-// The fields of a line above the table. A name with its unit in brackets is one field even if
-// blanks separate fields: "S_C [V]".
+// The fields of a line above the table. A name with its unit in brackets or behind a comma is one
+// field even if blanks separate fields: "S_C [V]", "t, ms".
 std::vector<std::string> header_fields(std::string_view line, char delimiter);
 
 std::string_view without_comment_mark(std::string_view line);

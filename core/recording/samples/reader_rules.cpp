@@ -121,8 +121,8 @@ void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& rec
 
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options) {
-    constexpr double too_coarse = 0.01;  // of times in whole seconds
-    constexpr double most_hz = 1e9;      // what is above counts days, from 1900 or year 0
+    constexpr double too_coarse = 0.2;  // of times in whole seconds, for instance
+    constexpr double most_hz = 1e9;     // what is above counts days, from 1900 or year 0
     const bool is_told = own && own->hz > 0 && own->relative_sd < too_coarse &&
                          (own->from != RateOrigin::time_column || own->hz < most_hz);
     if (is_told) {

@@ -37,7 +37,7 @@ struct SampleRate {
     double relative_sd = 0;  // due to the number of digits in the file
 };
 
-// The rate of the file if it has one (> 0) known within 1 %, otherwise that of the option. Times
+// The rate of the file if it has one (> 0) known within 20 %, otherwise that of the option. Times
 // above 1 GHz are not in seconds. Errors: rate_unknown.
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options);

@@ -44,9 +44,6 @@ Status check_choice(const TextChoice& choice) {
         return invalid("--delimiter", std::string(1, *choice.delimiter),
                        "it is comma, semicolon, tab, space or bar");
     }
-    if (choice.delimiter == ',' && choice.decimal_comma.value_or(false)) {
-        return invalid("--delimiter", "comma", "the comma is the decimal sign");
-    }
     if (choice.lines_to_skip &&
         (*choice.lines_to_skip < 0 || *choice.lines_to_skip > most_skipped_lines)) {
         return invalid("--skip-lines", integer_text(*choice.lines_to_skip),

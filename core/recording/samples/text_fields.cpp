@@ -119,10 +119,10 @@ void split_fields(std::string_view line, char delimiter, std::vector<std::string
 }
 
 std::string usual_number(std::string_view field, bool groups) {
-    // A blank before three digits and no fourth, behind another digit; without a break, also of
-    // Windows-1251.
+    // A blank, or a point, before three digits and no fourth, behind another digit; without a
+    // break, also of Windows-1251.
     const auto group_blank = [](std::string_view rest) -> std::size_t {
-        for (const std::string_view blank : {" ", "\xC2\xA0", "\xE2\x80\xAF", "\xA0"}) {
+        for (const std::string_view blank : {" ", "\xC2\xA0", "\xE2\x80\xAF", "\xA0", "."}) {
             if (rest.starts_with(blank)) {
                 const std::string_view digits = rest.substr(blank.size());
                 const auto count = std::min(digits.find_first_not_of("0123456789"), digits.size());

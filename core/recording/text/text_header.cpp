@@ -78,6 +78,26 @@ std::string_view behind_colon(std::string_view field) {
     return trimmed(colon == std::string_view::npos ? field : field.substr(colon + 1));
 }
 
+// A line that is drawn between the names and the numbers.
+bool is_rule(std::string_view line) {
+    return line.find_first_not_of("-=_*+|~ \t") == std::string_view::npos;
+}
+
+// A field that can be nothing else than a name with its unit, or that of the time.
+bool is_clear_name(const std::string& field) {
+    const Channel named = name_and_unit(field);
+    return is_time_name(named.name) ||
+           (!named.name.empty() && (is_known_unit(named.unit) || seconds_per(named.unit)));
+}
+
+// "C(MV)" among capitals alone is in millivolts.
+Channel column_named(const std::string& field, std::string_view line) {
+    Channel column = name_and_unit(field);
+    const bool capitals = std::ranges::none_of(line, [](char c) { return c >= 'a' && c <= 'z'; });
+    column.unit = capitals && column.unit == "MV" ? "mV" : column.unit;
+    return column;
+}
+
 bool has_equals_sign(const std::string& field) {
     return field.find('=') != std::string::npos;
 }
@@ -116,19 +136,24 @@ public:
 
 private:
     // The fields of a line that has one for each column; nothing where it has not. What stands
-    // behind the last column is a remark or no name.
+    // behind the last column is a remark, or no name, or the name of a column without numbers.
     std::optional<std::vector<std::string>> row_of_names(const std::string& line) const {
-        std::vector<std::string> fields = header_fields(line, delimiter_);
+        return row_of_names(line, delimiter_);
+    }
+
+    std::optional<std::vector<std::string>> row_of_names(const std::string& line,
+                                                         char delimiter) const {
+        std::vector<std::string> fields = header_fields(line, delimiter);
         const std::size_t columns = header_.columns.size();
         const auto is_extra = [](const std::string& field) {
             return field.empty() || is_remark_name(field) || is_rate_key(field) ||
                    label_of(field) == "start" || has_equals_sign(field) ||
                    parse_field(field, false).has_value();
         };
-        if (fields.size() < named_ ||
-            (fields.size() > columns &&
-             !std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(columns), fields.end(),
-                          is_extra))) {
+        const auto behind =
+            fields.begin() + static_cast<std::ptrdiff_t>(std::min(columns, fields.size()));
+        if (fields.size() < named_ || (!std::all_of(behind, fields.end(), is_extra) &&
+                                       std::count_if(fields.begin(), behind, is_clear_name) < 2)) {
             return std::nullopt;
         }
         fields.resize(std::min(fields.size(), used_));
@@ -153,7 +178,8 @@ private:
 
     // "Source,CH1,Source,CH2": a name and a value for each channel, over its two columns.
     static bool is_pairs(const std::vector<std::string>& fields) {
-        return fields.size() >= 4 && !fields[0].empty() && fields[0] == fields[2];
+        return fields.size() >= 4 && !fields[0].empty() && fields[0] == fields[2] &&
+               !is_clear_name(fields[0]);
     }
 
     static bool is_clock(const std::string& field) { return parse_clock(field).has_value(); }
@@ -167,10 +193,10 @@ private:
     void find_last_lines() {
         for (std::size_t i = lines_.size(); i-- > names_from_;) {
             const std::string& line = lines_[i];
-            if (trimmed(line).empty()) {
+            if (is_rule(line)) {
                 continue;
             }
-            const auto fields = row_of_names(line);
+            const auto fields = names_in(line);
             if (fields && units_.empty() && is_unit_line(*fields)) {
                 ++header_.lines_used;
                 units_ = *fields;
@@ -181,18 +207,32 @@ private:
                 units_ = *fields;
                 continue;
             }
-            if (fields && is_setting(line)) {
+            if (fields && row_of_names(line) && is_setting(line)) {
                 continue;
             }
             if (fields) {
                 ++header_.lines_used;
                 header_.has_remarks = ends_with_remark(line);
                 for (std::size_t j = 0; j < fields->size(); ++j) {
-                    header_.columns[j] = name_and_unit((*fields)[j]);
+                    header_.columns[j] = column_named((*fields)[j], line);
                 }
             }
             return;
         }
+    }
+
+    // The same where the names have a separator of their own, and a unit each.
+    std::optional<std::vector<std::string>> names_in(const std::string& line) const {
+        auto fields = row_of_names(line);
+        for (const char delimiter : {';', ',', '\t'}) {
+            if (!fields && delimiter != delimiter_) {
+                auto other = row_of_names(line, delimiter);
+                if (other && other->size() == used_ && std::ranges::all_of(*other, is_clear_name)) {
+                    fields = std::move(other);
+                }
+            }
+        }
+        return fields;
     }
 
     bool ends_with_remark(const std::string& line) const {

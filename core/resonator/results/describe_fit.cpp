@@ -70,7 +70,8 @@ public:
                 unseen_directions(problem_, set.fit, set.posterior, std::max(1.0, ratio), job_);
         }
         set.context.order = mode_order(set);
-        // The channels of the free model are any two projections; only their drifts falsify it.
+        // The channels of the free model are any two projections; only their drifts falsify it. But
+        // the amplitudes and the angle of a wave are those of calibrated channels.
         ChannelTolerance tolerance = solved_.tolerance;
         if (solved_.model == ResonatorModel::free) {
             tolerance = {.kappa = 0,
@@ -80,6 +81,17 @@ public:
         set.moved = moved_by(problem_, set.posterior, tolerance);
         set.variances = reported_variances(set.posterior, set.context, beside, set.moved,
                                            scattered(set.posterior));
+        if (solved_.model == ResonatorModel::free) {
+            const ReportedVariances calibrated = reported_variances(
+                set.posterior, set.context, beside,
+                moved_by(problem_, set.posterior, solved_.tolerance), scattered(set.posterior));
+            for (Eigen::Index run = 0; run < std::ssize(solved_.runs); ++run) {
+                for (const int of : {a_A_of, a_B_of, two_theta_of}) {
+                    const Eigen::Index at = quantity_of_run(static_cast<std::size_t>(run), of);
+                    set.variances.shares.row(at) = calibrated.shares.row(at);
+                }
+            }
+        }
         fit_.motion = motion_of(solved_);
         add_estimates(set, solved_.runs, fit_);
         fit_.raw = raw_parameters(set, solved_.runs);

@@ -363,7 +363,7 @@ private slots:
 
     void options_take_the_answers_and_blanks_of_table_programs() {
         const MeasurementList read =
-            list("file;snap;filter\na.wav;да;2900, 3100\nb.wav;FALSE;2900,5; 3100\n");
+            list("file;snap;filter\na.wav;да;2900, 3100\nb.wav;FALSE;\"2900,5; 3100\"\n");
         QVERIFY(read.sets[0].settings.windows.snap);
         QVERIFY(!read.sets[1].settings.windows.snap);
         QCOMPARE(read.sets[0].settings.signal.filter->low_hz, 2900.0);

@@ -351,6 +351,37 @@ private slots:
         QVERIFY(fit.model == ResonatorModel::free);
         QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::free_model);
     }
+
+    // Any two projections have modes; the wave's amplitudes and angle are those of a calibrated pair.
+    void waves_of_the_free_model_hold_the_gain_ratio() {
+        FreeDecay decay = reference();
+        decay.split_hz = 0.5;
+        decay.theta_w = 0.2;
+        decay.a_B = 0.05;
+        FitOptions options;
+        options.model = FitOptions::Model::free;
+        for (const double kappa : {0.985, 0.993, 1.007, 1.015}) {
+            decay.kappa = kappa;
+            const ResonatorFit fit = fitted(set_of(decay, four_angles, 1000, 1), options);
+            QVERIFY(fit.model == ResonatorModel::free);
+            double most = 0;  // standard deviations by which the wave is off
+            for (std::size_t k = 0; k < fit.runs.size(); ++k) {
+                const RunEstimate& run = fit.runs[k];
+                const double two_theta = 2 * four_angles[k] * pi / 180;
+                for (const auto& [found, truth] : {std::pair(&run.a_A, decay.a_A),
+                                                   {&run.a_B, decay.a_B},
+                                                   {&run.two_theta_A_rad, two_theta}}) {
+                    const double off = std::remainder(found->value - truth, pi);
+                    VYBEG_LESS(std::abs(off), 3 * found->u);
+                    most = std::max(most, std::abs(off) / found->sd);
+                }
+            }
+            VYBEG_MORE(most, 50);
+            for (const ModeEstimate& mode : fit.modes) {
+                VYBEG_CLOSE_RATIO(mode.f_hz.u, mode.f_hz.sd, 0.01);
+            }
+        }
+    }
 };
 
 VYBEG_TEST(TestFitKappa, statistical, unsanitized)

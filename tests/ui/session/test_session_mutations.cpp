@@ -1,5 +1,5 @@
 // Damaged sessions in the window: refused by name with everything that is open kept, or opened and
-// as good as any other. 150 of them, or as many as VYBEG_MUTATIONS says.
+// as good as any other. 60 of them, or as many as VYBEG_MUTATIONS says.
 #include "tests/closeness.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/test_registry.h"
@@ -164,7 +164,7 @@ private slots:
     void a_damaged_session_is_refused_by_name_or_opened_whole() {
         bool given = false;
         const int wanted = qEnvironmentVariableIntValue("VYBEG_MUTATIONS", &given);
-        const int count = given ? wanted : 150;
+        const int count = given ? wanted : 60;
         int refused = 0;
         int opened = 0;
         QElapsedTimer timer;

@@ -25,6 +25,7 @@ private slots:
     void integers_of_more_than_32_bits_are_read_or_a_limit_data();
     void integers_of_more_than_32_bits_are_read_or_a_limit();
     void rates_with_a_fraction_and_open_ends_are_read();
+    void chunks_of_other_containers_mean_nothing();
     void a_scale_gives_the_samples_their_unit();
     void any_two_channels_can_be_c_and_d_in_any_order();
     void the_rate_of_the_file_wins_over_the_option();
@@ -214,6 +215,19 @@ void TestAudioReader::rates_with_a_fraction_and_open_ends_are_read() {
     const Recording open_flac = opened(folder.write("open.flac", flac));
     QCOMPARE(open_flac.frames(), 5000);
     QVERIFY(open_flac.diagnostics.empty());
+}
+
+void TestAudioReader::chunks_of_other_containers_mean_nothing() {
+    const Folder folder;
+    write_audio(folder.file("run.wav"), wave(50), SF_FORMAT_WAV | SF_FORMAT_PCM_16);
+    const std::string wav = bytes_of(folder.file("run.wav"));
+    const Samples expected = read_all(opened(folder.file("run.wav")));
+    for (const char* name : {"desc", "COMM", "ds64"}) {
+        std::string with = wav;
+        with.insert(wav.find("data"), name + std::string("\x18\0\0\0", 4) + std::string(24, '\0'));
+        with.replace(4, 4, store(static_cast<std::uint32_t>(with.size() - 8), false));
+        QCOMPARE(read_all(opened(folder.write("with.wav", with))).c, expected.c);
+    }
 }
 
 void TestAudioReader::a_scale_gives_the_samples_their_unit() {

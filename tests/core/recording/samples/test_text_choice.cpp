@@ -264,8 +264,6 @@ private slots:
         QTest::addColumn<QString>("setting");
         QTest::addColumn<OpenOptions>("options");
         QTest::newRow("delimiter") << "--delimiter" << said({.delimiter = 'x'});
-        QTest::newRow("comma and decimal comma")
-            << "--delimiter" << said({.delimiter = ',', .decimal_comma = true});
         QTest::newRow("below 0") << "--skip-lines" << said({.lines_to_skip = -1});
         QTest::newRow("too many") << "--skip-lines" << said({.lines_to_skip = 1'000'001});
         QTest::newRow("time column") << "--time-column" << said({.time_column = -1});

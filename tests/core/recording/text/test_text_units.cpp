@@ -85,6 +85,53 @@ private slots:
         QVERIFY(!find(recording, DiagnosticKind::time_unit_unknown));
     }
 
+    void names_beside_the_columns_are_still_theirs_data() {
+        QTest::addColumn<QByteArray>("header");
+        QTest::addColumn<QByteArray>("ends");
+        QTest::addColumn<QChar>("delimiter");
+        const auto row = [](const char* header, const char* ends, char delimiter) {
+            QTest::newRow(header) << QByteArray(header) << QByteArray(ends) << QChar(delimiter);
+        };
+        row("Время (мс);C (В);D (В);Примечание", ";", ';');
+        row("Time (ms),C (V),D (V),CH3 (V),CH4 (V)", ",,", ',');
+        row("t [ms],C [V],D [V]\n------------------", "", ',');
+        row("t [ms],C [V],D [V]\n\n======,======,======", "", ',');
+        row("  t, ms   C, V   D, V", "", ' ');
+        row("Время, мс;Канал1, В;Канал2, В", "", '\t');
+        row("TIME(MS);C(V);D(V);", ";", ';');
+    }
+    void names_beside_the_columns_are_still_theirs() {
+        QFETCH(QByteArray, header);
+        QFETCH(QByteArray, ends);
+        QFETCH(QChar, delimiter);
+        const Folder folder;
+        QByteArray text =
+            QByteArray::fromStdString(table("", 1e-3, 1, delimiter.toLatin1())).mid(1);
+        text.replace("\n", ends + "\n");
+        const Recording recording =
+            opened(folder.write("run.csv", (header + "\n" + text).toStdString()));
+        check_samples(recording);
+        QVERIFY(!recording.channels[0].unit.empty());
+    }
+
+    void two_exports_side_by_side_have_one_time() {
+        const Folder folder;
+        std::string text = "Time (ms),C (V),Time (ms),D (V)\n";
+        for (int i = 0; i < rows; ++i) {
+            const QByteArray time = QByteArray::number(1e3 * i / rate_hz, 'g', 17);
+            text += time + "," + QByteArray::number(1.5 * std::cos(1.0023 * i), 'g', 15) + "," +
+                    time + "," + QByteArray::number(0.8 * std::sin(1.0023 * i), 'g', 15) + "\n";
+        }
+        check_samples(opened(folder.write("run.csv", text)));
+    }
+
+    void capitals_alone_are_no_megavolts() {
+        const Folder folder;
+        const Recording recording =
+            opened(folder.write("run.csv", table("TIME(MS),C(V),D(MV)", 1e-3, 1e-3)));
+        check_samples(recording);
+    }
+
     void an_unknown_unit_of_time_is_named() {
         const Folder folder;
         const std::string text = table("Time (ticks),C (V),D (V)", 1, 1);
