@@ -84,6 +84,9 @@ NeededWindows SetFit::solve() {
             examine();
         }
     }
+    if (!agrees() && is_of_free_runs()) {
+        examination_ = agreeing_set(problem_, main_, options_.spread, job_);
+    }
     if (agrees()) {
         choose_model();
         if (model_ == ResonatorModel::free) {
@@ -274,19 +277,43 @@ void SetFit::polish_cubic() {
     }
 }
 
-void SetFit::choose_model() {
-    using Model = FitOptions::Model;
-    if (options_.model == Model::structured || effort_ == Effort::trial) {
-        return;
+bool SetFit::is_of_free_runs() const {
+    if (options_.model != FitOptions::Model::automatic || effort_ == Effort::trial ||
+        runs_.size() < 2) {
+        return false;
     }
+    const double dof = degrees_of_freedom(problem_);
     FitProblem free = problem_;
+    if (!(fit_freely(free).chi2 < noise_bound(dof) * dof)) {
+        return false;
+    }
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+        SetFit alone({runs_[k]}, fine_.subspan(k, 1), scale_, {}, options_, job_, Effort::whole);
+        alone.solve();
+        if (alone.model_ != ResonatorModel::free) {
+            return false;
+        }
+    }
+    return true;
+}
+
+MapFit SetFit::fit_freely(FitProblem& free) const {
     free.priors = free_priors(scaled_, problem_.layout);
     Eigen::VectorXd start = main_.p;
     for (const ChannelError& error : channel_errors) {
         start[error.parameter] = free.priors.mean[error.parameter];
     }
     start[cubic_at] = 0;
-    MapFit free_fit = fit_near_or_from_nothing(free, start);
+    return fit_near_or_from_nothing(free, start);
+}
+
+void SetFit::choose_model() {
+    using Model = FitOptions::Model;
+    if (options_.model == Model::structured || effort_ == Effort::trial) {
+        return;
+    }
+    FitProblem free = problem_;
+    MapFit free_fit = fit_freely(free);
     const StructuredVerdict verdict =
         test_structured(problem_, main_, free, free_fit, options_.tolerance, job_);
     free_over_structured_ = verdict.free_over_structured;

@@ -93,6 +93,13 @@ private:
     // The fit needs many steps, or a new start at still waves.
     void polish_cubic();
 
+    // Whether the free model explains the runs together, and each of them alone is none of a
+    // calibrated pair: then nothing of the structured model says that they do not belong together.
+    bool is_of_free_runs() const;
+
+    // Gives the problem the priors of the free model, and fits it.
+    MapFit fit_freely(FitProblem& free) const;
+
     void choose_model();
 
     // The free model has no cubic term, because |z|^2 of channels of unknown scale beats.

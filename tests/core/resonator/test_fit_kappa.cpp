@@ -352,7 +352,8 @@ private slots:
         QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::free_model);
     }
 
-    // Any two projections have modes; the wave's amplitudes and angle are those of a calibrated pair.
+    // Any two projections have modes; the wave's amplitudes and angle are those of a calibrated
+    // pair.
     void waves_of_the_free_model_hold_the_gain_ratio() {
         FreeDecay decay = reference();
         decay.split_hz = 0.5;
@@ -378,7 +379,7 @@ private slots:
             }
             VYBEG_MORE(most, 50);
             for (const ModeEstimate& mode : fit.modes) {
-                VYBEG_CLOSE_RATIO(mode.f_hz.u, mode.f_hz.sd, 0.01);
+                VYBEG_CLOSE_RATIO(mode.f_hz.uncertainty(), mode.f_hz.sd, 0.01);
             }
         }
     }
