@@ -1589,8 +1589,8 @@
         <translation>%1 не подходит к остальным записям набора: %2. Резонатор определён по остальным.</translation>
     </message>
     <message>
-        <source>The recordings do not fit one resonator, but without %1 the others do (%2). Modes and resonator are refused: correct or leave out a recording.</source>
-        <translation>Записи не подходят к одному резонатору, но без %1 остальные подходят (%2). Моды и резонатор не приводятся: исправьте или исключите запись.</translation>
+        <source>The recordings do not fit one resonator, but they do without %1 (%2). Modes and resonator are refused: correct or leave out a recording.</source>
+        <translation>Записи не подходят к одному резонатору, но подходят без %1 (%2). Моды и резонатор не приводятся: исправьте или исключите запись.</translation>
     </message>
     <message>
         <source>The recordings do not fit one resonator, and no single one of them makes the difference. Modes and resonator are refused: identify fewer recordings together.</source>

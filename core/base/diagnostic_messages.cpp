@@ -270,9 +270,9 @@ MessageRow message_row(DiagnosticKind kind) {
         case DiagnosticKind::foreign_among:
             return {"foreign-among", serious,
                     VYBEG_MESSAGE("Message",
-                                  "The recordings do not fit one resonator, but without %1 the "
-                                  "others do (%2). Modes and resonator are refused: correct or "
-                                  "leave out a recording.")};
+                                  "The recordings do not fit one resonator, but they do without %1 "
+                                  "(%2). Modes and resonator are refused: correct or leave out a "
+                                  "recording.")};
         case DiagnosticKind::set_inconsistent:
             return {"set-inconsistent", serious,
                     VYBEG_MESSAGE("Message",

@@ -165,7 +165,8 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     };
     const std::string c = name_of(options.channel_c);
     const std::string d = name_of(options.channel_d);
-    if (channel_letter(c) == 'd' && channel_letter(d) == 'c') {
+    const bool is_chosen = !options.variables.empty() || options.channel_c > options.channel_d;
+    if (!is_chosen && channel_letter(c) == 'd' && channel_letter(d) == 'c') {
         recording.diagnostics.push_back({DiagnosticKind::channels_crossed, {c, d}});
     }
     if (recording.source) {

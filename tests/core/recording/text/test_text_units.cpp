@@ -125,6 +125,17 @@ private slots:
         check_samples(opened(folder.write("run.csv", text)));
     }
 
+    void channels_that_are_named_the_other_way_round_are_told() {
+        const Folder folder;
+        const auto path = folder.write("run.csv", table("t (s);S_D (V);S_C (V)", 1, 1, ';'));
+        const Recording recording = opened(path);
+        QVERIFY(find(recording, DiagnosticKind::channels_crossed));
+        OpenOptions exchanged;
+        exchanged.channel_c = 2;
+        exchanged.channel_d = 1;
+        QVERIFY(!find(opened(path, exchanged), DiagnosticKind::channels_crossed));
+    }
+
     void capitals_alone_are_no_megavolts() {
         const Folder folder;
         const Recording recording =
