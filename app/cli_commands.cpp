@@ -110,20 +110,17 @@ void scale_amplitudes(Track& track, double factor) {
 
 Status fill_truth(OutputFile& file, TrackFormat format, const SimulateRequest& request,
                   double full_scale, bool fractions_of_full_scale, const JobControl& job) {
-    Result<Track> truth = true_track(request.decay, request.window);
-    if (!truth) {
-        return truth.error();
-    }
+    auto truth = TRY(true_track(request.decay, request.window));
     std::vector<std::string> header{program, "truth of a simulated decay"};
     for (const auto& [name, value] : decay_list(request.decay)) {
         header.push_back(name + ": " + value);
     }
     if (fractions_of_full_scale) {
         // The samples read back from PCM are fractions of full scale, and so is their truth.
-        scale_amplitudes(*truth, 1 / full_scale);
+        scale_amplitudes(truth, 1 / full_scale);
         header.push_back("amplitudes: fractions of the full scale " + round_trip_text(full_scale));
     }
-    return write_track(file, format, *truth, header, job);
+    return write_track(file, format, truth, header, job);
 }
 
 // Options that change nothing beside the others.

@@ -36,11 +36,8 @@ Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
     }
     log.warnings(list->warnings);
     if (!request.set.empty() || list->sets.size() > 1) {
-        Result<MeasurementSet> set = set_named(*list, "--set", request.set);
-        if (!set) {
-            return set.error();
-        }
-        list->sets = {std::move(*set)};
+        auto set = TRY(set_named(*list, "--set", request.set));
+        list->sets = {std::move(set)};
     }
     return list;
 }
@@ -82,11 +79,8 @@ Status open_into(const std::string& name, std::optional<OutputFile>& output,
     if (name.empty()) {
         return {};
     }
-    Result<OutputFile> file = open_output(name, job);
-    if (!file) {
-        return file.error();
-    }
-    output.emplace(std::move(*file));
+    auto file = TRY(open_output(name, job));
+    output.emplace(std::move(file));
     return {};
 }
 
@@ -109,13 +103,10 @@ Status open_into(const std::string& name, std::optional<ResultsDatabase>& databa
 // Before the files, as batch does: the same again replaces what a failure of them leaves. Warns of
 // another name that the database has for this result.
 Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
-    const Result<std::optional<StoredName>> holder = database.holder(result.key);
-    if (!holder) {
-        return holder.error();
-    }
+    const auto holder = TRY(database.holder(result.key));
     const StoredName own{result.set, result.gyro};
-    if (*holder && **holder != own) {
-        log.warnings(std::vector{same_recordings(own, **holder)});
+    if (holder && *holder != own) {
+        log.warnings(std::vector{same_recordings(own, *holder)});
     }
     const Result<std::int64_t> added = database.add(result);
     return added ? Status() : added.error();
@@ -127,9 +118,7 @@ Status write_outputs(Outputs& outputs, const std::string& result, const std::str
     for (const auto& [output, text] :
          {std::pair{&outputs.result, &result}, std::pair{&outputs.passport, &passport}}) {
         if (*output) {
-            if (const Status written = (*output)->write(*text); !written) {
-                return written;
-            }
+            TRY((*output)->write(*text));
             files.push_back(&**output);
         }
     }

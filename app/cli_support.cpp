@@ -22,9 +22,7 @@ JobControl silent_job(std::stop_token stop) {
 
 Status write_text(const std::string& text, const JobControl& job) {
     OutputFile output = OutputFile::onto(STDOUT_FILENO, "standard output", job);
-    if (const Status written = output.write(text); !written) {
-        return written;
-    }
+    TRY(output.write(text));
     return output.commit();
 }
 

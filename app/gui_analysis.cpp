@@ -40,12 +40,8 @@ Status check_request(const std::string& option, const std::string& output,
     for (const std::string& input : inputs) {
         paths.push_back({input, "it is one of the recordings"});
     }
-    if (Status possible = check_outputs({{option, output, ""}}, paths); !possible) {
-        return possible;
-    }
-    if (Status enough = check_threads(settings.threads); !enough) {
-        return enough;
-    }
+    TRY(check_outputs({{option, output, ""}}, paths));
+    TRY(check_threads(settings.threads));
     warn(without_effect(settings));
     return {};
 }
@@ -62,9 +58,7 @@ Result<Recording> open_warned(const std::string& input, const OpenOptions& optio
 Result<Analysis> analyse_warned(const Recording& recording, const Settings& settings,
                                 const JobControl& job) {
     Result<Analysis> analysis = analyse(recording, settings, job);
-    if (const Status still = unchanged(recording); !still) {
-        return still.error();
-    }
+    TRY(unchanged(recording));
     if (analysis) {
         warn(analysis->diagnostics);
     }

@@ -64,11 +64,8 @@ Result<MeasurementList> wanted_sets(const ReportRequest& request) {
     if (request.set.empty()) {
         return list;
     }
-    Result<MeasurementSet> named = set_named(*list, "--set", request.set);
-    if (!named) {
-        return named.error();
-    }
-    list->sets = {std::move(*named)};
+    auto named = TRY(set_named(*list, "--set", request.set));
+    list->sets = {std::move(named)};
     return list;
 }
 
@@ -98,13 +95,10 @@ QString program_text() {
 
 Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementList& list,
                               const JobControl& job) {
-    const Result<ui::ReportContent> content =
-        report_of_set(list.sets.front(), list.other_columns, request.settings, request.title, job);
-    if (!content) {
-        return content.error();
-    }
-    return ui::reportPdf(ui::reportTextOf(*content, program_text(), ui::reportDay()),
-                         ui::drawnFigures(*content));
+    const auto content = TRY(
+        report_of_set(list.sets.front(), list.other_columns, request.settings, request.title, job));
+    return ui::reportPdf(ui::reportTextOf(content, program_text(), ui::reportDay()),
+                         ui::drawnFigures(content));
 }
 
 // Set by set: only texts and figures stay in memory.

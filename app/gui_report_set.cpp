@@ -25,45 +25,29 @@ struct Analysed {
 
 Status add_recording(const ListedRecording& listed, const Settings& settings, const JobControl& job,
                      Analysed& all) {
-    Result<Recording> recording = open_warned(listed.path.string(), listed.open, job);
-    if (!recording) {
-        return recording.error();
-    }
-    const Result<std::string> hash = recording_sha256(*recording, job);
-    if (!hash) {
-        return hash.error();
-    }
-    Result<Analysis> analysis = analyse_warned(*recording, settings, job);
-    if (!analysis) {
-        return analysis.error();
-    }
-    Result<SampleFaults> faults = inspect(*recording, settings, job);
-    if (!faults) {
-        return faults.error();
-    }
-    ui::ReportRecording told = ui::reportRecording(*recording, QString::fromStdString(*hash));
-    told.check = std::move(faults->findings);
+    auto recording = TRY(open_warned(listed.path.string(), listed.open, job));
+    const auto hash = TRY(recording_sha256(recording, job));
+    auto analysis = TRY(analyse_warned(recording, settings, job));
+    auto faults = TRY(inspect(recording, settings, job));
+    ui::ReportRecording told = ui::reportRecording(recording, QString::fromStdString(hash));
+    told.check = std::move(faults.findings);
     const std::size_t index = all.recordings.size();
-    const TrackSummary means = analysis->means;
-    std::vector<Event> events = find_events(analysis->track);
+    const TrackSummary means = analysis.means;
+    std::vector<Event> events = find_events(analysis.track);
     all.content.analyses.push_back(
-        {shown_analysis(*recording, std::move(*analysis), static_cast<int>(index)), index, means,
+        {shown_analysis(recording, std::move(analysis), static_cast<int>(index)), index, means,
          std::move(events)});
     all.content.recordings.push_back(std::move(told));
-    all.recordings.push_back(std::move(*recording));
-    all.hashes.push_back(*hash);
+    all.recordings.push_back(std::move(recording));
+    all.hashes.push_back(hash);
     return {};
 }
 
 Status add_resonator(const IdentifySettings& settings, const JobControl& job, Analysed& all) {
-    if (Status distinct = check_distinct(all.recordings, all.hashes); !distinct) {
-        return distinct;
-    }
+    TRY(check_distinct(all.recordings, all.hashes));
     Result<Identification> found = identify(all.recordings, settings, job);
     for (const Recording& recording : all.recordings) {
-        if (Status still = unchanged(recording); !still) {
-            return still;
-        }
+        TRY(unchanged(recording));
     }
     if (!found) {
         if (found.error().code == ErrorCode::interrupted) {
@@ -90,23 +74,17 @@ Result<ui::ReportContent> report_of_set(const MeasurementSet& set,
                                         const std::vector<std::string>& other_columns,
                                         const Settings& track, const ui::ReportTitle& title,
                                         const JobControl& job) {
-    if (const Status alike = check_conditions(set); !alike) {
-        return alike.error();
-    }
+    TRY(check_conditions(set));
     Analysed all;
     for (std::size_t k = 0; k < set.recordings.size(); ++k) {
         Settings settings = track;
         static_cast<SignalSettings&>(settings) = set.settings.signal_of(k);
         settings.threads = set.settings.threads;
-        if (const Status added = add_recording(set.recordings[k], settings, job, all); !added) {
-            return added.error();
-        }
+        TRY(add_recording(set.recordings[k], settings, job, all));
         all.content.recordings.back().conditions =
             ui::conditionsText(set.recordings[k], other_columns);
     }
-    if (const Status identified = add_resonator(set.settings, job, all); !identified) {
-        return identified.error();
-    }
+    TRY(add_resonator(set.settings, job, all));
     all.content.units.angle = ui::AngleUnit::degrees;
     all.content.title = ui::titleOf(set, title);
     if (all.content.title.date.isEmpty()) {

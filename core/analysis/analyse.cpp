@@ -12,27 +12,14 @@ namespace vybeg {
 Result<AnalysisSummary> analyse(const Recording& recording, const Settings& settings,
                                 const TrackSink& sink, const JobControl& job,
                                 const BeforeWindows& before) {
-    if (const Status valid = validate(settings); !valid) {
-        return valid.error();
-    }
-    const Result<ConditionedRecording> prepared = prepare(recording, settings, job);
-    if (!prepared) {
-        return prepared.error();
-    }
-    const Result<WindowPlan> plan = plan_of(settings, *prepared, recording);
-    if (!plan) {
-        return plan.error();
-    }
-    AnalysisSummary analysis = summary_before(settings, *prepared, *plan, recording.rate_hz);
-    if (const Status begun = before ? before(*prepared, analysis) : Status(); !begun) {
-        return begun.error();
-    }
-    const Result<EstimationSummary> estimation = estimate_track(
-        *prepared, *plan, settings, recording.rate_hz, analysis.timing.threads, sink, job);
-    if (!estimation) {
-        return estimation.error();
-    }
-    add_estimation(*estimation, prepared->check->finish(), analysis);
+    TRY(validate(settings));
+    const auto prepared = TRY(prepare(recording, settings, job));
+    const auto plan = TRY(plan_of(settings, prepared, recording));
+    AnalysisSummary analysis = summary_before(settings, prepared, plan, recording.rate_hz);
+    TRY(before ? before(prepared, analysis) : Status());
+    const auto estimation = TRY(estimate_track(prepared, plan, settings, recording.rate_hz,
+                                               analysis.timing.threads, sink, job));
+    add_estimation(estimation, prepared.check->finish(), analysis);
     return analysis;
 }
 
@@ -43,12 +30,9 @@ Result<Analysis> analyse(const Recording& recording, const Settings& settings,
         track.append(rows);
         return Status{};
     };
-    Result<AnalysisSummary> summary = analyse(recording, settings, collect, job, before);
-    if (!summary) {
-        return summary.error();
-    }
-    set_flags(track.flags(), 0, summary->flagged);
-    return Analysis{std::move(*summary), std::move(track)};
+    auto summary = TRY(analyse(recording, settings, collect, job, before));
+    set_flags(track.flags(), 0, summary.flagged);
+    return Analysis{std::move(summary), std::move(track)};
 }
 
 }  // namespace vybeg

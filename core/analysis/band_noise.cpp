@@ -91,32 +91,29 @@ double frequency_response(double offset, double n) {
 
 Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std::int64_t end,
                              const Band& band, double rate_hz, const JobControl& job) {
-    auto segment = whole_segment(source, first, end, job);
-    if (!segment) {
-        return segment.error();
-    }
-    const std::size_t size = std::bit_floor(segment->size());
+    auto segment = TRY(whole_segment(source, first, end, job));
+    const std::size_t size = std::bit_floor(segment.size());
     if (size < 16) {
         return std::numeric_limits<double>::quiet_NaN();
     }
-    segment->resize(size);
+    segment.resize(size);
     double squares = 0;
     for (std::size_t j = 0; j < size; ++j) {
         const double weight =
             blackman_harris((static_cast<double>(j) + 0.5) / static_cast<double>(size));
-        (*segment)[j] *= weight;
+        segment[j] *= weight;
         squares += weight * weight;
     }
     Fft fft(size);
-    fft.forward(*segment);
+    fft.forward(segment);
     const double bins_per_hz = static_cast<double>(size) / rate_hz;
     const auto low = static_cast<std::size_t>(std::ceil(band.low_hz * bins_per_hz));
     const auto high = std::max(low, static_cast<std::size_t>(band.high_hz * bins_per_hz));
     std::vector<double> powers;
     for (std::size_t bin = low; bin <= high && bin < size / 2; ++bin) {
         // Both channels: the density of C + iD is the sum of theirs.
-        powers.push_back(std::norm((*segment)[bin]));
-        powers.push_back(std::norm((*segment)[size - bin]));
+        powers.push_back(std::norm(segment[bin]));
+        powers.push_back(std::norm(segment[size - bin]));
     }
     // The median of an exponential distribution is ln 2 of its mean.
     return std::sqrt(median(std::move(powers)) / (std::numbers::ln2 * 2 * squares));

@@ -81,9 +81,7 @@ Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t s
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, "", {}};
         }
-        if (const Status read = prepared.ahead->read(first + s * step, c, d); !read) {
-            return read.error();
-        }
+        TRY(prepared.ahead->read(first + s * step, c, d));
         bool whole = true;
         for (std::size_t j = 0; j < size; ++j) {
             whole = whole && std::isfinite(c[j]) && std::isfinite(d[j]);
@@ -242,9 +240,7 @@ Result<std::vector<double>> mains_of(const ConditionedRecording& prepared, doubl
         std::min(static_cast<double>(prepared.end - prepared.first), seconds * rate_hz));
     std::vector<double> c(count);
     std::vector<double> d(count);
-    if (const Status read = prepared.ahead->read(prepared.first, c, d); !read) {
-        return read.error();
-    }
+    TRY(prepared.ahead->read(prepared.first, c, d));
     std::vector<double> found;
     for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
         if (std::abs(line.f_hz - prepared.f0_hz) > 4 * lobe_hz && line.f_hz < prepared.f0_hz) {
@@ -269,13 +265,10 @@ Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
     const double lobe = rate_hz / static_cast<double>(window);
     const double far = std::min(settings.f0_hz ? 400.0 : 80.0, f0 / (settings.f0_hz ? 3 : 8));
     const Reach wide = within({f0 - far, f0 + far}, settings, rate_hz);
-    Result<Spectrum> spectrum = spectrum_of(prepared, size, wide, rate_hz, job);
-    if (!spectrum) {
-        return spectrum.error();
-    }
-    std::vector<Line> lines = lines_of(*spectrum);
+    auto spectrum = TRY(spectrum_of(prepared, size, wide, rate_hz, job));
+    std::vector<Line> lines = lines_of(spectrum);
     const std::optional<Line> carrier = strongest_near(lines, f0, lobe);
-    if (!carrier && settings.f0_hz && !spectrum->segments.empty()) {
+    if (!carrier && settings.f0_hz && !spectrum.segments.empty()) {
         return Error{ErrorCode::carrier_not_near, "", {number_arg(f0), number_arg(far, 3)}};
     }
     if (carrier) {
@@ -288,14 +281,11 @@ Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
                 found.highest_hz = std::max(found.highest_hz, line.f_hz);
             }
         }
-        find_noise(*spectrum, lines,
+        find_noise(spectrum, lines,
                    within({carrier->f_hz - near, carrier->f_hz + near}, settings, rate_hz), found);
     }
-    Result<std::vector<double>> mains = mains_of(prepared, lobe, rate_hz);
-    if (!mains) {
-        return mains.error();
-    }
-    found.mains_hz = std::move(*mains);
+    auto mains = TRY(mains_of(prepared, lobe, rate_hz));
+    found.mains_hz = std::move(mains);
     return found;
 }
 

@@ -53,15 +53,9 @@ struct Windows {
 // From one recording to its phasors.
 Result<Windows> windows_of(const Recording& recording, const SignalSettings& signal,
                            const PhasorWindowSettings& wished, int threads, const JobControl& job) {
-    const Result<WindowChoice> choice = choose_windows(recording, signal, wished, job.silent());
-    if (!choice) {
-        return choice.error();
-    }
-    Result<PhasorWindows> windows = phasor_windows(*choice, recording.rate_hz, threads, job);
-    if (!windows) {
-        return windows.error();
-    }
-    return Windows{std::move(*windows), choice->prepared.calibration, choice->prepared.carrier_s};
+    const auto choice = TRY(choose_windows(recording, signal, wished, job.silent()));
+    auto windows = TRY(phasor_windows(choice, recording.rate_hz, threads, job));
+    return Windows{std::move(windows), choice.prepared.calibration, choice.prepared.carrier_s};
 }
 
 // Tolerances of the channels: all, or those that the fit takes for its priors, which are the told
@@ -294,9 +288,7 @@ Status check_distinct(std::span<const Recording> recordings, std::span<const std
 
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job) {
-    if (const Status valid = validate(settings); !valid) {
-        return valid.error();
-    }
+    TRY(validate(settings));
     const int threads = threads_of(settings.threads);
     Identification found;
     found.settings = settings;

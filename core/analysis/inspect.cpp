@@ -42,11 +42,8 @@ Result<SampleFaults> inspect(const Recording& recording, const SignalSettings& s
     Result<SampleFaults> faults = check_recording(*recording.source, recording.rate_hz,
                                                   f0 ? std::optional(*f0) : std::nullopt, job);
     if (faults && f0) {
-        const Result<std::vector<Diagnostic>> verdicts = verdicts_on(recording, settings, job);
-        if (!verdicts) {
-            return verdicts.error();
-        }
-        std::ranges::copy(*verdicts, std::back_inserter(faults->findings));
+        const auto verdicts = TRY(verdicts_on(recording, settings, job));
+        std::ranges::copy(verdicts, std::back_inserter(faults->findings));
     }
     if (faults) {
         std::vector<Diagnostic> all = recording.diagnostics;

@@ -83,17 +83,12 @@ public:
         : path_(path), defaults_(defaults) {}
 
     Result<MeasurementList> read() {
-        Result<CsvRows> table = read_csv(path_, "file", column_name);
-        if (!table) {
-            return table.error();
-        }
-        table_ = std::move(*table);
+        auto table = TRY(read_csv(path_, "file", column_name));
+        table_ = std::move(table);
         for (const auto step :
              {&Reader::name_columns, &Reader::find_formulas, &Reader::make_numbers_usual,
               &Reader::group_sets, &Reader::read_sets}) {
-            if (const Status done = (this->*step)(); !done) {
-                return done.error();
-            }
+            TRY((this->*step)());
         }
         return std::move(list_);
     }
@@ -211,17 +206,12 @@ private:
 
     Status read_sets() {
         for (std::size_t k = 0; k < rows_.size(); ++k) {
-            if (Status shared = share_options(rows_[k]); !shared) {
-                return shared;
-            }
+            TRY(share_options(rows_[k]));
             std::vector<SignalSettings> signals;
             for (const CsvRow* row : rows_[k]) {
-                Result<IdentifySettings> settings = read_row(*row, list_.sets[k]);
-                if (!settings) {
-                    return settings.error();
-                }
-                signals.push_back(settings->signal);
-                list_.sets[k].settings = std::move(*settings);
+                auto settings = TRY(read_row(*row, list_.sets[k]));
+                signals.push_back(settings.signal);
+                list_.sets[k].settings = std::move(settings);
             }
             IdentifySettings& settings = list_.sets[k].settings;
             settings.signal = signals.front();

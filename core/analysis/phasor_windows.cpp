@@ -337,31 +337,28 @@ Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz,
     const auto& [prepared, plan, lines] = choice;
     const WindowMean mean(plan.length, 2 * std::numbers::pi * prepared.f0_hz / rate_hz,
                           in_turns(lines.mains_hz, rate_hz));
-    Result<Pass> pass = estimate_all(prepared, plan, mean, threads, job);
-    if (!pass) {
-        return pass.error();
-    }
+    auto pass = TRY(estimate_all(prepared, plan, mean, threads, job));
     PhasorWindows found;
     found.plan = plan;
-    found.read_s = pass->read_s;
-    found.estimate_s = pass->estimate_s;
+    found.read_s = pass.read_s;
+    found.estimate_s = pass.estimate_s;
     found.diagnostics = prepared.diagnostics;
     const SampleFaults faults = prepared.check->finish();
     add_findings(faults.findings, found.diagnostics);
     add_findings(prepared.check->offsets(), found.diagnostics);
     tell_of_lost_samples(faults.steps, found.diagnostics);
-    const bool any_sample = std::ranges::any_of(pass->estimates, counts);
-    leave_out(faults, plan, pass->estimates);
-    leave_out_strike(plan, rate_hz, prepared.filter_reach, pass->estimates, found.diagnostics);
+    const bool any_sample = std::ranges::any_of(pass.estimates, counts);
+    leave_out(faults, plan, pass.estimates);
+    leave_out_strike(plan, rate_hz, prepared.filter_reach, pass.estimates, found.diagnostics);
     Noise noise;
     noise.freedom = noise_freedom(mean, prepared, static_cast<double>(plan.length) / rate_hz);
-    noise.residual = median_power(pass->estimates, noise.freedom);
+    noise.residual = median_power(pass.estimates, noise.freedom);
     if (!std::isfinite(noise.residual)) {
         return any_sample ? nothing_left(faults) : Error{ErrorCode::no_valid_samples, "", {}};
     }
     noise.at_carrier = noise_at_carrier(noise.residual, lines, prepared);
     found.noise_sd = std::sqrt(noise.at_carrier);
-    found.run = collect(pass->estimates, prepared, plan, faults.steps, rate_hz, mean, noise);
+    found.run = collect(pass.estimates, prepared, plan, faults.steps, rate_hz, mean, noise);
     return found;
 }
 

@@ -103,12 +103,10 @@ Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::i
         const SampleFeed read = [&](std::int64_t at, std::span<double> c, std::span<double> d) {
             return source.read(first + at, c, d);
         };
-        const auto found = zoom_carrier(read, count, rate_hz, band->low_hz, band->high_hz, job);
-        if (!found) {
-            return found.error();
-        }
-        if (*found) {
-            return **found;
+        const auto found =
+            TRY(zoom_carrier(read, count, rate_hz, band->low_hz, band->high_hz, job));
+        if (found) {
+            return *found;
         }
     }
     const Result<Segment> segment = read_segment(source, first, end, job);
@@ -167,9 +165,7 @@ Status check_samples(const SampleSource& source, std::int64_t first, std::int64_
         const auto length = static_cast<std::size_t>(std::min(block, end - at));
         c.resize(length);
         d.resize(length);
-        if (Status read = source.read(at, c, d); !read) {
-            return read;
-        }
+        TRY(source.read(at, c, d));
         in_c = in_c || std::ranges::any_of(c, is_number);
         in_d = in_d || std::ranges::any_of(d, is_number);
     }
@@ -185,19 +181,12 @@ Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& 
                                                                const SignalSettings& settings,
                                                                std::vector<Diagnostic>& diagnostics,
                                                                const JobControl& job) {
-    const Result<double> f0 =
-        carrier_in(*recording.source, 0, recording.frames(), settings, recording.rate_hz, job);
-    if (!f0) {
-        return f0.error();
-    }
-    const Result<SampleFaults> faults =
-        find_faults(*recording.source, recording.rate_hz, *f0, job.silent());
-    if (!faults) {
-        return faults.error();
-    }
+    const auto f0 =
+        TRY(carrier_in(*recording.source, 0, recording.frames(), settings, recording.rate_hz, job));
+    const auto faults = TRY(find_faults(*recording.source, recording.rate_hz, f0, job.silent()));
     std::int64_t lost = 0;
     std::int64_t places = 0;
-    for (const PhaseStep& step : faults->steps) {
+    for (const PhaseStep& step : faults.steps) {
         if (step.lost > 0) {
             lost += step.lost;
             ++places;
@@ -207,7 +196,7 @@ Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& 
         diagnostics.push_back(
             {DiagnosticKind::gaps_inserted, {count_arg(lost), count_arg(places)}});
     }
-    return with_gaps(recording.source, faults->steps);
+    return with_gaps(recording.source, faults.steps);
 }
 
 // The source behind calibration and band-pass, whose gain is 1 at the carrier where that is known.
@@ -258,16 +247,13 @@ Result<ConditionedRecording> prepare(const Recording& recording, const SignalSet
         return named(some.error());
     }
     if (settings.calibration.offset_auto) {
-        const Result<Segment> segment = read_segment(*raw, prepared.first, prepared.end, job);
-        if (!segment) {
-            return segment.error();
-        }
-        const Result<double> f0 = carrier_of(*segment, settings, rate, job);
+        const auto segment = TRY(read_segment(*raw, prepared.first, prepared.end, job));
+        const Result<double> f0 = carrier_of(segment, settings, rate, job);
         if (!f0) {
             return named(f0.error());
         }
-        prepared.calibration.offset_c = mean_over_periods(segment->c, *f0, rate);
-        prepared.calibration.offset_d = mean_over_periods(segment->d, *f0, rate);
+        prepared.calibration.offset_c = mean_over_periods(segment.c, *f0, rate);
+        prepared.calibration.offset_d = mean_over_periods(segment.d, *f0, rate);
         prepared.calibration.offset_auto = false;
     }
     const auto conditioned = condition(raw, prepared.calibration, settings.filter, rate);

@@ -7,14 +7,9 @@ namespace vybeg {
 
 Result<double> find_recording_carrier(const Recording& recording, const SignalSettings& settings,
                                       const JobControl& job) {
-    if (const Status valid = validate(settings); !valid) {
-        return valid.error();
-    }
-    const Result<ConditionedRecording> prepared = prepare(recording, settings, job);
-    if (!prepared) {
-        return prepared.error();
-    }
-    return prepared->f0_hz;
+    TRY(validate(settings));
+    const auto prepared = TRY(prepare(recording, settings, job));
+    return prepared.f0_hz;
 }
 
 }  // namespace vybeg

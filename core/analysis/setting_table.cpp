@@ -52,12 +52,10 @@ SettingRow<S> offset_row(Access access) {
         if (calibration.offset_auto) {
             return {};
         }
-        const auto offsets = read_numbers("--offset", from, 2, "it is two numbers C,D or auto");
-        if (!offsets) {
-            return offsets.error();
-        }
-        calibration.offset_c = (*offsets)[0];
-        calibration.offset_d = (*offsets)[1];
+        const auto offsets =
+            TRY(read_numbers("--offset", from, 2, "it is two numbers C,D or auto"));
+        calibration.offset_c = offsets[0];
+        calibration.offset_d = offsets[1];
         return {};
     };
     row.text = [=](const S& settings) {
@@ -174,11 +172,8 @@ SettingRow<Settings> algorithm_row() {
 }
 
 Result<StartValues> read_initial(const std::string& from) {
-    const auto v = read_numbers("--initial", from, 5, "it must be five numbers with commas");
-    if (!v) {
-        return v.error();
-    }
-    return StartValues{{(*v)[0], (*v)[1], (*v)[2], (*v)[3]}, (*v)[4]};
+    const auto v = TRY(read_numbers("--initial", from, 5, "it must be five numbers with commas"));
+    return StartValues{{v[0], v[1], v[2], v[3]}, v[4]};
 }
 
 std::string initial_text(const StartValues& initial) {
@@ -202,9 +197,7 @@ SettingRow<Settings> initial_row() {
         const WaveState& state = initial.state;
         const std::array values{state.a_A, state.a_B, state.two_theta_A, state.alpha, initial.f_hz};
         for (std::size_t k = 0; k < values.size(); ++k) {
-            if (Status valid = within(bounds[k], "--initial", values[k]); !valid) {
-                return valid;
-            }
+            TRY(within(bounds[k], "--initial", values[k]));
         }
         return {};
     };
@@ -230,7 +223,8 @@ SettingRow<IdentifySettings> tolerance_row() {
         {"tolerance", "NAME=X[,NAME=X]",
          "How well the channels are known, standard deviations: kappa (relative), skew (deg), "
          "delay (s), crosstalk (relative), phase-drift (rad over a run), gain-drift (relative, "
-         "over a run); rate (ppm), the recorder's clock; and spread (relative), by which recordings of one "
+         "over a run); rate (ppm), the recorder's clock; and spread (relative), by which "
+         "recordings of one "
          "set may differ. 0 is exact; where none is told, u "
          "assumes " +
              tolerance_text(assumed()) + ". Units may follow, as in skew=0.1deg,delay=10ns"},
@@ -298,9 +292,7 @@ Rows<IdentifySettings> rows_of_identification() {
 template <class S>
 Status first_fault(const Rows<S>& rows, const S& settings) {
     for (const SettingRow<S>& row : rows) {
-        if (Status valid = row.check(settings); !valid) {
-            return valid;
-        }
+        TRY(row.check(settings));
     }
     return {};
 }
@@ -359,9 +351,7 @@ Status validate(const Settings& settings) {
 
 Status validate(const IdentifySettings& settings) {
     for (const SignalSettings& signal : settings.of_recordings) {
-        if (Status valid = validate(signal); !valid) {
-            return valid;
-        }
+        TRY(validate(signal));
     }
     return first_fault(identify_settings(), settings);
 }

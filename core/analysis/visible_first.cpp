@@ -73,9 +73,7 @@ public:
                 if (places > fewest_spread && job_.now() - begun > spread_s / 2) {
                     return {};
                 }
-                if (const Status made = estimate({window, window + 1}, 1); !made) {
-                    return made;
-                }
+                TRY(estimate({window, window + 1}, 1));
             }
         }
         return {};
@@ -131,24 +129,18 @@ Status show_early(const ConditionedRecording& prepared, const AnalysisSummary& w
                   const JobControl& job) {
     const WindowPlan& plan = whole.plan;
     EarlyWindows windows(prepared.past_check(), whole, rate_hz, job);
-    if (const Status made = windows.spread({0, plan.count}); !made) {
-        return made;
-    }
+    TRY(windows.spread({0, plan.count}));
     const WindowRange shown = visible_windows(plan, visible, rate_hz);
     const bool is_part = shown.count() > 0 && 2 * shown.count() <= plan.count;
     const bool is_quick = about_s(shown.count(), plan, whole.settings.algorithm) < at_once_s;
     if (is_part && !is_quick) {
-        if (const Status made = windows.spread(shown); !made) {
-            return made;
-        }
+        TRY(windows.spread(shown));
     }
     if (!is_part || !is_quick) {
         early(windows.analysis());
     }
     if (is_part) {
-        if (const Status made = windows.fill(shown); !made) {
-            return made;
-        }
+        TRY(windows.fill(shown));
         early(windows.analysis());
     }
     return {};

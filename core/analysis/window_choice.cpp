@@ -89,42 +89,33 @@ Result<WindowChoice> choose_windows(const Recording& recording, const SignalSett
     if (!prepared) {
         return prepared.error();
     }
-    const Result<Length> wish = wished_length(wished, *prepared, rate);
-    if (!wish) {
-        return wish.error();
-    }
+    const auto wish = TRY(wished_length(wished, *prepared, rate));
     const double begun = job.now();
-    Result<CarrierLines> lines = carrier_lines(*prepared, settings, wish->samples, rate, job);
-    if (!lines) {
-        return lines.error();
-    }
+    auto lines = TRY(carrier_lines(*prepared, settings, wish.samples, rate, job));
     prepared->carrier_s += job.now() - begun;
     const double given = prepared->f0_hz;
-    const double turn = farthest(*lines, given) * static_cast<double>(wish->samples) / rate;
+    const double turn = farthest(lines, given) * static_cast<double>(wish.samples) / rate;
     if (turn > most_turn) {
-        prepared = prepared_at((lines->lowest_hz + lines->highest_hz) / 2, *prepared, recording,
+        prepared = prepared_at((lines.lowest_hz + lines.highest_hz) / 2, *prepared, recording,
                                settings, job);
         if (!prepared) {
             return prepared.error();
         }
     }
-    Result<std::int64_t> length = slow_enough(*wish, *lines, prepared->f0_hz, rate);
+    Result<std::int64_t> length = slow_enough(wish, lines, prepared->f0_hz, rate);
     if (!length) {
         return length.error();
     }
     if (wished.snap) {
         length = snap_window(*length, prepared->f0_hz, rate);
     }
-    const double lobe_hz = rate / static_cast<double>(wish->samples);
-    if (settings.f0_hz && std::abs(lines->strongest_hz - given) > lobe_hz) {
+    const double lobe_hz = rate / static_cast<double>(wish.samples);
+    if (settings.f0_hz && std::abs(lines.strongest_hz - given) > lobe_hz) {
         prepared->diagnostics.push_back({DiagnosticKind::carrier_elsewhere,
-                                         {number_arg(given), number_arg(lines->strongest_hz)}});
+                                         {number_arg(given), number_arg(lines.strongest_hz)}});
     }
-    const auto start = start_findings(*recording.source, rate, prepared->f0_hz);
-    if (!start) {
-        return start.error();
-    }
-    add_findings(*start, prepared->diagnostics);
+    const auto start = TRY(start_findings(*recording.source, rate, prepared->f0_hz));
+    add_findings(start, prepared->diagnostics);
     WindowChoice choice;
     choice.plan = plan_windows(prepared->first, prepared->end, *length, *length);
     if (choice.plan.count == 0) {
@@ -133,7 +124,7 @@ Result<WindowChoice> choose_windows(const Recording& recording, const SignalSett
                      {count_arg(*length), count_arg(prepared->end - prepared->first)}};
     }
     choice.prepared = std::move(*prepared);
-    choice.lines = std::move(*lines);
+    choice.lines = std::move(lines);
     return choice;
 }
 

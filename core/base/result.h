@@ -45,4 +45,21 @@ private:
     bool ok_ = true;
 };
 
+template <class T>
+T taken(Result<T>&& result) {
+    return std::move(*result);
+}
+inline void taken(Status&&) {}
+
 }  // namespace vybeg
+
+// The value of a result, or nothing of a status; where there is an error, the function returns it.
+// A statement of its own, or an initialiser: GCC keeps temporaries of a larger expression alive.
+#define TRY(...)                               \
+    __extension__({                            \
+        auto try_result = (__VA_ARGS__);       \
+        if (!try_result) {                     \
+            return try_result.error();         \
+        }                                      \
+        ::vybeg::taken(std::move(try_result)); \
+    })

@@ -80,11 +80,8 @@ SettingRow<S> value_row(SettingRow<S> row, Access access, Read read, Text text, 
                 return {};
             }
         }
-        const Result<T> value = read(from);
-        if (!value) {
-            return value.error();
-        }
-        access(settings) = *value;
+        const auto value = TRY(read(from));
+        access(settings) = value;
         return {};
     };
     row.text = [=](const S& settings) -> std::string {
@@ -133,15 +130,12 @@ SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& uns
     using Field = std::remove_reference_t<std::invoke_result_t<Access, S&>>;
     row.bounds = {bounds};
     row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
-        const Result<std::int64_t> value = from == unset ? 0 : read_whole(option, from);
-        if (!value) {
-            return value.error();
-        }
-        const auto number = static_cast<double>(*value);
+        const auto value = TRY(from == unset ? 0 : read_whole(option, from));
+        const auto number = static_cast<double>(value);
         if (from != unset && !(number >= 1 && number <= bounds.most)) {
             return refused_value(option, from, bounds.allowed);
         }
-        access(settings) = static_cast<Field>(*value);
+        access(settings) = static_cast<Field>(value);
         return {};
     };
     row.text = [=](const S& settings) {

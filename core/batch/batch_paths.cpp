@@ -107,11 +107,8 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
                             words(VYBEG_MESSAGE("Words", "it must be a file")));
     }
     const MessageArg by_table = words(VYBEG_MESSAGE("Words", "the table goes there already"));
-    if (Status possible = check_outputs(
-            {{"-o", request.output, by_table}, {"--database", request.database, ""}}, inputs);
-        !possible) {
-        return possible;
-    }
+    TRY(check_outputs({{"-o", request.output, by_table}, {"--database", request.database, ""}},
+                      inputs));
     if (!request.database.empty()) {
         if (same_file(request.database, journal_of(request.output)) ||
             same_file(rollback_of(request.database), request.output)) {

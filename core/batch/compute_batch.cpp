@@ -37,11 +37,8 @@ Result<MeasurementList> chosen_list(const BatchRequest& request, const BatchEven
         events.warned(list->warnings);
     }
     if (!request.only.empty()) {
-        Result<MeasurementSet> set = set_named(*list, "--only", request.only);
-        if (!set) {
-            return set.error();
-        }
-        list->sets = {std::move(*set)};
+        auto set = TRY(set_named(*list, "--only", request.only));
+        list->sets = {std::move(set)};
     }
     return list;
 }
@@ -50,11 +47,8 @@ Result<MeasurementList> chosen_list(const BatchRequest& request, const BatchEven
 Status set_keys(const BatchRequest& request, const std::string& database,
                 std::vector<SetTask>& tasks) {
     for (SetTask& task : tasks) {
-        Result<std::string> key = row_key(request, task, database);
-        if (!key) {
-            return key.error();
-        }
-        task.key = std::move(*key);
+        auto key = TRY(row_key(request, task, database));
+        task.key = std::move(key);
     }
     return {};
 }
@@ -71,17 +65,11 @@ Status open_database(const BatchRequest& request, const BatchEvents& events, con
             events.warned({waiting});
         }
     };
-    Result<ResultsDatabase> opened = ResultsDatabase::open(
-        request.database, ResultsDatabase::Access::write, job, patience_s, waits);
-    if (!opened) {
-        return opened.error();
-    }
-    Result<std::string> own = opened->identity();
-    if (!own) {
-        return own.error();
-    }
-    identity = std::move(*own);
-    database.emplace(std::move(*opened));
+    auto opened = TRY(ResultsDatabase::open(request.database, ResultsDatabase::Access::write, job,
+                                            patience_s, waits));
+    auto own = TRY(opened.identity());
+    identity = std::move(own);
+    database.emplace(std::move(opened));
     return {};
 }
 
@@ -92,11 +80,8 @@ Result<std::vector<std::string>> header_of(const BatchRequest& request, const Jo
     std::vector<std::string> lines{request.program,
                                    (folder ? "folder: " : "list: ") + name.string()};
     if (!folder) {
-        const Result<std::string> sha256 = file_sha256(request.list, job);
-        if (!sha256) {
-            return sha256.error();
-        }
-        lines.push_back("sha256: " + *sha256);
+        const auto sha256 = TRY(file_sha256(request.list, job));
+        lines.push_back("sha256: " + sha256);
     }
     if (request.open.rate_hz) {
         lines.push_back("rate: " + round_trip_text(*request.open.rate_hz));
@@ -116,12 +101,9 @@ Result<std::vector<std::string>> header_of(const BatchRequest& request, const Jo
         lines.push_back("limit: " + practical_limits_text(request.compare.limits));
     }
     if (!request.limits.empty()) {
-        const Result<std::string> sha256 = file_sha256(request.limits, job);
-        if (!sha256) {
-            return sha256.error();
-        }
+        const auto sha256 = TRY(file_sha256(request.limits, job));
         lines.push_back("limits: " + fs::path(request.limits).filename().string() +
-                        ", sha256: " + *sha256);
+                        ", sha256: " + sha256);
     }
     return lines;
 }
@@ -131,12 +113,9 @@ Status tell_kept_rows(const std::vector<SetTask>& tasks, const RowJournal& journ
                       const BatchEvents& events) {
     for (std::size_t k = 0; k < tasks.size() && events.finished; ++k) {
         if (journal.has(tasks[k].key)) {
-            const Result<std::string> row = journal.row(tasks[k].key);
-            if (!row) {
-                return row.error();
-            }
+            const auto row = TRY(journal.row(tasks[k].key));
             events.finished(
-                {.set = k, .text = *row, .kept = true, .warnings = {}, .error = {}, .timing = {}});
+                {.set = k, .text = row, .kept = true, .warnings = {}, .error = {}, .timing = {}});
         }
     }
     return {};
@@ -159,16 +138,13 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
         if (!written) {
             return written;
         }
-        const Result<std::string> row = journal.row(task.key);
-        if (!row) {
-            return row.error();
-        }
+        const auto row = TRY(journal.row(task.key));
         if (limits) {
-            const std::string field = csv_fields(*row).at(static_cast<std::size_t>(passed));
+            const std::string field = csv_fields(row).at(static_cast<std::size_t>(passed));
             counts.failed += field == passed_text(Conformity::outside) ? 1 : 0;
             counts.undecided += field == passed_text(Conformity::unknown) ? 1 : 0;
         }
-        written = output.write((request.excel ? excel_row(*row, limits) : *row) + "\n");
+        written = output.write((request.excel ? excel_row(row, limits) : row) + "\n");
     }
     return written ? output.commit() : written;
 }
@@ -196,27 +172,18 @@ public:
         : request_(request), events_(events), stop_(std::move(stop)), job_(stop_) {}
 
     Status compute() {
-        if (Status valid = check_request(); !valid) {
-            return valid;
-        }
+        TRY(check_request());
         if (request_.watch) {
             return watch();
         }
-        const Result<MeasurementList> list = chosen_list(request_, events_);
-        if (!list) {
-            return list.error();
-        }
-        return compute(*list);
+        const auto list = TRY(chosen_list(request_, events_));
+        return compute(list);
     }
 
 private:
     Status check_request() {
-        if (Status valid = validate(request_.settings); !valid) {
-            return valid;
-        }
-        if (Status valid = check_options(request_.open); !valid) {
-            return valid;
-        }
+        TRY(validate(request_.settings));
+        TRY(check_options(request_.open));
         for (const std::string& folder :
              {request_.passports, request_.watch ? request_.list : std::string()}) {
             if (!folder.empty() && !is_folder(folder)) {
@@ -227,11 +194,8 @@ private:
             return refused_value("-o", request_.output, "--watch needs a file");
         }
         if (!request_.limits.empty()) {
-            Result<std::vector<TypedLimit>> read = read_limits(request_.limits);
-            if (!read) {
-                return read.error();
-            }
-            limits_ = std::move(*read);
+            auto read = TRY(read_limits(request_.limits));
+            limits_ = std::move(read);
         }
         return {};
     }
@@ -242,18 +206,15 @@ private:
         std::optional<Error> told;
         std::int64_t sets = 0;
         while (!stop_.stop_requested()) {
-            const Result<MeasurementList> list = folder.look();
-            if (!list) {
-                return list.error();
-            }
+            const auto list = TRY(folder.look());
             if (folder.fault() != told) {
                 told = folder.fault();
                 if (told && events_.failed) {
                     events_.failed(*told);
                 }
             }
-            sets = std::ssize(list->sets);
-            Status done = list->sets.empty() ? Status() : compute(*list);
+            sets = std::ssize(list.sets);
+            Status done = list.sets.empty() ? Status() : compute(list);
             if (!done) {
                 return done;
             }
@@ -286,12 +247,9 @@ private:
                 return possible;
             }
         }
-        Result<OutputFile> output = open_output(request_.output, job_);
-        if (!output) {
-            return output.error();
-        }
+        auto output = TRY(open_output(request_.output, job_));
         if (!journal_) {
-            if (possible = open_files(*output); !possible) {
+            if (possible = open_files(output); !possible) {
                 return possible;
             }
             if (possible = set_keys(request_, identity_, *tasks); !possible) {
@@ -302,25 +260,18 @@ private:
         if (events_.begun) {
             events_.begun(list);
         }
-        if (Status told = tell_kept_rows(*tasks, *journal_, events_); !told) {
-            return told;
-        }
-        return compute_rows(list, *tasks, *header, *output);
+        TRY(tell_kept_rows(*tasks, *journal_, events_));
+        return compute_rows(list, *tasks, *header, output);
     }
 
     Status open_files(const OutputFile& output) {
         if (request_.resume && !output.seekable()) {
             return refused_value("-o", request_.output, "--resume needs a file");
         }
-        if (Status opened = open_database(request_, events_, job_, database_, identity_); !opened) {
-            return opened;
-        }
-        Result<RowJournal> journal =
-            RowJournal::open(output.seekable() ? journal_of(request_.output) : "", request_.resume);
-        if (!journal) {
-            return journal.error();
-        }
-        journal_.emplace(std::move(*journal));
+        TRY(open_database(request_, events_, job_, database_, identity_));
+        auto journal = TRY(RowJournal::open(output.seekable() ? journal_of(request_.output) : "",
+                                            request_.resume));
+        journal_.emplace(std::move(journal));
         if (events_.warned && journal_->found() > 0) {
             events_.warned({{DiagnosticKind::earlier_rows,
                              {journal_of(request_.output),
@@ -342,13 +293,9 @@ private:
 
     Status compute_rows(const MeasurementList& list, const std::vector<SetTask>& tasks,
                         const std::vector<std::string>& header, OutputFile& output) {
-        const Result<std::int64_t> last_id =
-            database_ ? database_->last_id() : Result<std::int64_t>(0);
-        if (!last_id) {
-            return last_id.error();
-        }
+        const auto last_id = TRY(database_ ? database_->last_id() : Result<std::int64_t>(0));
         SetWork work({request_, tasks, list.other_columns, *journal_,
-                      database_ ? &*database_ : nullptr, *last_id},
+                      database_ ? &*database_ : nullptr, last_id},
                      events_, stop_);
         Status done = work.run();
         LimitCounts counts;

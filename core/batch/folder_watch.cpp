@@ -15,17 +15,14 @@
 namespace vybeg {
 
 Result<MeasurementList> FolderWatch::look() {
-    Result<MeasurementList> files = wanted_list(request_);
-    if (!files) {
-        return files.error();
-    }
+    auto files = TRY(wanted_list(request_));
     fault_.reset();
     MeasurementList come;
     std::set<std::filesystem::path> listed;
     std::optional<std::filesystem::path> list_path;
     std::vector<MeasurementSet> single;
     bool list_in_writing = false;
-    for (MeasurementSet& file : files->sets) {
+    for (MeasurementSet& file : files.sets) {
         const std::filesystem::path& path = file.recordings.front().path;
         const bool settled = is_settled(path);
         const bool is_list = is_measurement_list(path);

@@ -37,9 +37,10 @@ MessageArg no_parameter(std::span<const ResonatorParameter> parameters, const st
         names += (names.empty() ? "" : ", ") + std::string(parameter.name);
     }
     const ResonatorParameter* const like = parameter_named(parameters, name, names_resemble);
-    return like == nullptr ? words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2"), {name, names})
-                           : words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2 (did you mean %3?)"),
-                                   {name, names, like->name});
+    return like == nullptr
+               ? words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2"), {name, names})
+               : words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2 (did you mean %3?)"),
+                       {name, names, like->name});
 }
 
 // A column of the table in other letters or in Russian.
@@ -55,9 +56,7 @@ public:
         : path_(path), table_(std::move(table)), parameters_(limited_parameters()) {}
 
     Result<std::vector<TypedLimit>> read() {
-        if (const Status known = check_columns(); !known) {
-            return known.error();
-        }
+        TRY(check_columns());
         for (const CsvRow& row : table_.rows) {
             const std::string name = field(row, "parameter");
             const ResonatorParameter* const parameter = parameter_named(parameters_, name);
@@ -146,11 +145,8 @@ private:
 }  // namespace
 
 Result<std::vector<TypedLimit>> read_limits(const std::filesystem::path& path) {
-    Result<CsvRows> table = read_csv(path, "parameter", column_name);
-    if (!table) {
-        return table.error();
-    }
-    return Reader(path, std::move(*table)).read();
+    auto table = TRY(read_csv(path, "parameter", column_name));
+    return Reader(path, std::move(table)).read();
 }
 
 std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits,
@@ -158,9 +154,9 @@ std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits
     std::vector<ParameterLimit> of_type;
     for (const bool own : {true, false}) {
         for (const TypedLimit& each : limits) {
-            const bool fits = own ? !each.gyro_type.empty() &&
-                                        lower_text(each.gyro_type) == lower_text(gyro_type)
-                                  : each.gyro_type.empty();
+            const bool fits =
+                own ? !each.gyro_type.empty() && lower_text(each.gyro_type) == lower_text(gyro_type)
+                    : each.gyro_type.empty();
             if (fits && limit_of(of_type, each.limit.parameter.c_str()) == nullptr) {
                 of_type.push_back(each.limit);
             }

@@ -14,16 +14,10 @@ namespace vybeg {
 namespace {
 
 Status open_passport(const std::string& path, OpenSet& open, const JobControl& job) {
-    Result<Passport> passport = read_passport_file(path);
-    if (!passport) {
-        return passport.error();
-    }
-    const Result<std::string> sha256 = file_sha256(path, job);
-    if (!sha256) {
-        return sha256.error();
-    }
-    open.passport = std::move(*passport);
-    open.comparison = PassportComparison{path, *sha256, open.passport->program, {}};
+    auto passport = TRY(read_passport_file(path));
+    const auto sha256 = TRY(file_sha256(path, job));
+    open.passport = std::move(passport);
+    open.comparison = PassportComparison{path, sha256, open.passport->program, {}};
     return {};
 }
 
@@ -36,20 +30,15 @@ Result<std::vector<std::string>> hashes_of(const std::vector<Recording>& recordi
     }
     std::vector<std::string> hashes;
     for (; !beside.empty(); beside.pop_front()) {
-        Result<std::string> sha256 = beside.front().get();
-        if (!sha256) {
-            return sha256.error();
-        }
-        hashes.push_back(std::move(*sha256));
+        auto sha256 = TRY(beside.front().get());
+        hashes.push_back(std::move(sha256));
     }
     return hashes;
 }
 
 Status all_unchanged(const std::vector<Recording>& recordings) {
     for (const Recording& recording : recordings) {
-        if (Status still = unchanged(recording); !still) {
-            return still;
-        }
+        TRY(unchanged(recording));
     }
     return {};
 }
@@ -59,42 +48,28 @@ Status all_unchanged(const std::vector<Recording>& recordings) {
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop) {
     OpenSet open;
-    if (const Status alike = check_conditions(set); !alike) {
-        return alike.error();
-    }
+    TRY(check_conditions(set));
     if (!passport.empty()) {
-        if (const Status read = open_passport(passport, open, JobControl(stop)); !read) {
-            return read.error();
-        }
+        TRY(open_passport(passport, open, JobControl(stop)));
     }
     for (const ListedRecording& listed : set.recordings) {
-        Result<Recording> recording = open_recording(listed.path, listed.open, JobControl(stop));
-        if (!recording) {
-            return recording.error();
-        }
-        open.recordings.push_back(std::move(*recording));
+        auto recording = TRY(open_recording(listed.path, listed.open, JobControl(stop)));
+        open.recordings.push_back(std::move(recording));
     }
-    const auto hashes = hashes_of(open.recordings, set.settings.threads, stop);
-    if (!hashes) {
-        return hashes.error();
-    }
+    const auto hashes = TRY(hashes_of(open.recordings, set.settings.threads, stop));
     for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         const Recording& recording = open.recordings[k];
-        open.told.push_back({recording.path.filename().string(), (*hashes)[k], recording.start,
+        open.told.push_back({recording.path.filename().string(), hashes[k], recording.start,
                              recording.seconds(), recording.rate_hz, 0});
     }
-    if (const Status distinct = check_distinct(open.recordings, *hashes); !distinct) {
-        return distinct.error();
-    }
+    TRY(check_distinct(open.recordings, hashes));
     return open;
 }
 
 Result<IdentifiedSet> identify_set(OpenSet& open, const MeasurementSet& set,
                                    const CompareOptions& compare, const JobControl& job) {
     Result<Identification> found = identify(open.recordings, set.settings, job);
-    if (const Status still = all_unchanged(open.recordings); !still) {
-        return still.error();
-    }
+    TRY(all_unchanged(open.recordings));
     if (!found) {
         return found.error();
     }

@@ -159,31 +159,22 @@ Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const OpenSe
     if (batch_.database == nullptr) {
         return warnings;
     }
-    const Result<StoredResult> stored = stored_result(batch_.request.program, *task.set,
-                                                      batch_.other_columns, open.told, found, json);
-    if (!stored) {
-        return stored.error();
-    }
+    const auto stored = TRY(stored_result(batch_.request.program, *task.set, batch_.other_columns,
+                                          open.told, found, json));
     const std::lock_guard lock(database_mutex_);
-    const Result<std::optional<StoredName>> holder = batch_.database->holder(stored->key);
-    if (!holder) {
-        return holder.error();
-    }
+    const auto holder = TRY(batch_.database->holder(stored.key));
     // Of two sets of the list the later one counts, whichever is computed first.
-    const SetTask*& last = stored_[stored->key];
+    const SetTask*& last = stored_[stored.key];
     const bool holds_later = last != nullptr && last > &task;
-    const StoredName own{stored->set, stored->gyro};
-    if (*holder && **holder != own) {
-        warnings.push_back(holds_later ? same_recordings(**holder, own)
-                                       : same_recordings(own, **holder));
+    const StoredName own{stored.set, stored.gyro};
+    if (holder && *holder != own) {
+        warnings.push_back(holds_later ? same_recordings(*holder, own)
+                                       : same_recordings(own, *holder));
     }
     if (!holds_later) {
         // The same numbers of the results whichever set is computed first.
         const std::int64_t place = &task - batch_.tasks.data() + 1;
-        const Result<std::int64_t> added = batch_.database->add(*stored, batch_.last_id + place);
-        if (!added) {
-            return added.error();
-        }
+        TRY(batch_.database->add(stored, batch_.last_id + place));
         last = &task;
     }
     return warnings;

@@ -96,12 +96,9 @@ Result<StoredResult> stored_result(const std::string& program, const Measurement
                                    std::span<const std::string> other_columns,
                                    std::span<const IdentifiedInput> inputs,
                                    const Identification& found, std::string json) {
-    Result<std::string> key = result_key(set, inputs);
-    if (!key) {
-        return key.error();
-    }
+    auto key = TRY(result_key(set, inputs));
     StoredResult result;
-    result.key = std::move(*key);
+    result.key = std::move(key);
     result.set = set.name;
     result.gyro = gyro_of(set);
     result.date = date_of(set, inputs);

@@ -142,9 +142,7 @@ Status OutputFile::flush() {
 
 Status OutputFile::write_out(std::string_view left) {
     while (!left.empty()) {
-        if (const Status ready = wait_until_writable(); !ready) {
-            return ready;
-        }
+        TRY(wait_until_writable());
         const std::size_t chunk = seekable() ? left.size() : std::min(left.size(), pipe_chunk);
         const ssize_t written = ::write(descriptor_, left.data(), chunk);
         if (written < 0 && errno != EINTR && errno != EAGAIN) {
@@ -164,9 +162,7 @@ Status OutputFile::write_out(std::string_view left) {
 
 // All steps that can fail before the rename.
 Status OutputFile::settle() {
-    if (const Status flushed = flush(); !flushed) {
-        return flushed;
-    }
+    TRY(flush());
     // fsync also reports delayed errors of the disk.
     return !seekable() || fsync(descriptor_) == 0 ? Status{} : failed(errno);
 }
@@ -218,9 +214,7 @@ Status OutputFile::commit_together(std::span<OutputFile* const> files) {
     // Files written directly come last: until the first of them begins, no effect is visible, and
     // after it the others follow.
     for (OutputFile* file : files) {
-        if (const Status settled = file->seekable() ? file->settle() : Status{}; !settled) {
-            return settled;
-        }
+        TRY(file->seekable() ? file->settle() : Status{});
     }
     for (const OutputFile* file : files) {
         if (file->job_.cancelled()) {
@@ -228,9 +222,7 @@ Status OutputFile::commit_together(std::span<OutputFile* const> files) {
         }
     }
     for (OutputFile* file : files) {
-        if (const Status settled = file->seekable() ? Status{} : file->settle(); !settled) {
-            return settled;
-        }
+        TRY(file->seekable() ? Status{} : file->settle());
     }
     std::string standing;  // files in place, on a file system that cannot exchange two names
     for (std::size_t k = 0; k < files.size(); ++k) {
@@ -290,12 +282,9 @@ Result<OutputFile> open_output(const std::string& name, const JobControl& job) {
 
 Status write_file(const std::filesystem::path& target, std::string_view bytes,
                   const JobControl& job) {
-    Result<OutputFile> file = OutputFile::create(target, job);
-    if (!file) {
-        return file.error();
-    }
-    const Status written = file->write(bytes);
-    return written ? file->commit() : written;
+    auto file = TRY(OutputFile::create(target, job));
+    const Status written = file.write(bytes);
+    return written ? file.commit() : written;
 }
 
 }  // namespace vybeg

@@ -84,17 +84,14 @@ RowJournal::~RowJournal() {
 }
 
 Status RowJournal::begin(bool resume) {
-    const Result<std::string> first = read(0, head.size());
-    if (!first) {
-        return first.error();
-    }
+    const auto first = TRY(read(0, head.size()));
     // A part of the first line is that of a run that ended while it wrote it.
-    if (!head.starts_with(*first)) {
+    if (!head.starts_with(first)) {
         return Error{ErrorCode::output_failed,
                      path_.string(),
                      {words(VYBEG_MESSAGE("Words", "it is another kind of file"))}};
     }
-    if (*first == head) {
+    if (first == head) {
         Status found = find_rows();
         if (!resume) {
             found_ = rows_.size();
@@ -118,12 +115,8 @@ Status RowJournal::find_rows() {
     end_ = static_cast<std::int64_t>(head.size());
     std::string left;
     for (;;) {
-        const Result<std::string> chunk =
-            read(end_ + static_cast<std::int64_t>(left.size()), chunk_bytes);
-        if (!chunk) {
-            return chunk.error();
-        }
-        left += *chunk;
+        const auto chunk = TRY(read(end_ + static_cast<std::int64_t>(left.size()), chunk_bytes));
+        left += chunk;
         for (std::size_t feed = left.find('\n'); feed != std::string::npos;
              feed = left.find('\n')) {
             const std::string line = left.substr(0, feed + 1);
@@ -131,18 +124,15 @@ Status RowJournal::find_rows() {
             if (line.size() > hash_digits && key_end != std::string::npos) {
                 const std::string key = line.substr(hash_digits + 1, key_end - hash_digits - 1);
                 const std::string row = line.substr(key_end + 1, feed - key_end - 1);
-                const Result<std::string> whole = line_of(key, row);
-                if (!whole) {
-                    return whole.error();
-                }
-                if (*whole == line) {
+                const auto whole = TRY(line_of(key, row));
+                if (whole == line) {
                     rows_[key] = {end_ + static_cast<std::int64_t>(key_end) + 1, row.size()};
                 }
             }
             end_ += static_cast<std::int64_t>(line.size());
             left.erase(0, line.size());
         }
-        if (chunk->empty()) {
+        if (chunk.empty()) {
             // Otherwise the next row would continue a half one.
             return ftruncate(descriptor_, end_) == 0 ? Status() : failed(errno);
         }
@@ -173,12 +163,9 @@ Result<std::string> RowJournal::row(const std::string& key) const {
 }
 
 Status RowJournal::append(const std::string& key, std::string_view row) {
-    const Result<std::string> line = line_of(key, row);
-    if (!line) {
-        return line.error();
-    }
-    const auto offset = end_ + static_cast<std::int64_t>(line->size() - row.size()) - 1;
-    const Status written = write(*line);
+    const auto line = TRY(line_of(key, row));
+    const auto offset = end_ + static_cast<std::int64_t>(line.size() - row.size()) - 1;
+    const Status written = write(line);
     if (written) {
         rows_[key] = {offset, row.size()};
     }

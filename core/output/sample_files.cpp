@@ -17,9 +17,7 @@ namespace {
 constexpr std::size_t frames_per_block = 1 << 14;
 
 Status write_csv(OutputFile& file, const SampleStream& stream) {
-    if (const Status written = file.write("t_s,C,D\n"); !written) {
-        return written;
-    }
+    TRY(file.write("t_s,C,D\n"));
     std::string text;
     std::int64_t frame = 0;
     return stream.run([&](std::span<const double> c, std::span<const double> d) {
@@ -38,9 +36,7 @@ Status write_csv(OutputFile& file, const SampleStream& stream) {
 
 Status write_npy(OutputFile& file, const SampleStream& stream) {
     const std::string head = npy_head("<f8", integer_text(stream.frames) + ", 2");
-    if (const Status written = file.write(head); !written) {
-        return written;
-    }
+    TRY(file.write(head));
     std::string bytes;
     return stream.run([&](std::span<const double> c, std::span<const double> d) {
         bytes.clear();

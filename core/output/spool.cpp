@@ -54,9 +54,7 @@ Status Spool::write(std::span<const std::byte> bytes) {
 
 Status Spool::spill() {
     if (descriptor_ < 0) {
-        if (const Status created = create(); !created) {
-            return created;
-        }
+        TRY(create());
     }
     const Status written = write_out(memory_);
     if (written) {

@@ -96,9 +96,7 @@ Status write_rows(const Track& track, Write write) {
             });
         });
         for (std::size_t k = 0; k < count; ++k) {
-            if (const Status taken = write(written[k], end_of(first + k)); !taken) {
-                return taken;
-            }
+            TRY(write(written[k], end_of(first + k)));
         }
     }
     return {};
@@ -108,9 +106,7 @@ Status write_rows(const Track& track, Write write) {
 
 Status write_track_csv(OutputFile& file, const Track& track, std::span<const std::string> header,
                        const JobControl& job) {
-    if (const Status written = file.write(head_text(header)); !written) {
-        return written;
-    }
+    TRY(file.write(head_text(header)));
     return write_rows(track, [&](std::string_view text, std::size_t done) {
         job.report(static_cast<double>(done) / static_cast<double>(track.rows()));
         return file.write(text);

@@ -74,16 +74,13 @@ std::string padded(std::string text, std::size_t width) {
 
 Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
                         std::span<const std::string> header) {
-    const Result<FlagCounts> counts = count_flags(columns);
-    if (!counts) {
-        return counts.error();
-    }
+    const auto counts = TRY(count_flags(columns));
     const auto rows = static_cast<std::int64_t>(columns.rows());
     std::vector<Hdf5Array> arrays;
     for (std::size_t k = 0; k < track_number_columns; ++k) {
         arrays.push_back({track_column_name(k), rows, 0, track_column_unit(k)});
     }
-    const std::size_t width = longest_text(*counts);
+    const std::size_t width = longest_text(counts);
     arrays.push_back({flag_column_name, rows, static_cast<std::int64_t>(width)});
     std::size_t longest = 1;
     for (const std::string& line : header) {
@@ -91,19 +88,16 @@ Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
     }
     arrays.push_back({header_name, static_cast<std::int64_t>(header.size()),
                       static_cast<std::int64_t>(longest)});
-    const Result<Hdf5Layout> layout = layout_of(file, header.empty() ? "" : header.front(), arrays);
-    if (!layout) {
-        return layout.error();
-    }
-    LayoutBytes own(file, *layout);
+    const auto layout = TRY(layout_of(file, header.empty() ? "" : header.front(), arrays));
+    LayoutBytes own(file, layout);
     const FlagCells cells =
-        make_cells(*counts, [width](const std::string& text) { return padded(text, width); });
+        make_cells(counts, [width](const std::string& text) { return padded(text, width); });
     Status written;
     for (std::size_t k = 0; k < arrays.size() && written; ++k) {
         if (arrays[k].rows == 0) {
             continue;  // has no place
         }
-        written = own.write_up_to(layout->places[k]);
+        written = own.write_up_to(layout.places[k]);
         own.skip(arrays[k].bytes());
         if (!written) {
             break;
@@ -121,7 +115,7 @@ Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
             }
         }
     }
-    return written ? own.write_up_to(layout->size) : written;
+    return written ? own.write_up_to(layout.size) : written;
 }
 
 }  // namespace vybeg

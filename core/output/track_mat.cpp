@@ -8,13 +8,10 @@ namespace vybeg {
 
 Status write_track_mat(OutputFile& file, const TrackColumns& columns,
                        std::span<const std::string> header) {
-    const Result<FlagCounts> counts = count_flags(columns);
-    if (!counts) {
-        return counts.error();
-    }
-    const FlagCells cells = make_cells(*counts, mat_text_cell);
+    const auto counts = TRY(count_flags(columns));
+    const FlagCells cells = make_cells(counts, mat_text_cell);
     std::int64_t cell_bytes = 0;
-    for (const auto& [flags, rows] : *counts) {
+    for (const auto& [flags, rows] : counts) {
         cell_bytes += static_cast<std::int64_t>(rows * cells.at(flags).size());
     }
     const auto rows = static_cast<std::int64_t>(columns.rows());

@@ -66,10 +66,7 @@ std::string numpy_text_type(std::size_t width) {
 
 Status write_track_npz(OutputFile& file, const TrackColumns& columns,
                        std::span<const std::string> header) {
-    const Result<FlagCounts> counts = count_flags(columns);
-    if (!counts) {
-        return counts.error();
-    }
+    const auto counts = TRY(count_flags(columns));
     std::vector<NpyMember> members;
     for (std::size_t k = 0; k < track_number_columns; ++k) {
         members.push_back({track_column_name(k), "<f8", columns.rows(), sizeof(double),
@@ -79,9 +76,9 @@ Status write_track_npz(OutputFile& file, const TrackColumns& columns,
                                });
                            }});
     }
-    const std::size_t width = longest_text(*counts);
+    const std::size_t width = longest_text(counts);
     const FlagCells cells =
-        make_cells(*counts, [width](const std::string& text) { return numpy_text(text, width); });
+        make_cells(counts, [width](const std::string& text) { return numpy_text(text, width); });
     members.push_back({flag_column_name, numpy_text_type(width), columns.rows(),
                        width * sizeof(char32_t),
                        [&](const ByteSink& sink) { return pass_cells(columns, cells, sink); }});

@@ -101,46 +101,40 @@ ResidualChannel channel_of(const std::vector<double>& samples, bool white, doubl
 
 Result<Residuals> find_residuals(const Recording& recording, const Analysis& analysis,
                                  const ResidualRange& range, const JobControl& job) {
-    Result<ResidualSamples> samples = residual_samples(recording, analysis, range, job);
-    if (!samples) {
-        return samples.error();
-    }
+    auto samples = TRY(residual_samples(recording, analysis, range, job));
     Residuals found;
-    found.frames = samples->frames;
-    found.examined = samples->examined;
-    found.without = samples->without;
+    found.frames = samples.frames;
+    found.examined = samples.examined;
+    found.without = samples.without;
     found.rate_hz = recording.rate_hz;
     found.f0_hz = analysis.f0_hz();
     found.taken_up = taken_up_by(analysis);
     const bool white = !analysis.settings.filter;
-    found.c = channel_of(samples->c, white, found.taken_up);
-    found.d = channel_of(samples->d, white, found.taken_up);
-    if (samples->c.empty()) {
+    found.c = channel_of(samples.c, white, found.taken_up);
+    found.d = channel_of(samples.d, white, found.taken_up);
+    if (samples.c.empty()) {
         return found;
     }
-    found.correlation_limit = 1.96 / std::sqrt(static_cast<double>(samples->c.size()));
-    for (double& value : samples->c) {
+    found.correlation_limit = 1.96 / std::sqrt(static_cast<double>(samples.c.size()));
+    for (double& value : samples.c) {
         value -= found.c.moments.mean;
     }
-    for (double& value : samples->d) {
+    for (double& value : samples.d) {
         value -= found.d.moments.mean;
     }
-    Result<ResidualSpectrum> spectrum = spectrum_of(*samples, recording.rate_hz, job);
-    if (!spectrum) {
-        return spectrum.error();
-    }
-    LaggedProducts products(std::min(most_lags, samples->c.size() / 4));
-    for (std::size_t part = 0; part < samples->parts(); ++part) {
+    auto spectrum = TRY(spectrum_of(samples, recording.rate_hz, job));
+    LaggedProducts products(std::min(most_lags, samples.c.size() / 4));
+    for (std::size_t part = 0; part < samples.parts(); ++part) {
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, "", {}};
         }
-        products.add(samples->c_of(part), samples->d_of(part));
+        products.add(samples.c_of(part), samples.d_of(part));
     }
-    found.lines = residual_lines(*spectrum, recording, analysis);
-    found.bin_hz = spectrum->bin_hz;
-    found.segments = spectrum->segments;
-    found.c.density = std::move(spectrum->mean[0]);
-    found.d.density = std::move(spectrum->mean[1]);
+    found.lines = residual_lines(spectrum, recording, analysis);
+    found.bin_hz = spectrum.bin_hz;
+    found.segments = spectrum.segments;
+    found.c.density = std::move(spectrum.mean[0]);
+    found.d.density = std::move(spectrum.mean[1]);
     auto correlations = products.correlations();
     found.c.autocorrelation = std::move(correlations[0]);
     found.d.autocorrelation = std::move(correlations[1]);

@@ -22,9 +22,7 @@ public:
     Status take(const Frames& block, std::optional<std::int64_t> only) {
         c_.resize(static_cast<std::size_t>(block.count()));
         d_.resize(c_.size());
-        if (Status read = source_.read(block.first, c_, d_); !read) {
-            return read;
-        }
+        TRY(source_.read(block.first, c_, d_));
         const WindowPlan& plan = analysis_.plan;
         found_.examined += block.count();
         std::int64_t at = block.first;
@@ -103,11 +101,7 @@ Frames frames_of(const ResidualRange& range, const WindowPlan& plan, double rate
 Result<ResidualSamples> residual_samples(const Recording& recording, const Analysis& analysis,
                                          const ResidualRange& range, const JobControl& job) {
     // Carrier and offsets are in the settings as used, so that nothing is searched again.
-    const Result<ConditionedRecording> prepared =
-        prepare(recording, analysis.settings, job.silent());
-    if (!prepared) {
-        return prepared.error();
-    }
+    const auto prepared = TRY(prepare(recording, analysis.settings, job.silent()));
     const Frames all = frames_of(range, analysis.plan, recording.rate_hz);
     ResidualSamples found;
     found.frames = all.count();
@@ -117,7 +111,7 @@ Result<ResidualSamples> residual_samples(const Recording& recording, const Analy
     const bool whole = all.count() <= most_frames;
     const std::int64_t blocks =
         whole ? (all.count() + block_frames - 1) / block_frames : most_frames / block_frames;
-    Collector collector(recording, analysis, *prepared->ahead, found);
+    Collector collector(recording, analysis, *prepared.ahead, found);
     for (std::int64_t b = 0; b < blocks; ++b) {
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, "", {}};
@@ -126,9 +120,7 @@ Result<ResidualSamples> residual_samples(const Recording& recording, const Analy
             all.first +
             (whole ? b * block_frames : (all.count() - block_frames) / (blocks - 1) * b);
         const Frames block{first, std::min(first + block_frames, all.end)};
-        if (const Status taken = collector.take(block, range.window); !taken) {
-            return taken.error();
-        }
+        TRY(collector.take(block, range.window));
         job.report(static_cast<double>(b + 1) / static_cast<double>(blocks));
     }
     return found;

@@ -41,12 +41,8 @@ Result<SignalSource> signal_source(const Recording& recording,
         return SignalSource{recording.source, recording.rate_hz, nullptr};
     }
     // Carrier and offsets are in the settings as used, so that nothing is searched again.
-    const Result<ConditionedRecording> prepared =
-        prepare(recording, analysis->settings, job.silent());
-    if (!prepared) {
-        return prepared.error();
-    }
-    return SignalSource{prepared->ahead, recording.rate_hz, std::move(analysis)};
+    const auto prepared = TRY(prepare(recording, analysis->settings, job.silent()));
+    return SignalSource{prepared.ahead, recording.rate_hz, std::move(analysis)};
 }
 
 Result<SignalExcerpt> signal_excerpt(const SignalSource& source, std::int64_t first,
@@ -62,9 +58,7 @@ Result<SignalExcerpt> signal_excerpt(const SignalSource& source, std::int64_t fi
     excerpt.c.resize(size);
     excerpt.d.resize(size);
     if (size > 0) {
-        if (const Status read = source.samples->read(excerpt.first, excerpt.c, excerpt.d); !read) {
-            return read.error();
-        }
+        TRY(source.samples->read(excerpt.first, excerpt.c, excerpt.d));
     }
     excerpt.fit_c.assign(size, std::numeric_limits<double>::quiet_NaN());
     excerpt.fit_d = excerpt.fit_c;

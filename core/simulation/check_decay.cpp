@@ -249,9 +249,7 @@ Status check(const FreeDecay& decay) {
     }
     for (const auto& part : {check_sizes, check_motion, check_drive, check_channels,
                              check_modes_beside, check_losses}) {
-        if (const Status status = part(decay); !status) {
-            return status;
-        }
+        TRY(part(decay));
     }
     return {};
 }

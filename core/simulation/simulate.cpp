@@ -74,9 +74,7 @@ Status run(const FreeDecay& decay,
         }
         recorders[0].record(c);
         recorders[1].record(d);
-        if (const Status taken = take(c, d); !taken) {
-            return taken;
-        }
+        TRY(take(c, d));
         job.report(static_cast<double>(end) / static_cast<double>(frames));
     }
     return {};
@@ -85,9 +83,7 @@ Status run(const FreeDecay& decay,
 }  // namespace
 
 Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job) {
-    if (const Status status = check(decay); !status) {
-        return status.error();
-    }
+    TRY(check(decay));
     if (decay.bits == 0 || decay.full_scale > 0) {
         return decay.bits == 0 ? 0 : decay.full_scale;
     }
@@ -96,9 +92,7 @@ Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job) {
         peak = std::max({peak, largest(c), largest(d)});
         return Status{};
     };
-    if (const Status ran = run(decay, look, job); !ran) {
-        return ran.error();
-    }
+    TRY(run(decay, look, job));
     if (peak <= 0) {
         return impossible("a record of zeros has no full scale; give one");
     }
@@ -107,9 +101,7 @@ Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job) {
 
 Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink,
                 const JobControl& job) {
-    if (const Status status = check(decay); !status) {
-        return status;
-    }
+    TRY(check(decay));
     const auto take = [&](std::vector<double>& c, std::vector<double>& d) {
         if (decay.bits > 0) {
             clip_and_round(c, full_scale, decay.bits);
@@ -121,10 +113,7 @@ Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink
 }
 
 Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job) {
-    const Result<double> full_scale = find_full_scale(decay, job);
-    if (!full_scale) {
-        return full_scale.error();
-    }
+    const auto full_scale = TRY(find_full_scale(decay, job));
     const std::int64_t frames = frame_count(decay);
     if (frames > most_in_memory) {
         return impossible(integer_text(frames) +
@@ -132,7 +121,7 @@ Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job) {
                           integer_text(most_in_memory));
     }
     SimulatedDecay samples;
-    samples.full_scale = *full_scale;
+    samples.full_scale = full_scale;
     try {
         // Reserved, not filled, because filling gigabytes would ignore the stop token.
         samples.c.reserve(static_cast<std::size_t>(frames));
@@ -145,9 +134,7 @@ Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job) {
         samples.d.insert(samples.d.end(), d.begin(), d.end());
         return Status{};
     };
-    if (const Status ran = simulate(decay, *full_scale, collect, job); !ran) {
-        return ran.error();
-    }
+    TRY(simulate(decay, full_scale, collect, job));
     return samples;
 }
 

@@ -62,9 +62,7 @@ double unwrapped(double angle, const std::optional<double>& previous) {
 }  // namespace
 
 Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
-    if (const Status status = check(decay); !status) {
-        return status.error();
-    }
+    TRY(check(decay));
     const std::int64_t frames = motion_frame_count(decay);
     if (window < 1 || window > frames) {
         return Error{ErrorCode::simulation_impossible,

@@ -143,11 +143,8 @@ public:
             scatter.take(rows);
             return {};
         };
-        const auto done = estimate_track(prepared_, plan, settings_, rate_hz_,
-                                         threads_of(settings_.threads), sink, job);
-        if (!done) {
-            return done.error();
-        }
+        const auto done = TRY(estimate_track(prepared_, plan, settings_, rate_hz_,
+                                             threads_of(settings_.threads), sink, job));
         SweepLength found = scatter.finish();
         for (std::size_t k = 0; k < closed_form_algorithms.size() && !waves_.empty(); ++k) {
             const auto leakage = form_leakage(closed_form_algorithms[k], waves_, plan.length,
@@ -179,28 +176,15 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
     sweep.settings = settings;
     sweep.settings.periods.reset();
     sweep.settings.hop = 0;
-    if (const Status valid = validate(sweep.settings); !valid) {
-        return valid.error();
-    }
+    TRY(validate(sweep.settings));
     const double rate = recording.rate_hz;
-    Result<ConditionedRecording> prepared = prepare(recording, settings, job.silent());
-    if (!prepared) {
-        return prepared.error();
-    }
-    if (const Status read = read_range(*prepared, job); !read) {
-        return read.error();
-    }
+    auto prepared = TRY(prepare(recording, settings, job.silent()));
+    TRY(read_range(prepared, job));
     sweep.rate_hz = rate;
-    sweep.f0_hz = prepared->f0_hz;
-    const Result<double> white = white_noise(*prepared, rate, job.silent());
-    if (!white) {
-        return white.error();
-    }
-    sweep.white_noise = *white;
-    auto waves = waves_of(*prepared, sweep.settings, rate, job);
-    if (!waves) {
-        return waves.error();
-    }
+    sweep.f0_hz = prepared.f0_hz;
+    const auto white = TRY(white_noise(prepared, rate, job.silent()));
+    sweep.white_noise = white;
+    auto waves = TRY(waves_of(prepared, sweep.settings, rate, job));
 
     std::map<std::int64_t, WindowPlan> plans;
     double all_work = 0;
@@ -210,7 +194,7 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
     };
     for (const std::int64_t length : std::set(lengths.begin(), lengths.end())) {
         sweep.settings.window = length;
-        const Result<WindowPlan> plan = plan_of(sweep.settings, *prepared, recording);
+        const Result<WindowPlan> plan = plan_of(sweep.settings, prepared, recording);
         if (!plan) {
             sweep.refused.push_back({length, plan.error()});
         } else if (plans.try_emplace(plan->length, *plan).second) {
@@ -220,18 +204,15 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
     if (plans.empty() && !sweep.refused.empty()) {
         return sweep.refused.front().error;
     }
-    const SampleFaults faults = prepared->check->finish();
-    const Sweep each(*prepared, faults, sweep.settings, rate, *white, std::move(*waves));
+    const SampleFaults faults = prepared.check->finish();
+    const Sweep each(prepared, faults, sweep.settings, rate, white, std::move(waves));
     double done = 0;
     for (const auto& [length, plan] : plans) {
         const double share = work(plan) / all_work;
         const JobControl part =
             job.with_progress([&](double fraction) { job.report(done + share * fraction); });
-        Result<SweepLength> found = each.of(plan, part);
-        if (!found) {
-            return found.error();
-        }
-        sweep.lengths.push_back(*found);
+        auto found = TRY(each.of(plan, part));
+        sweep.lengths.push_back(found);
         done += share;
     }
     sweep.advice = advise_window(sweep.lengths);

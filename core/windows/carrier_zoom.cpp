@@ -71,9 +71,7 @@ Result<std::optional<double>> coarse_peak(const SampleFeed& read, std::size_t co
     const Fft transform(coarse_length);
     for (std::size_t s = 0; s < coarse_segments; ++s) {
         const std::size_t first = (count - coarse_length) * s / (coarse_segments - 1);
-        if (const Status status = read(static_cast<std::int64_t>(first), c, d); !status) {
-            return status.error();
-        }
+        TRY(read(static_cast<std::int64_t>(first), c, d));
         clear_missing(c);
         clear_missing(d);
         const Complex mean{std::accumulate(c.begin(), c.end(), 0.0) / coarse_length,
@@ -260,9 +258,7 @@ Result<Thinned> thin_out(const SampleFeed& read, std::size_t count, std::size_t 
         const std::size_t fresh = std::min(c.size() - held, count - at);
         const std::span<double> fresh_c = std::span(c).subspan(held, fresh);
         const std::span<double> fresh_d = std::span(d).subspan(held, fresh);
-        if (const Status status = read(static_cast<std::int64_t>(at), fresh_c, fresh_d); !status) {
-            return status.error();
-        }
+        TRY(read(static_cast<std::int64_t>(at), fresh_c, fresh_d));
         clear_missing(fresh_c);
         clear_missing(fresh_d);
         at += fresh;
@@ -357,25 +353,18 @@ Result<std::optional<double>> zoom_carrier(const SampleFeed& read, std::size_t c
     if (count < least_length || !(low_hz < high_hz)) {
         return std::optional<double>();
     }
-    const auto coarse = coarse_peak(read, count, rate_hz, low_hz, high_hz);
-    if (!coarse) {
-        return coarse.error();
-    }
+    const auto coarse = TRY(coarse_peak(read, count, rate_hz, low_hz, high_hz));
     const std::size_t step = std::bit_floor(count / blocks_wished);
     const double blocks_hz = rate_hz / static_cast<double>(step);
-    if (!*coarse || **coarse < blocks_hz / 2 || **coarse > (rate_hz - blocks_hz) / 2) {
+    if (!coarse || *coarse < blocks_hz / 2 || *coarse > (rate_hz - blocks_hz) / 2) {
         return std::optional<double>();
     }
-    const double centre = std::round(**coarse / blocks_hz * turns);
-    const Result<Thinned> thinned =
-        thin_out(read, count, step, static_cast<std::size_t>(centre), job);
-    if (!thinned) {
-        return thinned.error();
-    }
+    const double centre = std::round(*coarse / blocks_hz * turns);
+    const auto thinned = TRY(thin_out(read, count, step, static_cast<std::size_t>(centre), job));
     if (job.cancelled()) {
         return std::optional<double>();
     }
-    return peak_of(*thinned, count, step, centre, rate_hz, low_hz, high_hz);
+    return peak_of(thinned, count, step, centre, rate_hz, low_hz, high_hz);
 }
 
 std::optional<double> zoom_carrier(std::span<const double> c, std::span<const double> d,

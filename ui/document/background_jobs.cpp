@@ -203,9 +203,7 @@ void BackgroundJobs::analyse(int key, const Recording& recording, const Settings
                 this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
             Result<Analysis> found =
                 vybeg::analyse(recording, settings, reporting(key, ticket.stop));
-            if (const Status still = unchanged(recording); !still) {
-                return still.error();
-            }
+            TRY(unchanged(recording));
             return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
         },
         std::move(done));
@@ -224,9 +222,7 @@ void BackgroundJobs::analyseLive(int key, const Recording& recording, const Sett
             };
             Result<Analysis> found = analyse_visible_first(recording, settings, visible, show,
                                                            reporting(key, ticket.stop));
-            if (const Status still = unchanged(recording); !still) {
-                return still.error();
-            }
+            TRY(unchanged(recording));
             return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
         },
         std::move(done));
@@ -248,23 +244,16 @@ void BackgroundJobs::identify(int key, const std::vector<Recording>& recordings,
             for (std::size_t k = 0; k < recordings.size(); ++k) {
                 IdentifiedInput& input = outcome.inputs[k];
                 if (input.sha256.empty()) {
-                    Result<std::string> hash = recording_sha256(recordings[k], job.silent());
-                    if (!hash) {
-                        return hash.error();
-                    }
-                    input.sha256 = std::move(*hash);
+                    auto hash = TRY(recording_sha256(recordings[k], job.silent()));
+                    input.sha256 = std::move(hash);
                 }
                 hashes.push_back(input.sha256);
             }
-            if (const Status distinct = check_distinct(recordings, hashes); !distinct) {
-                return distinct.error();
-            }
+            TRY(check_distinct(recordings, hashes));
             const double begun = job.now();
             Result<Identification> found = vybeg::identify(recordings, settings, job);
             for (const Recording& recording : recordings) {
-                if (const Status still = unchanged(recording); !still) {
-                    return still.error();
-                }
+                TRY(unchanged(recording));
             }
             if (!found) {
                 return found.error();

@@ -28,17 +28,11 @@ void BackgroundJobs::readExcerpt(int key, const Recording& recording,
         [recording, analysis = std::move(analysis), known = std::move(known), first,
          count](const Ticket& ticket) -> Result<ExcerptOutcome> {
             const JobControl job(ticket.stop);
-            Result<SignalSource> source =
-                known ? Result<SignalSource>(*known) : signal_source(recording, analysis, job);
-            if (!source) {
-                return source.error();
-            }
-            Result<SignalExcerpt> excerpt = signal_excerpt(*source, first, count, job);
-            if (!excerpt) {
-                return excerpt.error();
-            }
-            return ExcerptOutcome{std::move(*source),
-                                  std::make_shared<const SignalExcerpt>(std::move(*excerpt))};
+            auto source =
+                TRY(known ? Result<SignalSource>(*known) : signal_source(recording, analysis, job));
+            auto excerpt = TRY(signal_excerpt(source, first, count, job));
+            return ExcerptOutcome{std::move(source),
+                                  std::make_shared<const SignalExcerpt>(std::move(excerpt))};
         },
         std::move(done));
 }
@@ -51,9 +45,7 @@ void BackgroundJobs::sweepWindows(int key, const Recording& recording, const Set
         [this, key, recording, settings, lengths](const Ticket& ticket) -> Result<WindowSweep> {
             Result<WindowSweep> found =
                 sweep_windows(recording, settings, lengths, reporting(key, ticket.stop));
-            if (const Status still = unchanged(recording); !still) {
-                return still.error();
-            }
+            TRY(unchanged(recording));
             return found;
         },
         std::move(done));

@@ -124,21 +124,18 @@ QJsonObject keptResult(const ResonatorOutcome& outcome) {
 Result<ReadResult> readKeptResult(const QJsonObject& json) {
     const QByteArray text =
         QJsonDocument(json[passport_key].toObject()).toJson(QJsonDocument::Compact);
-    Result<Passport> passport = read_passport(text.toStdString(), {});
-    if (!passport) {
-        return passport.error();
-    }
+    auto passport = TRY(read_passport(text.toStdString(), {}));
     ReadResult read;
-    read.program = QString::fromStdString(passport->program);
-    read.outcome.inputs = std::move(passport->inputs);
+    read.program = QString::fromStdString(passport.program);
+    read.outcome.inputs = std::move(passport.inputs);
     Identification& identification = read.outcome.identification;
     ResonatorFit& fit = identification.fit;
-    fit.model = passport->model;
-    fit.resonator = passport->resonator;
-    fit.modes = std::move(passport->modes);
-    fit.mode_order = passport->mode_order.value_or(ModeOrder::frequency);
-    fit.runs = std::move(passport->runs);
-    fit.raw = std::move(passport->raw);
+    fit.model = passport.model;
+    fit.resonator = passport.resonator;
+    fit.modes = std::move(passport.modes);
+    fit.mode_order = passport.mode_order.value_or(ModeOrder::frequency);
+    fit.runs = std::move(passport.runs);
+    fit.raw = std::move(passport.raw);
     fit.no_modes = reasonFromJson(json[no_modes_key].toObject());
     fit.chi2_per_dof = numberFromJson(json[chi2_key]);
     const QJsonArray runs = json[runs_key].toArray();

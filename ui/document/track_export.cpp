@@ -8,23 +8,12 @@ namespace vybeg::ui {
 
 Status exportTrackTo(const std::filesystem::path& path, const Recording& recording,
                      const Analysis& analysis, const std::string& program, const JobControl& job) {
-    const Result<TrackFormat> format = track_format(path);
-    if (!format) {
-        return format.error();
-    }
-    const Result<std::string> hash = recording_sha256(recording, job);
-    if (!hash) {
-        return hash.error();
-    }
-    Result<OutputFile> file = OutputFile::create(path, job);
-    if (!file) {
-        return file.error();
-    }
-    const auto header = track_header(program, recording, *hash, analysis);
-    if (Status written = write_track(*file, *format, analysis.track, header, job); !written) {
-        return written;
-    }
-    return file->commit();
+    const auto format = TRY(track_format(path));
+    const auto hash = TRY(recording_sha256(recording, job));
+    auto file = TRY(OutputFile::create(path, job));
+    const auto header = track_header(program, recording, hash, analysis);
+    TRY(write_track(file, format, analysis.track, header, job));
+    return file.commit();
 }
 
 }  // namespace vybeg::ui

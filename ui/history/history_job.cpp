@@ -44,17 +44,11 @@ void readHistory(BackgroundJobs& job, int key, Document& document, const QString
     job.run<StoredHistory>(
         key,
         [&document, path, gyro, parameter](const JobControl& control) -> Result<StoredHistory> {
-            auto database = opened(document, path, ResultsDatabase::Access::read, control);
-            if (!database) {
-                return database.error();
-            }
-            auto gyros = database->gyros();
-            auto points = gyros ? database->history(gyro, parameter)
-                                : Result<std::vector<HistoryPoint>>(gyros.error());
-            if (!points) {
-                return points.error();
-            }
-            return StoredHistory{std::move(*gyros), std::move(*points)};
+            auto database = TRY(opened(document, path, ResultsDatabase::Access::read, control));
+            auto gyros = database.gyros();
+            auto points = TRY(gyros ? database.history(gyro, parameter)
+                                    : Result<std::vector<HistoryPoint>>(gyros.error()));
+            return StoredHistory{std::move(*gyros), std::move(points)};
         },
         std::move(done));
 }
@@ -65,17 +59,14 @@ void readResult(BackgroundJobs& job, int key, Document& document, const QString&
         key,
         [&document, path, id](const JobControl& control) -> Result<StoredResult> {
             auto database = opened(document, path, ResultsDatabase::Access::read, control);
-            auto found = database ? database->result(id)
-                                  : Result<std::optional<StoredResult>>(database.error());
-            if (!found) {
-                return found.error();
-            }
-            if (!*found) {  // another file has taken its place
+            auto found = TRY(database ? database->result(id)
+                                      : Result<std::optional<StoredResult>>(database.error()));
+            if (!found) {  // another file has taken its place
                 return Error{ErrorCode::file_read_failed,
                              path.toStdString(),
                              {words(VYBEG_MESSAGE("Words", "the result is not there any more"))}};
             }
-            return std::move(**found);
+            return std::move(*found);
         },
         std::move(done));
 }
@@ -89,18 +80,12 @@ void storeResult(BackgroundJobs& job, int key, Document& document, const QString
             const JobControl& control) -> Result<std::optional<StoredName>> {
             const std::string program = result.program.toStdString();
             const ResonatorOutcome& outcome = *result.outcome;
-            const auto stored = stored_result(
+            const auto stored = TRY(stored_result(
                 program, result.set, result.other_columns, outcome.inputs, outcome.identification,
-                identify_json(program, outcome.inputs, outcome.identification, nullptr));
-            if (!stored) {
-                return stored.error();
-            }
-            auto database = opened(document, path, ResultsDatabase::Access::write, control);
-            if (!database) {
-                return database.error();
-            }
-            const auto known = database->holder(stored->key);
-            const Result<std::int64_t> id = known ? database->add(*stored) : known.error();
+                identify_json(program, outcome.inputs, outcome.identification, nullptr)));
+            auto database = TRY(opened(document, path, ResultsDatabase::Access::write, control));
+            const auto known = database.holder(stored.key);
+            const Result<std::int64_t> id = known ? database.add(stored) : known.error();
             return id ? known : id.error();
         },
         std::move(done));

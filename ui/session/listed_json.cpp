@@ -127,18 +127,12 @@ QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder) {
 }
 
 Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder) {
-    Result<IdentifySettings> settings =
-        settingsFromJson(identify_settings(), json[listed_settings_key].toObject());
-    if (!settings) {
-        return settings.error();
-    }
-    ListedSetBy<int> listed{std::move(*settings), textsFromJson(json[columns_key]), {}};
+    auto settings =
+        TRY(settingsFromJson(identify_settings(), json[listed_settings_key].toObject()));
+    ListedSetBy<int> listed{std::move(settings), textsFromJson(json[columns_key]), {}};
     for (const auto& value : json[members_key].toArray()) {
-        Result<ListedMember> member = memberFromJson(value.toObject(), folder);
-        if (!member) {
-            return member.error();
-        }
-        listed.members.insert_or_assign(value.toObject()[place_key].toInt(-1), std::move(*member));
+        auto member = TRY(memberFromJson(value.toObject(), folder));
+        listed.members.insert_or_assign(value.toObject()[place_key].toInt(-1), std::move(member));
     }
     return listed;
 }

@@ -56,9 +56,7 @@ QJsonObject without(QJsonObject json, const QStringList& keys) {
 Result<Settings> analysisSettingsFromJson(const QJsonObject& json) {
     Result<Settings> settings = settingsFromJson(analysis_settings(), json);
     if (settings) {
-        if (const Status valid = validate(*settings); !valid) {
-            return valid.error();
-        }
+        TRY(validate(*settings));
     }
     return settings;
 }
@@ -79,12 +77,9 @@ QJsonObject wishToJson(const AnalysisWish& analysis) {
 }
 
 Result<AnalysisWish> wishFromJson(const QJsonObject& json) {
-    const Result<Settings> settings = analysisSettingsFromJson(json[settings_key].toObject());
-    if (!settings) {
-        return settings.error();
-    }
+    const auto settings = TRY(analysisSettingsFromJson(json[settings_key].toObject()));
     AnalysisWish analysis;
-    analysis.settings = *settings;
+    analysis.settings = settings;
     analysis.name = json[QStringLiteral("name")].toString();
     analysis.place = json[QStringLiteral("place")].toInt();
     analysis.color = QColor(json[QStringLiteral("color")].toString());
@@ -115,11 +110,8 @@ Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& 
     recording.sha256 = json[sha256_key].toString();
     recording.options = optionsFromJson(json[options_key].toObject());
     for (const auto& value : json[analyses_key].toArray()) {
-        Result<AnalysisWish> analysis = wishFromJson(value.toObject());
-        if (!analysis) {
-            return analysis.error();
-        }
-        recording.analyses.push_back(std::move(*analysis));
+        auto analysis = TRY(wishFromJson(value.toObject()));
+        recording.analyses.push_back(std::move(analysis));
     }
     recording.unknown = without(json, {path_key, sha256_key, options_key, analyses_key});
     return recording;
@@ -156,17 +148,12 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
     }
     IdentifySettings model;
     if (const QString word = json[model_key].toString(); !word.isEmpty()) {
-        if (const Status read = identifyRow("model").read(word.toStdString(), model); !read) {
-            return read.error();
-        }
+        TRY(identifyRow("model").read(word.toStdString(), model));
     }
     set.model = model.model;
     if (const QJsonValue listed = json[listed_key]; listed.isObject()) {
-        Result<ListedSetBy<int>> read = listedFromJson(listed.toObject(), folder);
-        if (!read) {
-            return read.error();
-        }
-        set.listed = std::move(*read);
+        auto read = TRY(listedFromJson(listed.toObject(), folder));
+        set.listed = std::move(read);
     }
     set.result = {json[result_key].toObject(), json[up_to_date_key].toBool()};
     set.unknown = without(
@@ -270,11 +257,8 @@ QString misplacedKey(const QJsonObject& json) {
 
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     Session session;
-    const Result<Settings> settings = analysisSettingsFromJson(json[settings_key].toObject());
-    if (!settings) {
-        return settings.error();
-    }
-    session.settings = *settings;
+    const auto settings = TRY(analysisSettingsFromJson(json[settings_key].toObject()));
+    session.settings = settings;
     IdentifySettings tolerance;
     if (const QString stored = json[tolerance_key].toString(); !stored.isEmpty()) {
         const Status read = identifyRow("tolerance").read(stored.toStdString(), tolerance);
@@ -285,19 +269,13 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     session.tolerance = tolerance.tolerance;
     session.live = json[live_key].toBool(true);
     for (const auto& value : json[recordings_key].toArray()) {
-        Result<SessionRecording> recording = recordingFromJson(value.toObject(), folder);
-        if (!recording) {
-            return recording.error();
-        }
-        session.recordings.push_back(std::move(*recording));
+        auto recording = TRY(recordingFromJson(value.toObject(), folder));
+        session.recordings.push_back(std::move(recording));
     }
     for (const auto& value : json[sets_key].toArray()) {
-        Result<SessionSet> set =
-            setFromJson(value.toObject(), static_cast<int>(session.recordings.size()), folder);
-        if (!set) {
-            return set.error();
-        }
-        session.sets.push_back(std::move(*set));
+        auto set =
+            TRY(setFromJson(value.toObject(), static_cast<int>(session.recordings.size()), folder));
+        session.sets.push_back(std::move(set));
     }
     session.current = placeFromJson(json[current_key], session.recordings.size());
     session.current_set = placeFromJson(json[current_set_key], session.sets.size());

@@ -31,9 +31,7 @@ Result<S> settingsFromJson(const std::vector<SettingRow<S>>& rows, const QJsonOb
     for (const SettingRow<S>& row : rows) {
         const QJsonValue value = json[QString::fromStdString(row.name)];
         if (row.has_part && value.isString()) {
-            if (const Status read = row.read(value.toString().toStdString(), settings); !read) {
-                return read.error();
-            }
+            TRY(row.read(value.toString().toStdString(), settings));
         }
     }
     return settings;

@@ -25,17 +25,11 @@ Result<QString> written(const QString& path) {
     }
     QDir().mkpath(QFileInfo(path).path());
     const FreeDecay decay = demo_decay();
-    const auto samples = simulate(decay, JobControl());
-    if (!samples) {
-        return samples.error();
-    }
-    auto file = OutputFile::create(std::filesystem::path(path.toStdU16String()), JobControl());
-    if (!file) {
-        return file.error();
-    }
-    Status done = write_samples(*file, SampleFormat::wav, {samples->c, samples->d, decay.rate_hz},
-                                JobControl());
-    done = done ? file->commit() : done;
+    const auto samples = TRY(simulate(decay, JobControl()));
+    auto file = TRY(OutputFile::create(std::filesystem::path(path.toStdU16String()), JobControl()));
+    Status done =
+        write_samples(file, SampleFormat::wav, {samples.c, samples.d, decay.rate_hz}, JobControl());
+    done = done ? file.commit() : done;
     return done ? Result<QString>(path) : done.error();
 }
 

@@ -237,9 +237,7 @@ Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
         return damaged(VYBEG_MESSAGE("Words", "its header is longer than it can be"));
     }
     std::string text(static_cast<std::size_t>(text_size), '\0');
-    if (const Status status = bytes.read(text_at, text); !status) {
-        return status.error();
-    }
+    TRY(bytes.read(text_at, text));
     const auto header = parse_header(text);
     if (!header) {
         return damaged(VYBEG_MESSAGE("Words", "its header cannot be understood"));

@@ -166,11 +166,8 @@ Result<std::optional<RawLayout>> guess_raw_layout(const FileBytes& file) {
     // The body begins at a multiple of every width.
     const std::int64_t front_end = std::min(front_bytes, file.size() / 2 / 16 * 16);
     std::string bytes(static_cast<std::size_t>(front_bytes + body_bytes), '\0');
-    const auto got = file.read(0, bytes);
-    if (!got) {
-        return got.error();
-    }
-    bytes.resize(static_cast<std::size_t>(*got));
+    const auto got = TRY(file.read(0, bytes));
+    bytes.resize(static_cast<std::size_t>(got));
     const std::string_view whole = bytes;
     constexpr double most_noise = 0.5;
     const std::string_view body = whole.substr(static_cast<std::size_t>(front_end));

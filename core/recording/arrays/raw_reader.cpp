@@ -47,12 +47,8 @@ NumberType number_type(RawType type) {
 
 Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
     const RawLayout& layout = *options.raw;
-    if (const Status status = check_layout(layout); !status) {
-        return status.error();
-    }
-    if (const Status status = check_channels(*file, layout.channels, options); !status) {
-        return status.error();
-    }
+    TRY(check_layout(layout));
+    TRY(check_channels(*file, layout.channels, options));
     FoundSamples found;
     found.format = {FormatPart::words(VYBEG_MESSAGE("Format", "raw")),
                     FormatPart::words(name_of(number_type(layout.type))),

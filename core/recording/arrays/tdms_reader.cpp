@@ -113,11 +113,8 @@ public:
     Result<ChosenChannel> choose(const Contents& contents, int number) const {
         const FoundChannel& found = contents.channel(number);
         const TdmsObject& object = contents.objects[found.object];
-        auto scaling = tdms_scaling(*file_, with_owners(contents, object));
-        if (!scaling) {
-            return scaling.error();
-        }
-        ChosenChannel chosen{found.object, NumberType::f64, std::move(*scaling)};
+        auto scaling = TRY(tdms_scaling(*file_, with_owners(contents, object)));
+        ChosenChannel chosen{found.object, NumberType::f64, std::move(scaling)};
         const auto& scalers = found.index.scalers;
         const auto undescribed = [&] {
             return unsupported(
@@ -246,24 +243,17 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
                             const JobControl& job) {
     const TdmsReader reader(file, job);
     std::string tag(index_tag.size(), '\0');
-    if (const auto got = file->read(0, tag); !got) {
-        return got.error();
-    }
+    TRY(file->read(0, tag));
     if (tag == index_tag) {
         return reader.unsupported(
             VYBEG_MESSAGE("Words", "only the index of the .tdms file beside it"));
     }
-    const auto contents = reader.contents();
-    if (!contents) {
-        return contents.error();
-    }
-    const auto count = static_cast<int>(contents->channels.size());
-    if (const Status status = check_channels(*file, count, options); !status) {
-        return status.error();
-    }
-    const TdmsObject& c = contents->object(options.channel_c);
-    const auto rate_c = TdmsReader::rate(*contents, c);
-    const auto rate_d = TdmsReader::rate(*contents, contents->object(options.channel_d));
+    const auto contents = TRY(reader.contents());
+    const auto count = static_cast<int>(contents.channels.size());
+    TRY(check_channels(*file, count, options));
+    const TdmsObject& c = contents.object(options.channel_c);
+    const auto rate_c = TdmsReader::rate(contents, c);
+    const auto rate_d = TdmsReader::rate(contents, contents.object(options.channel_d));
     if (rate_c && rate_d && *rate_c != *rate_d) {
         return reader.unsupported(VYBEG_MESSAGE("Words", "C and D at different sample rates"));
     }
@@ -272,33 +262,28 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
         found.own_rate = SampleRate{*own, RateOrigin::file};
     }
     // Checked before the second pass.
-    if (const auto rate = choose_rate(*file, found.own_rate, options); !rate) {
-        return rate.error();
-    }
-    const auto chosen_c = reader.choose(*contents, options.channel_c);
-    const auto chosen_d = reader.choose(*contents, options.channel_d);
+    TRY(choose_rate(*file, found.own_rate, options));
+    const auto chosen_c = reader.choose(contents, options.channel_c);
+    const auto chosen_d = reader.choose(contents, options.channel_d);
     if (!chosen_c || !chosen_d) {
         return (chosen_c ? chosen_d : chosen_c).error();
     }
-    auto columns = reader.columns(*chosen_c, *chosen_d);
-    if (!columns) {
-        return columns.error();
-    }
-    found.format = {FormatPart::name("TDMS"), FormatPart::words(name_of(columns->c.type)),
+    auto columns = TRY(reader.columns(*chosen_c, *chosen_d));
+    found.format = {FormatPart::name("TDMS"), FormatPart::words(name_of(columns.c.type)),
                     FormatPart::channels(count)};
-    found.channels = describe(*contents);
+    found.channels = describe(contents);
     found.start = TdmsReader::text(c, "wf_start_time");
-    found.never_closed = contents->open_ended;
-    if (!contents->open_ended) {
-        found.promised_frames = std::min(columns->promised_c, columns->promised_d);
+    found.never_closed = contents.open_ended;
+    if (!contents.open_ended) {
+        found.promised_frames = std::min(columns.promised_c, columns.promised_d);
     }
-    const std::int64_t frames_c = columns->c.frames();
-    const std::int64_t frames_d = columns->d.frames();
-    found.source = scaled_by(column_source(std::move(columns->c), std::move(columns->d)),
+    const std::int64_t frames_c = columns.c.frames();
+    const std::int64_t frames_d = columns.d.frames();
+    found.source = scaled_by(column_source(std::move(columns.c), std::move(columns.d)),
                              chosen_c->scaling, chosen_d->scaling);
     found.frames = found.source->frames();
     auto recording = complete_recording(*file, std::move(found), options);
-    if (recording && columns->promised_c != columns->promised_d) {
+    if (recording && columns.promised_c != columns.promised_d) {
         note_unequal(frames_c, frames_d, *recording);
     }
     return recording;

@@ -66,9 +66,7 @@ public:
                 return damaged(VYBEG_MESSAGE(
                     "Words", "the channel %1 has scales that are each other's input"));
             }
-            if (const Status status = take(type, index, scaling); !status) {
-                return status.error();
-            }
+            TRY(take(type, index, scaling));
             const double input =
                 number(scale_name(index, type + "_Input_Source")).value_or(raw_numbers);
             if (input == raw_numbers || input == -1) {
@@ -213,9 +211,7 @@ public:
     bool seeks() const override { return source_->seeks(); }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        if (const Status status = source_->read(first, c, d); !status) {
-            return status;
-        }
+        TRY(source_->read(first, c, d));
         apply(c_, c);
         apply(d_, d);
         return {};

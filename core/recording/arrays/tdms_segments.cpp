@@ -77,11 +77,8 @@ Status TdmsFile::walk(const Visitor& visit) {
             return file_->error(ErrorCode::interrupted);
         }
         std::array<char, lead_in_bytes> bytes{};
-        const auto got = file_->read(at, bytes);
-        if (!got) {
-            return got.error();
-        }
-        if (*got < lead_in_bytes) {
+        const auto got = TRY(file_->read(at, bytes));
+        if (got < lead_in_bytes) {
             open_ended_ = true;
             break;
         }
@@ -129,9 +126,7 @@ Status TdmsFile::walk(const Visitor& visit) {
         }
         open_ended_ = open_ended_ || !closed;
         if (lead_in.has(has_raw_data)) {
-            if (const Status status = visit(segment, chunk_); !status) {
-                return status;
-            }
+            TRY(visit(segment, chunk_));
         }
         at = segment.last ? file_size : segment.offset + segment.size;
     }
@@ -141,19 +136,14 @@ Status TdmsFile::walk(const Visitor& visit) {
 Status TdmsFile::take_metadata(std::int64_t offset, std::int64_t size, bool big_endian,
                                bool new_list) {
     std::string bytes(static_cast<std::size_t>(size), '\0');
-    const auto got = file_->read(offset, bytes);
-    if (!got) {
-        return got.error();
-    }
+    TRY(file_->read(offset, bytes));
     TdmsMetadata metadata(std::move(bytes), big_endian);
     if (new_list) {
         chunk_.clear();
     }
     const auto objects = metadata.number<std::uint32_t>();
     for (std::uint32_t i = 0; i < objects; ++i) {
-        if (const Status status = take_object(metadata); !status) {
-            return status;
-        }
+        TRY(take_object(metadata));
     }
     return metadata.ended() ? damaged(VYBEG_MESSAGE("Words", "its metadata end too early"))
                             : Status{};
@@ -167,9 +157,7 @@ Status TdmsFile::take_object(TdmsMetadata& metadata) {
     if (!object) {
         return object.error();
     }
-    if (const Status status = list_raw_index(metadata, *object); !status) {
-        return status;
-    }
+    TRY(list_raw_index(metadata, *object));
     return take_properties(metadata, objects_[*object]);
 }
 

@@ -38,9 +38,7 @@ Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_en
     }
     for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
         std::array<char, head_bytes> head{};
-        if (const auto got = file.read(at, head); !got) {
-            return got.error();
-        }
+        TRY(file.read(at, head));
         const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
         at += head_bytes + size + size % 2;
     }
@@ -69,9 +67,7 @@ Result<std::string> broadcast_start(const FileBytes& file, const Chunk& chunk) {
         return std::string();
     }
     std::array<char, date_bytes + time_bytes> fields{};
-    if (const auto got = file.read(chunk.payload_at + at, fields); !got) {
-        return got.error();
-    }
+    TRY(file.read(chunk.payload_at + at, fields));
     const std::string date = text_of({fields.data(), date_bytes});
     const std::string time = text_of({fields.data() + date_bytes, time_bytes});
     return date.empty() || time.empty() ? date : date + " " + time;
@@ -88,9 +84,7 @@ Result<std::string> listed_date(const FileBytes& file, const Chunk& list, bool b
     std::int64_t at = list.payload_at + 4;
     for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
         std::array<char, head_bytes + most_text> chunk{};
-        if (const auto got = file.read(at, chunk); !got) {
-            return got.error();
-        }
+        TRY(file.read(at, chunk));
         const std::int64_t size = load<std::uint32_t>(chunk.data() + 4, big_endian);
         if (std::string_view(chunk.data(), 4) == "ICRD") {
             return size > static_cast<std::int64_t>(most_text)
@@ -108,9 +102,7 @@ Result<bool> are_chunks(const FileBytes& file, std::int64_t at, bool big_endian)
     constexpr std::int64_t head_bytes = 8;
     for (int i = 0; i < most_chunks && file.size() - at >= head_bytes; ++i) {
         std::array<char, head_bytes> head{};
-        if (const auto got = file.read(at, head); !got) {
-            return got.error();
-        }
+        TRY(file.read(at, head));
         if (!std::all_of(head.begin(), head.begin() + 4,
                          [](char c) { return c >= ' ' && c <= '~'; })) {
             return false;
@@ -382,9 +374,7 @@ std::int64_t tag_before_flac(std::string_view head, const FileBytes& file) {
 
 Result<AudioExtent> audio_extent(const FileBytes& file) {
     std::array<char, 16> head{};
-    if (const auto got = file.read(0, head); !got) {
-        return got.error();
-    }
+    TRY(file.read(0, head));
     const auto container = container_of({head.data(), head.size()});
     if (!container) {
         return AudioExtent{};
@@ -397,9 +387,7 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
     std::int64_t at = layout.first_chunk;
     for (int i = 0; i < most_chunks && at <= file.size() - head_bytes; ++i) {
         std::array<char, 24 + payload_head> bytes{};
-        if (const auto got = file.read(at, bytes); !got) {
-            return got.error();
-        }
+        TRY(file.read(at, bytes));
         const char* size_at = bytes.data() + layout.id_bytes;
         std::int64_t size = layout.size_bytes == 8
                                 ? load<std::int64_t>(size_at, layout.big_endian)
@@ -409,28 +397,19 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
         }
         const Chunk chunk{{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes};
         if (is_riff) {
-            const auto wanted = is_wanted(file, chunk, layout.big_endian);
+            const auto wanted = TRY(is_wanted(file, chunk, layout.big_endian));
             if (!wanted) {
-                return wanted.error();
-            }
-            if (!*wanted) {
                 reader.hide(chunk);
             } else if (chunk.id == "bext" || chunk.id == "LIST") {
                 const bool of_broadcast = chunk.id == "bext";
-                const auto start = of_broadcast ? broadcast_start(file, chunk)
-                                                : listed_date(file, chunk, layout.big_endian);
-                if (!start) {
-                    return start.error();
-                }
-                reader.take_start(*start, of_broadcast);
+                const auto start = TRY(of_broadcast ? broadcast_start(file, chunk)
+                                                    : listed_date(file, chunk, layout.big_endian));
+                reader.take_start(start, of_broadcast);
             }
         }
         if (*container == Container::wav && chunk.id == "data" && size == 0 && searching) {
-            const auto is_empty = are_chunks(file, chunk.payload_at, layout.big_endian);
+            const auto is_empty = TRY(are_chunks(file, chunk.payload_at, layout.big_endian));
             if (!is_empty) {
-                return is_empty.error();
-            }
-            if (!*is_empty) {
                 reader.take_unfinished(chunk);
                 break;
             }

@@ -35,9 +35,7 @@ std::shared_ptr<const SampleSource> samples_in_place(const std::shared_ptr<const
 Result<Recording> open_plain(const std::shared_ptr<const FileBytes>& file,
                              const AudioExtent& header, const OpenOptions& options) {
     const PlainSamples& plain = *header.plain;
-    if (const Status status = check_channels(*file, plain.channels, options); !status) {
-        return status.error();
-    }
+    TRY(check_channels(*file, plain.channels, options));
     FoundSamples found;
     found.format = {FormatPart::name(plain.container), FormatPart::words(plain.type_name),
                     FormatPart::channels(plain.channels)};
@@ -84,11 +82,8 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
                                const std::string& container, const AudioExtent& header,
                                const OpenOptions& options, const JobControl& job) {
     const LibraryFormat format{"audio", container};
-    auto process = ReaderProcess::start(file, format.kind, format.name);
-    if (!process) {
-        return process.error();
-    }
-    const Catalogue catalogue = (*process)->catalogue();
+    auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
+    const Catalogue catalogue = process->catalogue();
     if (catalogue.variables.size() != 1) {
         return file->error(
             ErrorCode::format_damaged,
@@ -96,29 +91,22 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     }
     const FileVariable& samples = catalogue.variables.front();
     const auto channels = static_cast<int>(samples.channels);
-    if (const Status status = check_channels(*file, channels, options); !status) {
-        return status.error();
-    }
+    TRY(check_channels(*file, channels, options));
     SampleRate own{header.rate_is_zero ? 0.0 : samples.rate_hz.value_or(0), RateOrigin::file};
     if (header.rate_hz && std::abs(*header.rate_hz - own.hz) < 1) {
         own.hz = *header.rate_hz;
     }
     // Checked before frames are counted.
-    if (const auto rate = choose_rate(*file, own, options); !rate) {
-        return rate.error();
-    }
-    const auto reader = std::make_shared<LibraryVariables>(file, format, std::move(*process));
-    const auto frames = count_frames(*file, *reader, samples.frames, job);
-    if (!frames) {
-        return frames.error();
-    }
+    TRY(choose_rate(*file, own, options));
+    const auto reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
+    const auto frames = TRY(count_frames(*file, *reader, samples.frames, job));
     FoundSamples found;
     found.format = {FormatPart::name(catalogue.format), FormatPart::words(samples.type),
                     FormatPart::channels(channels)};
     found.channels = numbered_channels(channels);
     found.own_rate = own;
     found.start = catalogue.start;
-    found.frames = *frames;
+    found.frames = frames;
     // A FLAC stream without its number of frames has the greatest one here.
     const bool is_open = samples.frames == std::numeric_limits<std::int64_t>::max();
     found.promised_frames =
@@ -136,26 +124,21 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
 Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                              const JobControl& job) {
     std::array<char, 16> head{};
-    if (const auto got = file->read(0, head); !got) {
-        return got.error();
-    }
-    const auto header = audio_extent(*file);
-    if (!header) {
-        return header.error();
-    }
+    TRY(file->read(0, head));
+    const auto header = TRY(audio_extent(*file));
     constexpr int most_bits = 32;
-    if (header->bits > most_bits && !header->plain) {
+    if (header.bits > most_bits && !header.plain) {
         return file->error(
             ErrorCode::format_limit,
             {words(VYBEG_MESSAGE("Words", "audio")),
              words(VYBEG_MESSAGE("Words", "integers of %1 bits; up to %2, and 64 in WAV, are read"),
-                   {count_arg(header->bits), count_arg(most_bits)}),
+                   {count_arg(header.bits), count_arg(most_bits)}),
              words(VYBEG_MESSAGE("Words", "Save the recording with 32 bits or as floats"))});
     }
     const std::string container = audio_container({head.data(), head.size()});
-    return header->plain
-               ? open_plain(file, *header, options)
-               : open_decoded(file, container.empty() ? "FLAC" : container, *header, options, job);
+    return header.plain
+               ? open_plain(file, header, options)
+               : open_decoded(file, container.empty() ? "FLAC" : container, header, options, job);
 }
 
 }  // namespace vybeg

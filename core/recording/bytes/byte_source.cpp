@@ -13,11 +13,8 @@ public:
     std::int64_t size() const override { return size_; }
 
     Status read(std::int64_t offset, std::span<char> out) const override {
-        const auto got = file_->read(offset_ + offset, out);
-        if (!got) {
-            return got.error();
-        }
-        if (*got < static_cast<std::int64_t>(out.size())) {
+        const auto got = TRY(file_->read(offset_ + offset, out));
+        if (got < static_cast<std::int64_t>(out.size())) {
             return file_->error(
                 ErrorCode::file_read_failed,
                 {words(VYBEG_MESSAGE("Words", "the file became shorter while it was read"))});

@@ -102,23 +102,17 @@ Result<std::int64_t> FileBytes::read(std::int64_t offset, std::span<char> out) c
 
 Result<std::string> own_file_text(const std::filesystem::path& path) {
     constexpr std::int64_t most_mib = 64;
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        return file.error();
-    }
-    if ((*file)->size() > most_mib << 20) {
-        return (*file)->error(
+    const auto file = TRY(FileBytes::open(path));
+    if (file->size() > most_mib << 20) {
+        return file->error(
             ErrorCode::format_limit,
             {"text",
              words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)}),
              words(VYBEG_MESSAGE("Words", "Choose a smaller file"))});
     }
-    std::string text(static_cast<std::size_t>((*file)->size()), '\0');
-    const Result<std::int64_t> got = (*file)->read(0, text);
-    if (!got) {
-        return got.error();
-    }
-    text.resize(static_cast<std::size_t>(*got));
+    std::string text(static_cast<std::size_t>(file->size()), '\0');
+    const auto got = TRY(file->read(0, text));
+    text.resize(static_cast<std::size_t>(got));
     return text;
 }
 

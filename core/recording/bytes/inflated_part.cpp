@@ -44,9 +44,7 @@ public:
         int state = Z_OK;
         while (stream_.avail_out > 0 && state == Z_OK) {
             if (stream_.avail_in == 0) {
-                if (const Status status = refill(file, part); !status) {
-                    return status.error();
-                }
+                TRY(refill(file, part));
             }
             state = inflate(&stream_, Z_NO_FLUSH);
         }
@@ -63,13 +61,10 @@ private:
     Status refill(const FileBytes& file, const DeflatedPart& part) {
         const std::int64_t size = std::min(part.packed_size - packed_, packed_at_once);
         buffer_.resize(static_cast<std::size_t>(size));
-        const auto got = file.read(part.offset + packed_, buffer_);
-        if (!got) {
-            return got.error();
-        }
-        packed_ += *got;
+        const auto got = TRY(file.read(part.offset + packed_, buffer_));
+        packed_ += got;
         stream_.next_in = reinterpret_cast<Bytef*>(buffer_.data());
-        stream_.avail_in = static_cast<uInt>(*got);
+        stream_.avail_in = static_cast<uInt>(got);
         return {};
     }
 
@@ -97,16 +92,12 @@ public:
             const std::int64_t count =
                 std::min<std::int64_t>(offset - now_->position(), skipped_at_once);
             const auto some = std::span(skipped).first(static_cast<std::size_t>(count));
-            if (const Status status = unpack(some); !status) {
-                return status;
-            }
+            TRY(unpack(some));
         }
         for (std::size_t done = 0; done < out.size();) {
             const std::size_t count =
                 std::min<std::size_t>(out.size() - done, static_cast<std::size_t>(recent_spacing));
-            if (const Status status = unpack(out.subspan(done, count)); !status) {
-                return status;
-            }
+            TRY(unpack(out.subspan(done, count)));
             done += count;
         }
         return {};

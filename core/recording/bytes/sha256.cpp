@@ -39,15 +39,12 @@ Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, path.string(), {}};
         }
-        const auto got = file->read(offset, chunk);
-        if (!got) {
-            return got.error();
-        }
-        if (*got == 0) {
+        const auto got = TRY(file->read(offset, chunk));
+        if (got == 0) {
             break;
         }
-        ok = EVP_DigestUpdate(context.get(), chunk.data(), static_cast<std::size_t>(*got)) == 1;
-        offset += *got;
+        ok = EVP_DigestUpdate(context.get(), chunk.data(), static_cast<std::size_t>(got)) == 1;
+        offset += got;
         job.report(static_cast<double>(offset) / static_cast<double>(file->size()));
     }
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;

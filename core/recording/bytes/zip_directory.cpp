@@ -50,11 +50,8 @@ std::int64_t length_at(std::string_view bytes, std::size_t at) {
 // Bytes of the file from `offset` on, up to its end.
 Result<std::string> bytes_at(const FileBytes& file, std::int64_t offset, std::int64_t size) {
     std::string bytes(static_cast<std::size_t>(size), '\0');
-    const auto got = file.read(offset, bytes);
-    if (!got) {
-        return got.error();
-    }
-    bytes.resize(static_cast<std::size_t>(*got));
+    const auto got = TRY(file.read(offset, bytes));
+    bytes.resize(static_cast<std::size_t>(got));
     return bytes;
 }
 
@@ -68,48 +65,36 @@ Result<std::optional<Directory>> find_directory64(const FileBytes& file, std::in
     if (end_offset < locator64_size) {
         return std::optional<Directory>{};
     }
-    const auto locator = bytes_at(file, end_offset - locator64_size, locator64_size);
-    if (!locator) {
-        return locator.error();
-    }
-    if (!locator->starts_with(locator64_signature)) {
+    const auto locator = TRY(bytes_at(file, end_offset - locator64_size, locator64_size));
+    if (!locator.starts_with(locator64_signature)) {
         return std::optional<Directory>{};
     }
-    const std::int64_t at = length_at(*locator, 8);
+    const std::int64_t at = length_at(locator, 8);
     if (at < 0 || at > file.size() - end64_size) {
         return damaged(file, VYBEG_MESSAGE("Words", "its directory lies outside of it"));
     }
-    const auto end = bytes_at(file, at, end64_size);
-    if (!end) {
-        return end.error();
-    }
-    if (!end->starts_with(end64_signature)) {
+    const auto end = TRY(bytes_at(file, at, end64_size));
+    if (!end.starts_with(end64_signature)) {
         return damaged(file, VYBEG_MESSAGE("Words", "its directory cannot be found"));
     }
-    return std::optional(Directory{length_at(*end, 48), length_at(*end, 40)});
+    return std::optional(Directory{length_at(end, 48), length_at(end, 40)});
 }
 
 Result<Directory> find_directory(const FileBytes& file) {
     const std::int64_t tail_size = std::min(file.size(), end_size + longest_comment);
-    const auto tail = bytes_at(file, file.size() - tail_size, tail_size);
-    if (!tail) {
-        return tail.error();
-    }
+    const auto tail = TRY(bytes_at(file, file.size() - tail_size, tail_size));
     const std::size_t last = static_cast<std::size_t>(std::max(tail_size - end_size, {}));
-    const std::size_t at = tail->rfind(end_signature, last);
-    if (tail_size < end_size || at == tail->npos) {
+    const std::size_t at = tail.rfind(end_signature, last);
+    if (tail_size < end_size || at == tail.npos) {
         return damaged(
             file,
             VYBEG_MESSAGE("Words", "the directory at its end is missing; the file was cut off"));
     }
     const std::int64_t end_offset = file.size() - tail_size + static_cast<std::int64_t>(at);
-    const auto found = find_directory64(file, end_offset);
-    if (!found) {
-        return found.error();
-    }
-    const Directory directory = *found ? **found
-                                       : Directory{number_at<std::uint32_t>(*tail, at + 16),
-                                                   number_at<std::uint32_t>(*tail, at + 12)};
+    const auto found = TRY(find_directory64(file, end_offset));
+    const Directory directory = found ? *found
+                                      : Directory{number_at<std::uint32_t>(tail, at + 16),
+                                                  number_at<std::uint32_t>(tail, at + 12)};
     if (directory.offset < 0 || directory.size < 0 || directory.offset > file.size() ||
         directory.size > file.size() - directory.offset) {
         return damaged(file, VYBEG_MESSAGE("Words", "its directory lies outside of it"));
@@ -151,16 +136,10 @@ bool is_zip(std::string_view head) {
 }
 
 Result<std::vector<ZipMember>> zip_members(const FileBytes& file) {
-    const auto directory = find_directory(file);
-    if (!directory) {
-        return directory.error();
-    }
-    const auto bytes = bytes_at(file, directory->offset, directory->size);
-    if (!bytes) {
-        return bytes.error();
-    }
+    const auto directory = TRY(find_directory(file));
+    const auto bytes = TRY(bytes_at(file, directory.offset, directory.size));
     std::vector<ZipMember> members;
-    for (std::string_view rest = *bytes; rest.starts_with(entry_signature);) {
+    for (std::string_view rest = bytes; rest.starts_with(entry_signature);) {
         if (rest.size() < entry_size) {
             return damaged(file, VYBEG_MESSAGE("Words", "its directory ends within an entry"));
         }
@@ -214,18 +193,15 @@ Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const File
     if (member.header_offset < 0 || member.header_offset > file->size() - local_size) {
         return outside();
     }
-    const auto header = bytes_at(*file, member.header_offset, local_size);
-    if (!header) {
-        return header.error();
-    }
-    if (static_cast<std::int64_t>(header->size()) < local_size ||
-        !header->starts_with(local_signature)) {
+    const auto header = TRY(bytes_at(*file, member.header_offset, local_size));
+    if (static_cast<std::int64_t>(header.size()) < local_size ||
+        !header.starts_with(local_signature)) {
         return damaged(*file, VYBEG_MESSAGE("Words", "%1 is not where its directory says"),
                        {member.name});
     }
     const std::int64_t offset = member.header_offset + local_size +
-                                number_at<std::uint16_t>(*header, 26) +
-                                number_at<std::uint16_t>(*header, 28);
+                                number_at<std::uint16_t>(header, 26) +
+                                number_at<std::uint16_t>(header, 28);
     if (offset > file->size() || member.packed_size < 0 ||
         member.packed_size > file->size() - offset) {
         return outside();

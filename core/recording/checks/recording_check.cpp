@@ -92,9 +92,7 @@ Status read_through(const SampleSource& source, const JobControl& job, Look look
         }
         c.resize(static_cast<std::size_t>(std::min(chunk_frames, frames - first)));
         d.resize(c.size());
-        if (Status read = source.read(first, c, d); !read) {
-            return read;
-        }
+        TRY(source.read(first, c, d));
         look(first, std::span<const double>(c), std::span<const double>(d));
         job.report(static_cast<double>(first) / static_cast<double>(frames));
     }
@@ -263,9 +261,7 @@ Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, doubl
         static_cast<std::size_t>(std::min(static_cast<double>(source.frames()), start_s * rate_hz));
     std::vector<double> c(frames);
     std::vector<double> d(frames);
-    if (const Status read = source.read(0, c, d); !read) {
-        return read.error();
-    }
+    TRY(source.read(0, c, d));
     std::vector<Diagnostic> findings;
     for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
         findings.push_back(
@@ -300,11 +296,8 @@ Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
         return read.error();
     }
     SampleFaults faults = check.finish();
-    const Result<std::vector<Diagnostic>> start = start_findings(source, rate_hz, f0_hz);
-    if (!start) {
-        return start.error();
-    }
-    for (const std::vector<Diagnostic>& more : {check.offsets(), *start}) {
+    const auto start = TRY(start_findings(source, rate_hz, f0_hz));
+    for (const std::vector<Diagnostic>& more : {check.offsets(), start}) {
         faults.findings.insert(faults.findings.end(), more.begin(), more.end());
     }
     return faults;

@@ -56,9 +56,7 @@ private:
             const std::int64_t length = std::min(block, end - at);
             raw_c.resize(static_cast<std::size_t>(before + length + after));
             raw_d.resize(raw_c.size());
-            if (Status status = source_->read(at - before, raw_c, raw_d); !status) {
-                return status;
-            }
+            TRY(source_->read(at - before, raw_c, raw_d));
             std::copy_n(raw_c.begin() + before, length, c.begin() + (at - first));
             delay_.apply(
                 raw_d, before,

@@ -86,11 +86,8 @@ public:
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         const std::int64_t end = first + std::ssize(c);
         for (std::int64_t index = first / block_length_; index * block_length_ < end; ++index) {
-            const auto block = find_or_compute(index);
-            if (!block) {
-                return block.error();
-            }
-            (*block)->copy_to(first, c, d);
+            const auto block = TRY(find_or_compute(index));
+            block->copy_to(first, c, d);
         }
         return {};
     }
@@ -122,11 +119,8 @@ private:
         const std::int64_t end = std::min(frames(), start + static_cast<std::int64_t>(size));
         const auto at = static_cast<std::size_t>(begin - start);
         const auto count = static_cast<std::size_t>(end - begin);
-        if (Status status = source_->read(begin, std::span(in_c).subspan(at, count),
-                                          std::span(in_d).subspan(at, count));
-            !status) {
-            return status.error();
-        }
+        TRY(source_->read(begin, std::span(in_c).subspan(at, count),
+                          std::span(in_d).subspan(at, count)));
 
         // The response is real, so that C + iD goes through in one transform, and stays apart.
         std::vector<std::complex<double>> both(size);

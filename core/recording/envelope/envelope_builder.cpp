@@ -58,9 +58,7 @@ public:
         for (std::size_t index = 0; index < blocks_.size(); ++index) {
             const std::int64_t at = static_cast<std::int64_t>(index) * EnvelopeBlock::frames;
             const std::int64_t length = std::min(EnvelopeBlock::frames, frames - at);
-            if (const Status read = read_frames(at, length); !read) {
-                return read;
-            }
+            TRY(read_frames(at, length));
             blocks_[index] = std::make_shared<const EnvelopeBlock>(c_, d_);
             if (index + 1 < blocks_.size() && job_.now() - published_ >= picture_interval_s) {
                 publish();
@@ -108,13 +106,9 @@ Result<std::shared_ptr<const Envelope>> build_envelope(const SampleSource& sourc
                                                        const EnvelopeSink& sink) {
     Builder builder(source, job, sink);
     if (sink && source.seeks()) {
-        if (const Status looked = builder.look(); !looked) {
-            return looked.error();
-        }
+        TRY(builder.look());
     }
-    if (const Status read = builder.read_all(); !read) {
-        return read.error();
-    }
+    TRY(builder.read_all());
     return builder.picture();
 }
 

@@ -45,11 +45,8 @@ Result<std::vector<EnvelopeBucket>> sparse_scan(
             if (job.now() > until) {
                 return complete > 0 ? in_parts(looks, complete) : std::vector<EnvelopeBucket>{};
             }
-            Result<ScannedPlace> seen = look(part, parts);
-            if (!seen) {
-                return seen.error();
-            }
-            looks.push_back(std::move(*seen));
+            auto seen = TRY(look(part, parts));
+            looks.push_back(std::move(seen));
         }
         complete = parts;
     }

@@ -136,9 +136,7 @@ private:
             if (!object) {
                 return damaged(VYBEG_MESSAGE("Words", "%1 cannot be read"), {full});
             }
-            if (const Status status = list_object(object.get(), full, around, depth); !status) {
-                return status;
-            }
+            TRY(list_object(object.get(), full, around, depth));
         }
         return {};
     }
@@ -225,9 +223,7 @@ private:
             entry.type = number_type_text(field.bits, field.is_float);
             Dataset records = dataset;
             records.field = std::move(field);
-            if (const Status status = add(std::move(entry), std::move(records)); !status) {
-                return status;
-            }
+            TRY(add(std::move(entry), std::move(records)));
         }
         return {};
     }
@@ -297,9 +293,7 @@ Result<std::unique_ptr<HelperFile>> open_hdf5_file(int descriptor, Naming naming
                      : VYBEG_MESSAGE("Words", "its header does not fit the file"))}};
     }
     auto file = std::make_unique<Hdf5File>(std::move(opened), naming);
-    if (const Status status = file->list(); !status) {
-        return status.error();
-    }
+    TRY(file->list());
     return std::unique_ptr<HelperFile>(std::move(file));
 }
 

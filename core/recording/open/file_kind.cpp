@@ -18,11 +18,8 @@ constexpr std::size_t head_bytes = std::size_t{1} << 16;
 
 Result<std::string> file_head(const FileBytes& file) {
     std::string head(head_bytes, '\0');
-    const auto got = file.read(0, head);
-    if (!got) {
-        return got.error();
-    }
-    head.resize(static_cast<std::size_t>(*got));
+    const auto got = TRY(file.read(0, head));
+    head.resize(static_cast<std::size_t>(got));
     return head;
 }
 

@@ -29,17 +29,14 @@ Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
     if (options.text) {
         return open_text(file, options, job);
     }
-    const auto head = file_head(*file);
-    if (!head) {
-        return head.error();
-    }
-    switch (file_kind(*head, *file)) {
+    const auto head = TRY(file_head(*file));
+    switch (file_kind(head, *file)) {
         case FileKind::audio: return open_audio(file, options, job);
         case FileKind::npy: return open_npy(file, options);
         case FileKind::npz: return open_npz(file, options, job);
         case FileKind::tdms: return open_tdms(file, options, job);
         case FileKind::mat_or_hdf5:
-            return open_with_library(file, *library_format(*head, *file), options, job);
+            return open_with_library(file, *library_format(head, *file), options, job);
         case FileKind::uff: return open_uff(file, options, job);
         case FileKind::text: return open_text(file, options, job);
         case FileKind::unknown: break;
@@ -51,14 +48,9 @@ Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
 
 Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
                                  const JobControl& job) {
-    if (const Status status = check_options(options); !status) {
-        return status.error();
-    }
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        return file.error();
-    }
-    auto recording = open_by_content(*file, options, job);
+    TRY(check_options(options));
+    const auto file = TRY(FileBytes::open(path));
+    auto recording = open_by_content(file, options, job);
     if (recording) {
         for (FormatPart& part : recording->format) {
             part.text = plain_text(part.text);
@@ -74,7 +66,7 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
                 channel.unit.clear();
             }
         }
-        recording->file = *file;
+        recording->file = file;
         recording->read_with = options_text(options);
         if (!options.unit.empty()) {
             for (Channel& channel : recording->channels) {

@@ -35,11 +35,8 @@ Status take_raw_cells(const FileBytes& file, const OpenOptions& options,
     const auto width = static_cast<std::size_t>(bytes_of(type));
     const auto channels = static_cast<std::size_t>(layout.channels);
     std::string bytes(preview_lines * channels * width, '\0');
-    const auto got = file.read(layout.skip_bytes, bytes);
-    if (!got) {
-        return got.error();
-    }
-    const std::size_t frames = static_cast<std::size_t>(*got) / (channels * width);
+    const auto got = TRY(file.read(layout.skip_bytes, bytes));
+    const std::size_t frames = static_cast<std::size_t>(got) / (channels * width);
     std::vector<double> values(frames * channels);
     if (!values.empty()) {
         decode(type, layout.big_endian, bytes.data(), static_cast<std::int64_t>(width),
@@ -89,9 +86,7 @@ Status preview_opened(const FileBytes& file, const OpenOptions& options, const J
     } else {
         preview.problem = file.error(ErrorCode::rate_unknown);
     }
-    if (Status status = take_samples(*recording, preview); !status) {
-        return status;
-    }
+    TRY(take_samples(*recording, preview));
     const auto channel = [&](int number) {
         return recording->channels[static_cast<std::size_t>(number - 1)];
     };
@@ -113,29 +108,18 @@ Status preview_opened(const FileBytes& file, const OpenOptions& options, const J
 
 Result<RecordingPreview> preview_recording(const std::filesystem::path& path,
                                            const OpenOptions& options, const JobControl& job) {
-    if (const Status status = check_options(options); !status) {
-        return status.error();
-    }
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        return file.error();
-    }
-    const auto head = file_head(**file);
-    if (!head) {
-        return head.error();
-    }
+    TRY(check_options(options));
+    const auto file = TRY(FileBytes::open(path));
+    const auto head = TRY(file_head(*file));
     RecordingPreview preview;
-    preview.kind = file_kind(*head, **file);
+    preview.kind = file_kind(head, *file);
     if (preview.kind == FileKind::unknown || options.raw) {
-        const auto guess = guess_raw_layout(**file);
-        if (!guess) {
-            return guess.error();
-        }
-        preview.raw_guess = *guess;
+        const auto guess = TRY(guess_raw_layout(*file));
+        preview.raw_guess = guess;
     }
     const bool text = options.text || (!options.raw && preview.kind == FileKind::text);
-    const Status status = text ? preview_text(*file, options, job, preview)
-                               : preview_opened(**file, options, job, preview);
+    const Status status = text ? preview_text(file, options, job, preview)
+                               : preview_opened(*file, options, job, preview);
     if (!status) {
         return status.error();
     }

@@ -54,9 +54,7 @@ Status read_rows(const TextTable& table, RecordingPreview& preview) {
     TextBlock block;
     const std::int64_t blocks = std::min(table.blocks.count(), most_blocks);
     for (std::int64_t index = 0; index < blocks && preview.c.size() < preview_frames; ++index) {
-        if (Status status = table.blocks.read(index, block); !status) {
-            return status;
-        }
+        TRY(table.blocks.read(index, block));
         TextRows rows(table.format, table.columns, block, SampleUse::read);
         while (preview.c.size() < preview_frames && rows.next()) {
             preview.c.push_back(rows.c());
@@ -100,11 +98,8 @@ Status read_table(const std::shared_ptr<const FileBytes>& file, const OpenOption
         preview.problem = chosen.error();
         return {};
     }
-    const auto table = find_table(file, format, *chosen);
-    if (!table) {
-        return table.error();
-    }
-    return read_rows(*table, preview);
+    const auto table = TRY(find_table(file, format, *chosen));
+    return read_rows(table, preview);
 }
 
 void find_rate(const FileBytes& file, const OpenOptions& options, RecordingPreview& preview) {
@@ -161,9 +156,7 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     for (std::size_t i = 0; i < preview.used->names.size(); ++i) {
         preview.columns.push_back({preview.used->names[i], preview.used->units[i]});
     }
-    if (Status status = read_table(file, options, preview); !status) {
-        return status;
-    }
+    TRY(read_table(file, options, preview));
     find_rate(*file, options, preview);
     scale_samples(preview.c, options.scale);
     scale_samples(preview.d, options.scale);

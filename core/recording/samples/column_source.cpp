@@ -116,9 +116,7 @@ public:
             const auto part = [done, count](std::span<double> all) {
                 return all.subspan(static_cast<std::size_t>(done), static_cast<std::size_t>(count));
             };
-            if (const Status status = read_block(at, part(c), part(d), bytes); !status) {
-                return status;
-            }
+            TRY(read_block(at, part(c), part(d), bytes));
             done += count;
         }
         return {};
@@ -133,9 +131,7 @@ private:
         const ByteRange both{std::min(range_c.begin, range_d.begin),
                              std::max(range_c.end, range_d.end)};
         if (c_.bytes == d_.bytes && both.size() <= range_c.size() + range_d.size()) {
-            if (const Status status = fetch(*c_.bytes, both, bytes); !status) {
-                return status;
-            }
+            TRY(fetch(*c_.bytes, both, bytes));
             const bool big_endian = range_at(c_, at).big_endian;
             if (are_pairs(c_, d_, at, count)) {
                 decode_pairs(c_.type, big_endian, bytes.data(), c_.scale, c, d);
@@ -147,13 +143,9 @@ private:
             }
             return {};
         }
-        if (const Status status = fetch(*c_.bytes, range_c, bytes); !status) {
-            return status;
-        }
+        TRY(fetch(*c_.bytes, range_c, bytes));
         decode_block(c_, at, bytes.data(), range_c.begin, c);
-        if (const Status status = fetch(*d_.bytes, range_d, bytes); !status) {
-            return status;
-        }
+        TRY(fetch(*d_.bytes, range_d, bytes));
         decode_block(d_, at, bytes.data(), range_d.begin, d);
         return {};
     }

@@ -46,14 +46,11 @@ Row without_part(Row row) {
 // A whole number from `least` on that fits into an int.
 Result<int> small_whole(const std::string& option, const std::string& text, int least,
                         const std::string& allowed) {
-    const Result<std::int64_t> number = read_whole(option, text);
-    if (!number) {
-        return number.error();
-    }
-    if (*number < least || *number > std::numeric_limits<int>::max()) {
+    const auto number = TRY(read_whole(option, text));
+    if (number < least || number > std::numeric_limits<int>::max()) {
         return refused_value(option, text, allowed);
     }
-    return static_cast<int>(*number);
+    return static_cast<int>(number);
 }
 
 bool is_channel(double number) {
@@ -61,11 +58,8 @@ bool is_channel(double number) {
 }
 
 Status read_rate(const std::string& option, const std::string& text, OpenOptions& options) {
-    const Result<double> rate = read_number(option, text);
-    if (!rate) {
-        return rate.error();
-    }
-    options.rate_hz = *rate;
+    const auto rate = TRY(read_number(option, text));
+    options.rate_hz = rate;
     return {};
 }
 
@@ -75,15 +69,12 @@ std::string rate_text(const OpenOptions& options) {
 
 Status read_channels(const std::string& option, const std::string& text, OpenOptions& options) {
     const std::string allowed = "it must be two channel numbers from 1, as in 1,2";
-    const auto pair = read_numbers(option, text, 2, allowed);
-    if (!pair) {
-        return pair.error();
-    }
-    if (!is_channel((*pair)[0]) || !is_channel((*pair)[1])) {
+    const auto pair = TRY(read_numbers(option, text, 2, allowed));
+    if (!is_channel(pair[0]) || !is_channel(pair[1])) {
         return refused_value(option, text, allowed);
     }
-    options.channel_c = static_cast<int>((*pair)[0]);
-    options.channel_d = static_cast<int>((*pair)[1]);
+    options.channel_c = static_cast<int>(pair[0]);
+    options.channel_d = static_cast<int>(pair[1]);
     return {};
 }
 
@@ -155,11 +146,8 @@ Status read_raw_channels(const std::string& option, const std::string& text, Ope
     if (!options.raw) {
         return refused_value(option, text, "it needs --raw");
     }
-    const Result<int> channels = small_whole(option, text, 1, "it must be at least 1");
-    if (!channels) {
-        return channels.error();
-    }
-    options.raw->channels = *channels;
+    const auto channels = TRY(small_whole(option, text, 1, "it must be at least 1"));
+    options.raw->channels = channels;
     return {};
 }
 
@@ -167,14 +155,11 @@ Status read_skip(const std::string& option, const std::string& text, OpenOptions
     if (!options.raw) {
         return refused_value(option, text, "it needs --raw");
     }
-    const Result<std::int64_t> bytes = read_whole(option, text);
-    if (!bytes) {
-        return bytes.error();
-    }
-    if (*bytes < 0) {
+    const auto bytes = TRY(read_whole(option, text));
+    if (bytes < 0) {
         return refused_value(option, text, "it cannot be negative");
     }
-    options.raw->skip_bytes = *bytes;
+    options.raw->skip_bytes = bytes;
     return {};
 }
 
@@ -189,9 +174,7 @@ Row text_row(const char* name, const char* placeholder, const char* help, Read r
                 return refused_value(option, from, "it is for text, and --raw reads no text");
             }
             TextChoice choice = options.text.value_or(TextChoice{});
-            if (Status done = read(option, from, choice); !done) {
-                return done;
-            }
+            TRY(read(option, from, choice));
             options.text = choice;
             return {};
         },
@@ -214,23 +197,17 @@ Status read_decimal(const std::string& option, const std::string& text, TextChoi
 }
 
 Status read_skip_lines(const std::string& option, const std::string& text, TextChoice& choice) {
-    const Result<std::int64_t> lines = read_whole(option, text);
-    if (!lines) {
-        return lines.error();
-    }
-    choice.lines_to_skip = *lines;
+    const auto lines = TRY(read_whole(option, text));
+    choice.lines_to_skip = lines;
     return {};
 }
 
 Status read_time_column(const std::string& option, const std::string& text, TextChoice& choice) {
-    const Result<int> column =
-        text == "none"
-            ? 0
-            : small_whole(option, text, 1, "it is the number of a column, from 1, or none");
-    if (!column) {
-        return column.error();
-    }
-    choice.time_column = *column;
+    const auto column =
+        TRY(text == "none"
+                ? 0
+                : small_whole(option, text, 1, "it is the number of a column, from 1, or none"));
+    choice.time_column = column;
     return {};
 }
 
@@ -240,11 +217,8 @@ Status read_time_unit(const std::string& option, const std::string& text, TextCh
 }
 
 Status read_scale(const std::string& option, const std::string& text, OpenOptions& options) {
-    const Result<double> scale = read_number(option, text);
-    if (!scale) {
-        return scale.error();
-    }
-    options.scale = *scale;
+    const auto scale = TRY(read_number(option, text));
+    options.scale = scale;
     return {};
 }
 
@@ -381,9 +355,7 @@ Status check_options(const OpenOptions& options) {
                      {"--raw", options_text({.text = options.text}),
                       words(VYBEG_MESSAGE("Words", "a file is read as text or as raw"))}};
     }
-    if (const Status status = check_scale(options.scale); !status) {
-        return status;
-    }
+    TRY(check_scale(options.scale));
     if (options.raw) {
         return check_layout(*options.raw);
     }

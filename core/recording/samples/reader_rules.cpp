@@ -63,9 +63,7 @@ Status check_signals(const FileBytes& file, const Recording& recording) {
     }
     std::vector<double> c(looked_at);
     std::vector<double> d(looked_at);
-    if (const Status status = recording.source->read(0, c, d); !status) {
-        return status;
-    }
+    TRY(recording.source->read(0, c, d));
     for (const auto& [samples, channel] :
          {std::pair(&c, recording.channel_c), std::pair(&d, recording.channel_d)}) {
         if (is_nameless(channel) && are_times_or_rows(*samples, recording.rate_hz)) {
@@ -137,23 +135,16 @@ Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> 
 Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
                                      const OpenOptions& options) {
     const auto channels = static_cast<int>(found.channels.size());
-    if (const Status status = check_channels(file, channels, options); !status) {
-        return status.error();
-    }
-    const auto rate = choose_rate(file, found.own_rate, options);
-    if (!rate) {
-        return rate.error();
-    }
-    if (const Status status = check_frames(file, found.frames); !status) {
-        return status.error();
-    }
+    TRY(check_channels(file, channels, options));
+    const auto rate = TRY(choose_rate(file, found.own_rate, options));
+    TRY(check_frames(file, found.frames));
     Recording recording;
     recording.path = file.path();
     recording.format = std::move(found.format);
-    recording.rate_hz = rate->hz;
+    recording.rate_hz = rate.hz;
     constexpr double arithmetic = 1e-12;  // what is less comes from the times' sums
-    recording.rate_relative_sd = rate->relative_sd > arithmetic ? rate->relative_sd : 0;
-    recording.rate_from = rate->from;
+    recording.rate_relative_sd = rate.relative_sd > arithmetic ? rate.relative_sd : 0;
+    recording.rate_from = rate.from;
     recording.channels = std::move(found.channels);
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
@@ -170,9 +161,7 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
         recording.diagnostics.push_back({DiagnosticKind::channels_crossed, {c, d}});
     }
     if (recording.source) {
-        if (const Status status = check_signals(file, recording); !status) {
-            return status.error();
-        }
+        TRY(check_signals(file, recording));
         if (!found.one_unit) {
             match_units(recording);
         }

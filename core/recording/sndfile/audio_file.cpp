@@ -34,9 +34,7 @@ public:
         for (std::int64_t done = 0; done < request.count;) {
             const std::int64_t at = request.first + done;
             if (at < first_ || at >= end()) {
-                if (const Status status = decode(at, request.count - done); !status) {
-                    return status;
-                }
+                TRY(decode(at, request.count - done));
             }
             const std::int64_t stop = std::min(request.first + request.count, end());
             for (std::int64_t frame = at; frame < stop; ++frame) {
@@ -77,9 +75,7 @@ private:
 
 Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBytes> file) {
     std::array<char, 16> head{};
-    if (const auto got = file->read(0, head); !got) {
-        return got.error();
-    }
+    TRY(file->read(0, head));
     // Of a file without signature libsndfile looks for a resource fork beside it, which is another
     // file.
     const std::string_view start(head.data(), head.size());
@@ -90,15 +86,9 @@ Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBy
                      {words(VYBEG_MESSAGE("Words", "audio")),
                       words(VYBEG_MESSAGE("Words", "its header cannot be understood"))}};
     }
-    const auto header = audio_extent(*file);
-    if (!header) {
-        return header.error();
-    }
-    auto decoder = AudioDecoder::open(std::move(file), header->patches, tag);
-    if (!decoder) {
-        return decoder.error();
-    }
-    return std::unique_ptr<HelperFile>(std::make_unique<AudioFile>(std::move(*decoder)));
+    const auto header = TRY(audio_extent(*file));
+    auto decoder = TRY(AudioDecoder::open(std::move(file), header.patches, tag));
+    return std::unique_ptr<HelperFile>(std::make_unique<AudioFile>(std::move(decoder)));
 }
 
 }  // namespace vybeg

@@ -96,12 +96,9 @@ public:
 
 private:
     Result<bool> append_line() {
-        const auto found = lines_.next();
-        if (!found) {
-            return found.error();
-        }
-        text_ += *found ? to_utf8(**found) : "";
-        return found->has_value();
+        const auto found = TRY(lines_.next());
+        text_ += found ? to_utf8(*found) : "";
+        return found.has_value();
     }
 
     TextLines lines_;
@@ -119,20 +116,13 @@ public:
         : rows_(std::move(file)), name_(std::move(name)), usual_(usual) {}
 
     Result<CsvRows> read(const std::string& needed) {
-        if (const Status named = read_names(needed); !named) {
-            return named.error();
-        }
+        TRY(read_names(needed));
         for (;;) {
-            const Result<bool> more = rows_.next(separator_);
+            const auto more = TRY(rows_.next(separator_));
             if (!more) {
-                return more.error();
-            }
-            if (!*more) {
                 return std::move(table_);
             }
-            if (const Status added = add_row(); !added) {
-                return added.error();
-            }
+            TRY(add_row());
         }
     }
 
@@ -176,11 +166,8 @@ private:
     }
 
     Status read_names(const std::string& needed) {
-        Result<SplitRow> found = names_with(needed);
-        if (!found) {
-            return found.error();
-        }
-        const SplitRow& names = *found;
+        auto found = TRY(names_with(needed));
+        const SplitRow& names = found;
         if (!has_name(names.fields, needed)) {
             std::string told;
             for (const std::string& name : names.fields) {
@@ -205,9 +192,7 @@ private:
 
     Status add_row() {
         SplitRow row = split_row(rows_.text(), separator_);
-        if (Status sound = checked(row); !sound) {
-            return sound;
-        }
+        TRY(checked(row));
         const auto is_text = [](const std::string& field) { return !field.empty(); };
         if (std::ranges::none_of(row.fields, is_text)) {
             return {};
@@ -265,12 +250,9 @@ std::vector<std::string> csv_fields(const std::string& row) {
 
 Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed,
                          const UsualName& usual) {
-    auto file = FileBytes::open(path);
-    if (!file) {
-        return file.error();
-    }
+    auto file = TRY(FileBytes::open(path));
     std::array<char, 4> head{};
-    const Result<std::int64_t> got = (*file)->read(0, head);
+    const Result<std::int64_t> got = file->read(0, head);
     const std::string_view start(head.data(), head.size());
     if (got && (start == "PK\3\4" || start == "\xD0\xCF\x11\xE0")) {
         return Error{ErrorCode::list_invalid,
@@ -278,7 +260,7 @@ Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& n
                      {"1", needed,
                       words(VYBEG_MESSAGE("Words", "it is a workbook; save the sheet as CSV"))}};
     }
-    return Reader(std::move(*file), path.string(), usual).read(needed);
+    return Reader(std::move(file), path.string(), usual).read(needed);
 }
 
 bool csv_has_name(const std::filesystem::path& path, const std::string& name,

@@ -64,9 +64,7 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
     block.bytes.clear();
     block.bytes.reserve(static_cast<std::size_t>(block_bytes + first_overhang + unit));
     // One character more: whether it is a line end tells whether a line begins with the block.
-    if (const Status status = append(index > 0 ? from - unit : from, to, block.bytes); !status) {
-        return status;
-    }
+    TRY(append(index > 0 ? from - unit : from, to, block.bytes));
     block.end = block.bytes.size();
     block.begin = index > 0 ? behind_line_end(block.text(), line_end(block.text(), 0)) : 0;
     if (block.begin >= block.end) {
@@ -81,9 +79,7 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
             break;
         }
         const std::int64_t next = std::min(behind + more, end_);
-        if (const Status status = append(behind, next, block.bytes); !status) {
-            return status;
-        }
+        TRY(append(behind, next, block.bytes));
         behind = next;
     }
     return {};
@@ -104,12 +100,9 @@ Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding
     for (std::int64_t to = size; to > begin;) {
         const std::int64_t from = std::max(begin, to - first_overhang);
         bytes.resize(static_cast<std::size_t>(to - from));
-        const auto got = file.read(from, bytes);
-        if (!got) {
-            return got.error();
-        }
-        const std::string_view text(bytes.data(), static_cast<std::size_t>(*got));
-        for (std::int64_t at = *got / unit * unit - unit; at >= 0; at -= unit) {
+        const auto got = TRY(file.read(from, bytes));
+        const std::string_view text(bytes.data(), static_cast<std::size_t>(got));
+        for (std::int64_t at = got / unit * unit - unit; at >= 0; at -= unit) {
             const std::string_view character =
                 text.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(unit));
             if (is_one_of(character, "\n\r")) {

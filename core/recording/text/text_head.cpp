@@ -68,26 +68,20 @@ Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
         if (i % lines_between_looks == 0 && job.cancelled()) {
             return Error{ErrorCode::interrupted, "", {}};
         }
-        const auto line = lines.next();
+        const auto line = TRY(lines.next());
         if (!line) {
-            return line.error();
-        }
-        if (!*line) {
             break;
         }
-        skipped.add(**line);
+        skipped.add(*line);
     }
     TextHead head = skipped.take();
     for (std::size_t bytes = 0; bytes < head_bytes;) {
-        const auto line = lines.next();
+        const auto line = TRY(lines.next());
         if (!line) {
-            return line.error();
-        }
-        if (!*line) {
             break;
         }
-        head.lines.emplace_back(**line);
-        bytes += (*line)->size() + 1;
+        head.lines.emplace_back(*line);
+        bytes += line->size() + 1;
     }
     return head;
 }

@@ -39,22 +39,19 @@ Status TextLines::fill() {
     buffer_.erase(0, begin_);
     begin_ = 0;
     std::vector<char> bytes(chunk_bytes);
-    const auto got = file_->read(offset_, bytes);
-    if (!got) {
-        return got.error();
-    }
-    std::string_view chunk(bytes.data(), static_cast<std::size_t>(*got));
+    const auto got = TRY(file_->read(offset_, bytes));
+    std::string_view chunk(bytes.data(), static_cast<std::size_t>(got));
     if (offset_ == 0) {
         encoding_ = encoding_of(chunk);
         chunk.remove_prefix(mark_length(chunk));
     }
-    offset_ += *got;
+    offset_ += got;
     if (encoding_ == TextEncoding::bytes) {
         buffer_ += chunk;
     } else {
         append_utf16(chunk, encoding_, buffer_);
     }
-    if (*got == 0) {
+    if (got == 0) {
         offset_ = std::max(offset_, file_->size());
     }
     return {};
@@ -75,9 +72,7 @@ Result<std::optional<std::string_view>> TextLines::next() {
             return line_too_long(*file_, "text", number_ + 1);
         }
         end -= begin_;
-        if (const Status status = fill(); !status) {
-            return status.error();
-        }
+        TRY(fill());
     }
     if (begin_ >= buffer_.size()) {
         return std::optional<std::string_view>{};

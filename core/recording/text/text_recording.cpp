@@ -66,23 +66,17 @@ Samples streamed(TextTable table, TextScan scan) {
 
 // Uneven times are brought onto a grid, which takes all of them at once.
 Result<Samples> resampled(const TextTable& table, const TextScan& scan, const JobControl& job) {
-    const auto rows = read_timed_rows(table, scan, job);
-    if (!rows) {
-        return rows.error();
-    }
-    auto grid = to_uniform_grid(*rows, table.blocks.file().path().string());
-    if (!grid) {
-        return grid.error();
-    }
+    const auto rows = TRY(read_timed_rows(table, scan, job));
+    auto grid = TRY(to_uniform_grid(rows, table.blocks.file().path().string()));
     Samples samples;
-    samples.rate = SampleRate{grid->rate_hz, RateOrigin::time_column, grid->rate_relative_sd};
+    samples.rate = SampleRate{grid.rate_hz, RateOrigin::time_column, grid.rate_relative_sd};
     if (scan.first_missing_row >= 0) {
         const double after =
-            rows->time_s[static_cast<std::size_t>(scan.first_missing_row)] - rows->time_s[0];
-        samples.first_missing = static_cast<std::int64_t>(std::floor(after * grid->rate_hz + 0.5));
+            rows.time_s[static_cast<std::size_t>(scan.first_missing_row)] - rows.time_s[0];
+        samples.first_missing = static_cast<std::int64_t>(std::floor(after * grid.rate_hz + 0.5));
     }
-    samples.diagnostics = std::move(grid->diagnostics);
-    samples.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
+    samples.diagnostics = std::move(grid.diagnostics);
+    samples.source = std::make_shared<MemorySource>(std::move(grid.c), std::move(grid.d));
     return samples;
 }
 
@@ -148,21 +142,16 @@ void report_over_range(const std::array<std::int64_t, 2>& counts, const OpenOpti
 // Adds rate, samples and diagnostics.
 Status take_table(const FileBytes& file, TextTable table, const OpenOptions& options,
                   const JobControl& job, FoundSamples& found) {
-    auto scan = scan_text(table, job);
-    if (!scan) {
-        return scan.error();
-    }
-    found.frames = scan->rows();
-    if (const Status status = check_frames(file, found.frames); !status) {
-        return status;
-    }
-    const std::int64_t missing = scan->missing_samples;
-    const std::int64_t rows_with_missing = scan->rows_with_missing;
+    auto scan = TRY(scan_text(table, job));
+    found.frames = scan.rows();
+    TRY(check_frames(file, found.frames));
+    const std::int64_t missing = scan.missing_samples;
+    const std::int64_t rows_with_missing = scan.rows_with_missing;
     // Nobody needs to be told of lines that were said to be skipped.
     const bool said = options.text && options.text->lines_to_skip;
     const std::int64_t above = said ? 0 : table.header_lines - table.format.header_lines_used;
-    const std::int64_t lines_ignored = above + scan->lines_ignored;
-    const auto over_range = scan->over_range;
+    const std::int64_t lines_ignored = above + scan.lines_ignored;
+    const auto over_range = scan.over_range;
     const auto written = [&](int number, int column) {
         return Channel{channel_of(found, number).name,
                        table.format.units[static_cast<std::size_t>(column)]};
@@ -171,21 +160,18 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     note_units(written(options.channel_c, table.columns.c),
                written(options.channel_d, table.columns.d), found.diagnostics);
     const TextTable looked_at = table;
-    const bool uneven = table.columns.time >= 0 && !scan->even;
-    auto samples = uneven ? resampled(table, *scan, job)
-                          : Result(streamed(std::move(table), std::move(*scan)));
-    if (!samples) {
-        return samples.error();
-    }
+    const bool uneven = table.columns.time >= 0 && !scan.even;
+    auto samples = TRY(uneven ? resampled(table, scan, job)
+                              : Result(streamed(std::move(table), std::move(scan))));
     // Samples that were brought onto a grid have its rate.
-    found.own_rate = uneven ? samples->rate : better_rate(samples->rate, looked_at);
-    note_disagreement(samples->rate, looked_at, found);
-    found.diagnostics.insert(found.diagnostics.end(), samples->diagnostics.begin(),
-                             samples->diagnostics.end());
+    found.own_rate = uneven ? samples.rate : better_rate(samples.rate, looked_at);
+    note_disagreement(samples.rate, looked_at, found);
+    found.diagnostics.insert(found.diagnostics.end(), samples.diagnostics.begin(),
+                             samples.diagnostics.end());
     if (missing > 0) {
         found.diagnostics.push_back({DiagnosticKind::missing_samples,
                                      {count_arg(missing)},
-                                     samples->first_missing,
+                                     samples.first_missing,
                                      rows_with_missing});
     }
     report_over_range(over_range, options, found);
@@ -193,7 +179,7 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
         found.diagnostics.push_back(
             {DiagnosticKind::text_lines_ignored, {count_arg(lines_ignored)}, -1, 0});
     }
-    found.source = std::move(samples->source);
+    found.source = std::move(samples.source);
     return {};
 }
 
@@ -241,50 +227,34 @@ Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
 Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
                                const OpenOptions& options, const JobControl& job) {
     const TextChoice choice = options.text.value_or(TextChoice{});
-    const auto head = read_text_head(file, choice.lines_to_skip, job);
-    if (!head) {
-        return head.error();
-    }
-    const auto found = find_text_format(*file, *head, choice);
-    if (!found) {
-        return found.error();
-    }
-    const TextFormat& format = *found;
+    const auto head = TRY(read_text_head(file, choice.lines_to_skip, job));
+    const auto found = TRY(find_text_format(*file, head, choice));
+    const TextFormat& format = found;
     const auto channels = static_cast<int>(channel_columns(format).size());
-    if (const Status status = check_channels(*file, channels, options); !status) {
-        return status.error();
-    }
-    const auto chosen = columns_for(*file, format, options);
-    if (!chosen) {
-        return chosen.error();
-    }
-    if (chosen->time < 0 && format.rates.empty() && !options.rate_hz) {
+    TRY(check_channels(*file, channels, options));
+    const auto chosen = TRY(columns_for(*file, format, options));
+    if (chosen.time < 0 && format.rates.empty() && !options.rate_hz) {
         return file->error(ErrorCode::rate_unknown);  // before the work of reading it
     }
     TextFormat used = format;
-    if (chosen->time != format.time_column) {
-        const auto time = static_cast<std::size_t>(chosen->time);
-        used.time_column = chosen->time;
+    if (chosen.time != format.time_column) {
+        const auto time = static_cast<std::size_t>(chosen.time);
+        used.time_column = chosen.time;
         used.time_unit_s = seconds_per(time_unit({format.names[time], format.units[time]}))
                                .value_or(format.time_unit_s);
     }
-    return find_table(file, used, *chosen);
+    return find_table(file, used, chosen);
 }
 
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
-    auto table = choose_table(file, options, job);
-    if (!table) {
-        return table.error();
-    }
+    auto table = TRY(choose_table(file, options, job));
     FoundSamples found;
-    found.format = format_of(table->format);
-    found.channels = channels_of(table->format);
+    found.format = format_of(table.format);
+    found.channels = channels_of(table.format);
     found.one_unit = true;
-    note_words(table->format, found);
-    if (const Status status = take_table(*file, std::move(*table), options, job, found); !status) {
-        return status.error();
-    }
+    note_words(table.format, found);
+    TRY(take_table(*file, std::move(table), options, job, found));
     return complete_recording(*file, std::move(found), options);
 }
 

@@ -244,9 +244,7 @@ private:
 Result<UniformTimeDetector> empty_line(const TextTable& table) {
     TextBlock block;
     for (std::int64_t index = 0; table.columns.time >= 0 && index < table.blocks.count(); ++index) {
-        if (const Status status = table.blocks.read(index, block); !status) {
-            return status.error();
-        }
+        TRY(table.blocks.read(index, block));
         TimedSamples samples;
         FinestDigits digits;
         TextRows rows(table.format, table.columns, block, SampleUse::check);
@@ -266,12 +264,9 @@ Result<UniformTimeDetector> empty_line(const TextTable& table) {
 }  // namespace
 
 Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
-    const auto empty = empty_line(table);
-    if (!empty) {
-        return empty.error();
-    }
-    const BlockScanner scanner(table, *empty);
-    ScanSum sum(table, *empty);
+    const auto empty = TRY(empty_line(table));
+    const BlockScanner scanner(table, empty);
+    ScanSum sum(table, empty);
     std::vector<BlockScan> blocks;
     const std::int64_t count = table.blocks.count();
     for (std::int64_t first = 0; first < count; first += blocks_at_once) {
@@ -285,9 +280,7 @@ Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
             return table.blocks.file().error(ErrorCode::interrupted);
         }
         for (std::size_t i = 0; i < blocks.size(); ++i) {
-            if (const Status status = sum.take(blocks[i]); !status) {
-                return status.error();
-            }
+            TRY(sum.take(blocks[i]));
             const auto done = static_cast<double>(first) + static_cast<double>(i + 1);
             job.report(done / static_cast<double>(count));
         }

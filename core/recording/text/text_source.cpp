@@ -63,9 +63,7 @@ public:
                                    static_cast<std::size_t>(to - from));
             };
             const std::int64_t row = segment->first_row + from - segment->first_frame;
-            if (const Status status = read_rows(row, part(c), part(d)); !status) {
-                return status;
-            }
+            TRY(read_rows(row, part(c), part(d)));
         }
         return {};
     }
@@ -103,9 +101,7 @@ private:
             return kept;
         }
         TextBlock block;
-        if (const Status status = table_.blocks.read(index, block); !status) {
-            return status.error();
-        }
+        TRY(table_.blocks.read(index, block));
         const auto at = static_cast<std::size_t>(index);
         const auto count = static_cast<std::size_t>(first_rows_[at + 1] - first_rows_[at]);
         auto samples = std::make_shared<SampleBlock>();
@@ -157,9 +153,7 @@ Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& sca
         if (job.cancelled()) {
             return table.blocks.file().error(ErrorCode::interrupted);
         }
-        if (const Status status = table.blocks.read(index, block); !status) {
-            return status.error();
-        }
+        TRY(table.blocks.read(index, block));
         TextRows rows(table.format, table.columns, block, SampleUse::read);
         while (rows.next() && static_cast<std::int64_t>(samples.c.size()) < scan.rows()) {
             samples.time_s.push_back(rows.time() * table.format.time_unit_s);

@@ -11,30 +11,21 @@ namespace vybeg {
 Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
                              const TextColumns& columns) {
     std::array<char, 4> bytes{};
-    const auto got = file->read(0, bytes);
-    if (!got) {
-        return got.error();
-    }
-    const std::string_view head(bytes.data(), static_cast<std::size_t>(*got));
+    const auto got = TRY(file->read(0, bytes));
+    const std::string_view head(bytes.data(), static_cast<std::size_t>(got));
     auto begin = static_cast<std::int64_t>(mark_length(head));
     std::int64_t header_lines = 0;
     TextLines lines(file);
     while (lines.number() < format.lines_to_skip) {
-        const auto line = lines.next();
+        const auto line = TRY(lines.next());
         if (!line) {
-            return line.error();
-        }
-        if (!*line) {
             break;
         }
-        header_lines += trimmed(**line).empty() ? 0 : 1;
+        header_lines += trimmed(*line).empty() ? 0 : 1;
         begin = lines.position();
     }
-    const auto end = end_of_content(*file, encoding_of(head), begin);
-    if (!end) {
-        return end.error();
-    }
-    return TextTable{TextBlocks(file, encoding_of(head), begin, *end), format, columns,
+    const auto end = TRY(end_of_content(*file, encoding_of(head), begin));
+    return TextTable{TextBlocks(file, encoding_of(head), begin, end), format, columns,
                      header_lines};
 }
 

@@ -28,11 +28,8 @@ Result<std::optional<std::string_view>> UffLines::next() {
         if (looked > longest_line) {
             return line_too_long(*file_, "UFF", number_ + 1);
         }
-        const auto more = fill();
+        const auto more = TRY(fill());
         if (!more) {
-            return more.error();
-        }
-        if (!*more) {
             break;
         }
     }

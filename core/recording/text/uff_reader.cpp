@@ -311,15 +311,12 @@ Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOpti
     UffLines lines(file);
     UffFile content(file, options);
     for (;;) {
-        const auto line = lines.next();
+        const auto line = TRY(lines.next());
         if (!line) {
-            return line.error();
-        }
-        if (!*line) {
             return content.finish();
         }
         if (const Status status =
-                content.take(**line, lines.number(), lines.ended(), lines.position());
+                content.take(*line, lines.number(), lines.ended(), lines.position());
             !status) {
             return status.error();
         }

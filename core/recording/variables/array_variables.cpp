@@ -12,11 +12,8 @@ namespace {
 // The samples of a channel, through decoders of its own: two channels that stand one after the
 // other would send one decoder back and forth.
 Result<SampleColumn> column_of(const StoredArray& stored, std::int64_t channel) {
-    auto content = stored.content();
-    if (!content) {
-        return content.error();
-    }
-    return npy_column(stored.array, std::move(*content), channel);
+    auto content = TRY(stored.content());
+    return npy_column(stored.array, std::move(content), channel);
 }
 
 class ArrayVariables final : public VariableReader {
@@ -28,11 +25,8 @@ public:
         const auto opened = opened_.hold();
         auto& source = (*opened)[{place.variable, place.channel}];
         if (!source) {
-            const auto column = column_of(array(place), place.channel);
-            if (!column) {
-                return column.error();
-            }
-            source = column_source(*column, *column);
+            const auto column = TRY(column_of(array(place), place.channel));
+            source = column_source(column, column);
         }
         std::vector<double> again(out.size());
         return source->read(first, out, again);
@@ -71,13 +65,10 @@ Result<std::optional<double>> value_of(const StoredArray& stored) {
     if (variable.frames != 1 || variable.channels != 1 || !variable.unsupported.text.empty()) {
         return std::optional<double>();
     }
-    const auto column = column_of(stored, 0);
-    if (!column) {
-        return column.error();
-    }
+    const auto column = TRY(column_of(stored, 0));
     double value = 0;
     double again = 0;
-    const Status status = column_source(*column, *column)->read(0, {&value, 1}, {&again, 1});
+    const Status status = column_source(column, column)->read(0, {&value, 1}, {&again, 1});
     return status ? Result(std::optional(value)) : status.error();
 }
 
@@ -94,12 +85,9 @@ Result<Recording> open_arrays(std::shared_ptr<const FileBytes> file, const std::
         if (job.cancelled()) {
             return file->error(ErrorCode::interrupted);
         }
-        const auto value = value_of(stored);
-        if (!value) {
-            return value.error();
-        }
+        const auto value = TRY(value_of(stored));
         variables.catalogue.variables.push_back(stored.variable);
-        variables.catalogue.variables.back().value = *value;
+        variables.catalogue.variables.back().value = value;
     }
     const auto reader = std::make_shared<ArrayVariables>(std::move(arrays));
     variables.reader = reader;

@@ -48,15 +48,12 @@ Result<Recording> open_with_library(std::shared_ptr<const FileBytes> file,
     if (format.kind == mat_kind) {
         return open_mat(std::move(file), options, job);
     }
-    auto process = ReaderProcess::start(file, format.kind, format.name);
-    if (!process) {
-        return process.error();
-    }
+    auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
     VariableFile variables;
     variables.file = file;
     variables.format = format.name;
-    variables.catalogue = (*process)->catalogue();
-    variables.reader = std::make_shared<LibraryVariables>(file, format, std::move(*process));
+    variables.catalogue = process->catalogue();
+    variables.reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
     variables.source = [reader = variables.reader](const ChannelPlace& c, const ChannelPlace& d,
                                                    std::int64_t frames) {
         return variable_source(reader, c, d, frames);

@@ -66,11 +66,8 @@ Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
             return too_many(*file);
         }
         std::array<char, mat4_header_bytes> bytes{};
-        const auto got = file->read(at, bytes);
-        if (!got) {
-            return got.error();
-        }
-        const auto header = mat4_header({bytes.data(), static_cast<std::size_t>(*got)});
+        const auto got = TRY(file->read(at, bytes));
+        const auto header = mat4_header({bytes.data(), static_cast<std::size_t>(got)});
         if (!header) {
             return damaged(*file, VYBEG_MESSAGE("Words", "there is no variable at byte %1"),
                            {count_arg(at)});
@@ -80,9 +77,7 @@ Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
         if (data + header->data_bytes > file->size()) {
             return cut_off(*file);
         }
-        if (const Status status = whole->read(at + mat4_header_bytes, name); !status) {
-            return status.error();
-        }
+        TRY(whole->read(at + mat4_header_bytes, name));
         if (header->is_full) {
             // Level 4 knows doubles alone, however few bytes they are stored in.
             StoredArray stored =
@@ -296,20 +291,14 @@ private:
 Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                            const JobControl& job) {
     std::array<char, header_bytes> head{};
-    const auto got = file->read(0, head);
-    if (!got) {
-        return got.error();
-    }
+    const auto got = TRY(file->read(0, head));
     const bool is_level5 = is_mat5({head.data(), head.size()});
-    if (is_level5 && *got < header_bytes) {
+    if (is_level5 && got < header_bytes) {
         return damaged(*file, VYBEG_MESSAGE("Words", "it ends in its header"));
     }
-    auto arrays =
-        is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job) : level4_arrays(file);
-    if (!arrays) {
-        return arrays.error();
-    }
-    return open_arrays(std::move(file), is_level5 ? "MAT 5" : "MAT 4", std::move(*arrays), options,
+    auto arrays = TRY(is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job)
+                                : level4_arrays(file));
+    return open_arrays(std::move(file), is_level5 ? "MAT 5" : "MAT 4", std::move(arrays), options,
                        job);
 }
 

@@ -46,21 +46,15 @@ Result<StoredArray> array_in(const std::shared_ptr<const FileBytes>& file, const
 
 Result<Recording> open_npz(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                            const JobControl& job) {
-    const auto members = zip_members(*file);
-    if (!members) {
-        return members.error();
-    }
+    const auto members = TRY(zip_members(*file));
     std::vector<StoredArray> arrays;
-    for (const ZipMember& member : *members) {
+    for (const ZipMember& member : members) {
         if (job.cancelled()) {
             return file->error(ErrorCode::interrupted);
         }
         if (member.name.ends_with(ending)) {
-            auto array = array_in(file, member);
-            if (!array) {
-                return array.error();
-            }
-            arrays.push_back(std::move(*array));
+            auto array = TRY(array_in(file, member));
+            arrays.push_back(std::move(array));
         }
     }
     if (arrays.empty()) {

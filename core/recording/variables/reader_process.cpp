@@ -145,15 +145,10 @@ Result<std::unique_ptr<ReaderProcess>> ReaderProcess::start(std::shared_ptr<cons
                                                             const std::string& kind,
                                                             const std::string& format,
                                                             const std::string& program) {
-    const auto started = spawn(*file, kind, program);
-    if (!started) {
-        return started.error();
-    }
+    const auto started = TRY(spawn(*file, kind, program));
     std::unique_ptr<ReaderProcess> process(
-        new ReaderProcess(std::move(file), format, started->socket, started->id));
-    if (const Status status = process->take_catalogue(); !status) {
-        return status.error();
-    }
+        new ReaderProcess(std::move(file), format, started.socket, started.id));
+    TRY(process->take_catalogue());
     return process;
 }
 

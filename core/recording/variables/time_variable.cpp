@@ -54,18 +54,14 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
     // Before the last time is looked at, which may lie behind much that has to be unpacked: most
     // of what is none does not even begin like one.
     std::vector<double> block(static_cast<std::size_t>(std::min(frames, frames_per_request)));
-    if (const Status status = time.read(reader, 0, block); !status) {
-        return status.error();
-    }
+    TRY(time.read(reader, 0, block));
     if (!std::ranges::is_sorted(block)) {
         return TimeSteps{};
     }
     double first = 0;
     double last = 0;
     for (const auto& [frame, value] : {std::pair{std::int64_t{0}, &first}, {frames - 1, &last}}) {
-        if (const Status status = time.read(reader, frame, {value, 1}); !status) {
-            return status.error();
-        }
+        TRY(time.read(reader, frame, {value, 1}));
     }
     TimeSteps steps;
     const double mean_step_s = (last - first) / static_cast<double>(frames - 1);
@@ -84,9 +80,7 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
         }
         const std::span<double> times(
             block.data(), static_cast<std::size_t>(std::min(frames_per_request, frames - at)));
-        if (const Status status = time.read(reader, at, times); !status) {
-            return status.error();
-        }
+        TRY(time.read(reader, at, times));
         digits.add(times, time.unit_s);
         for (std::size_t i = 0; i < times.size(); ++i) {
             if (!(times[i] >= before)) {

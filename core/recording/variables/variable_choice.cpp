@@ -80,31 +80,25 @@ private:
     }
 
     Status choose_named(const std::string& c, const std::string& d) {
-        const auto first = find(c);
-        if (!first) {
-            return first.error();
-        }
+        const auto first = TRY(find(c));
         if (d.empty()) {
-            add_all_channels(*first);
+            add_all_channels(first);
             return choice_.channels.empty() ? none_found(0) : Status();
         }
-        const auto second = find(d);
-        if (!second) {
-            return second.error();
-        }
-        for (const std::int64_t place : {*first, *second}) {
+        const auto second = TRY(find(d));
+        for (const std::int64_t place : {first, second}) {
             if (variable(place).channels != 1) {
                 return wrong_names(
                     words(VYBEG_MESSAGE("Words", "%1 has %2 channels and stands alone"),
                           {variable(place).name, count_arg(variable(place).channels)}));
             }
         }
-        if (variable(*first).frames != variable(*second).frames) {
+        if (variable(first).frames != variable(second).frames) {
             return wrong_names(
                 words(VYBEG_MESSAGE("Words", "they have %1 and %2 samples"),
-                      {count_arg(variable(*first).frames), count_arg(variable(*second).frames)}));
+                      {count_arg(variable(first).frames), count_arg(variable(second).frames)}));
         }
-        choice_.channels = {{*first, 0}, {*second, 0}};
+        choice_.channels = {{first, 0}, {second, 0}};
         return {};
     }
 
@@ -261,16 +255,13 @@ private:
     }
 
     Status choose_named_rate() {
-        const auto place = find(name(2));
-        if (!place) {
-            return place.error();
-        }
-        const FileVariable& of = variable(*place);
+        const auto place = TRY(find(name(2)));
+        const FileVariable& of = variable(place);
         if (of.value) {
             const auto meant = rate_by_name(last_name(of.name), *of.value, of.unit);
             choice_.rate = SampleRate{meant.value_or(*of.value), RateOrigin::file};
         } else if (of.frames == choice_.frames && of.channels == 1) {
-            choice_.time = *place;
+            choice_.time = place;
             choice_.time_unit_s = unit_of_times(of).value_or(1);
         }
         if (!choice_.time && !(choice_.rate && choice_.rate->hz > 0 &&
@@ -308,9 +299,7 @@ Error two_rates(const FileBytes& file, const Catalogue& catalogue, double first_
 Result<VariableChoice> choose_variables(const FileBytes& file, const Catalogue& catalogue,
                                         const OpenOptions& options) {
     VariableChooser choosing(file, catalogue, options);
-    if (const Status status = choosing.choose(); !status) {
-        return status.error();
-    }
+    TRY(choosing.choose());
     return choosing.take();
 }
 

@@ -23,12 +23,8 @@ public:
             const std::size_t count =
                 std::min(static_cast<std::size_t>(frames_per_request), c.size() - done);
             const std::int64_t from = first + static_cast<std::int64_t>(done);
-            if (const Status status = reader_->read(c_, from, c.subspan(done, count)); !status) {
-                return status;
-            }
-            if (const Status status = reader_->read(d_, from, d.subspan(done, count)); !status) {
-                return status;
-            }
+            TRY(reader_->read(c_, from, c.subspan(done, count)));
+            TRY(reader_->read(d_, from, d.subspan(done, count)));
         }
         return {};
     }
@@ -51,11 +47,8 @@ Status LibraryVariables::read(const ChannelPlace& place, std::int64_t first,
                               std::span<double> out) const {
     const auto process = process_.hold();
     if (!*process) {
-        auto started = ReaderProcess::start(file_, format_.kind, format_.name);
-        if (!started) {
-            return started.error();
-        }
-        *process = std::move(*started);
+        auto started = TRY(ReaderProcess::start(file_, format_.kind, format_.name));
+        *process = std::move(started);
     }
     const SampleRequest request{place.variable, place.channel, first,
                                 static_cast<std::int64_t>(out.size())};

@@ -39,13 +39,10 @@ Status take_uneven(const Opening& opening, const TimeResolution& resolution, Fou
             return status;
         }
     }
-    auto grid = to_uniform_grid(samples, opening.variables.file->path().string());
-    if (!grid) {
-        return grid.error();
-    }
-    found.own_rate = SampleRate{grid->rate_hz, RateOrigin::time_column, grid->rate_relative_sd};
-    found.diagnostics = std::move(grid->diagnostics);
-    found.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
+    auto grid = TRY(to_uniform_grid(samples, opening.variables.file->path().string()));
+    found.own_rate = SampleRate{grid.rate_hz, RateOrigin::time_column, grid.rate_relative_sd};
+    found.diagnostics = std::move(grid.diagnostics);
+    found.source = std::make_shared<MemorySource>(std::move(grid.c), std::move(grid.d));
     return {};
 }
 
@@ -69,33 +66,23 @@ Status take_samples(const Opening& opening, const OpenOptions& options, const Jo
                     FoundSamples& found) {
     found.own_rate = opening.choice.rate;
     if (opening.time && found.own_rate) {
-        if (Status agree = check_times(opening, found.own_rate->hz); !agree) {
-            return agree;
-        }
+        TRY(check_times(opening, found.own_rate->hz));
     } else if (opening.time) {
-        const auto steps = scan_times(*opening.variables.file, *opening.variables.reader,
-                                      *opening.time, opening.choice.frames, job);
-        if (!steps) {
-            return steps.error();
+        const auto steps = TRY(scan_times(*opening.variables.file, *opening.variables.reader,
+                                          *opening.time, opening.choice.frames, job));
+        const bool even = steps.even && steps.even->segments.size() == 1;
+        if (steps.is_time && !even) {
+            return take_uneven(opening, steps.resolution, found);
         }
-        const bool even = steps->even && steps->even->segments.size() == 1;
-        if (steps->is_time && !even) {
-            return take_uneven(opening, steps->resolution, found);
-        }
-        if (steps->is_time) {
-            found.own_rate = SampleRate{steps->even->rate_hz, RateOrigin::time_column,
-                                        steps->even->rate_relative_sd};
+        if (steps.is_time) {
+            found.own_rate = SampleRate{steps.even->rate_hz, RateOrigin::time_column,
+                                        steps.even->rate_relative_sd};
         }
     }
     // Before the work of unpacking.
-    if (const auto rate = choose_rate(*opening.variables.file, found.own_rate, options); !rate) {
-        return rate.error();
-    }
-    auto source = opening.variables.source(opening.c, opening.d, opening.choice.frames);
-    if (!source) {
-        return source.error();
-    }
-    found.source = std::move(*source);
+    TRY(choose_rate(*opening.variables.file, found.own_rate, options));
+    auto source = TRY(opening.variables.source(opening.c, opening.d, opening.choice.frames));
+    found.source = std::move(source);
     return {};
 }
 
@@ -104,35 +91,26 @@ Status take_samples(const Opening& opening, const OpenOptions& options, const Jo
 Result<Recording> open_variables(const VariableFile& from, const OpenOptions& options,
                                  const JobControl& job) {
     const FileBytes& file = *from.file;
-    auto choice = choose_variables(file, from.catalogue, options);
-    if (!choice) {
-        return choice.error();
-    }
-    const auto channels = static_cast<int>(choice->channels.size());
-    if (const Status status = check_channels(file, channels, options); !status) {
-        return status.error();
-    }
-    if (const Status status = check_frames(file, choice->frames); !status) {
-        return status.error();
-    }
+    auto choice = TRY(choose_variables(file, from.catalogue, options));
+    const auto channels = static_cast<int>(choice.channels.size());
+    TRY(check_channels(file, channels, options));
+    TRY(check_frames(file, choice.frames));
     FoundSamples found;
-    found.channels = choice->names;
-    found.frames = choice->frames;
+    found.channels = choice.names;
+    found.frames = choice.frames;
     found.never_closed = from.catalogue.not_closed;
     Opening opening{from, {}, {}, {}, {}};
-    opening.c = choice->channels[static_cast<std::size_t>(options.channel_c - 1)];
-    opening.d = choice->channels[static_cast<std::size_t>(options.channel_d - 1)];
+    opening.c = choice.channels[static_cast<std::size_t>(options.channel_c - 1)];
+    opening.d = choice.channels[static_cast<std::size_t>(options.channel_d - 1)];
     const auto& variables = from.catalogue.variables;
     found.format = {FormatPart::name(from.format),
                     FormatPart::words(variables[static_cast<std::size_t>(opening.c.variable)].type),
                     FormatPart::channels(channels)};
-    if (choice->time) {
-        opening.time = TimeVariable{{*choice->time, 0}, choice->time_unit_s};
+    if (choice.time) {
+        opening.time = TimeVariable{{*choice.time, 0}, choice.time_unit_s};
     }
-    opening.choice = std::move(*choice);
-    if (const Status status = take_samples(opening, options, job, found); !status) {
-        return status.error();
-    }
+    opening.choice = std::move(choice);
+    TRY(take_samples(opening, options, job, found));
     return complete_recording(file, std::move(found), options);
 }
 

@@ -153,12 +153,12 @@ private slots:
     }
 
     void a_table_that_is_there_is_replaced_after_a_question() {
-        const QString results = home_.file("there.csv", "# vybeg-cli 0.0.1\nan older table");
+        const QString results = home_.file("there.csv", "# vybeg-cli 0.0.1\nset,verdict\n");
         open(home_.path("list.csv"), results);
         press("batchStart");
         clickAnswer("Cancel");
         QVERIFY(!batch().running());
-        QCOMPARE(content(results), QByteArray("# vybeg-cli 0.0.1\nan older table"));
+        QCOMPARE(content(results), QByteArray("# vybeg-cli 0.0.1\nset,verdict\n"));
         QTRY_VERIFY(!batch().findChild<QMessageBox*>());
         press("batchStart");
         clickAnswer("Replace");
