@@ -5,6 +5,7 @@
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/recording/samples/text_fields.h"
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -218,13 +218,16 @@ std::string excel_row(const std::string& row, bool limits) {
     std::vector<std::string> fields = csv_fields(row);
     constexpr std::array texts{"set",     "gyro",    "date",     "files",    "message",
                                "comment", "verdict", "operator", "failed_by"};
+    std::vector<std::string_view> parts;
     for (std::size_t k = 0; k < std::min(fields.size(), names.size()); ++k) {
         const bool is_text = std::ranges::find(texts, names[k]) != texts.end();
         // Conditions that differ are several numbers: "20.5;21.5".
-        const auto is_number = [](const auto& part) {
-            return parse_number(std::string(part.begin(), part.end())).has_value();
-        };
-        if (!is_text && std::ranges::all_of(std::views::split(fields[k], ';'), is_number)) {
+        split_fields(fields[k], ';', parts);
+        const bool is_number =
+            !parts.empty() && std::ranges::all_of(parts, [](std::string_view part) {
+                return parse_number(part).has_value();
+            });
+        if (!is_text && is_number) {
             std::ranges::replace(fields[k], '.', ',');
         }
     }
