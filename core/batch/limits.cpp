@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    // A limit in a column that nobody reads would be none.
+    // Refuses unknown columns: a limit there would be ignored.
     Status check_columns() const {
         constexpr std::array<const char*, 5> columns{"parameter", "least", "greatest", "gyro_type",
                                                      "comment"};

@@ -14,7 +14,8 @@
 namespace vybeg::ui {
 
 // A database of results in the background: each job opens the file for itself, so that none of them
-// holds it. The document tells where another program holds it. Errors: those of ResultsDatabase.
+// holds it. A message of the document names a wait for another program. Errors: those of
+// ResultsDatabase.
 
 // Makes the file where there is none, and says whether it is a database.
 void makeDatabase(BackgroundJobs& job, int key, Document& document, const QString& path,

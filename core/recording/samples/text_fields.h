@@ -20,9 +20,8 @@ void split_fields(std::string_view line, char delimiter, std::vector<std::string
 
 // Number of a whole field: NaN for an empty field or a mark of a missing value ("nan", "NA"),
 // infinite for an overload ("inf", U+221E, "OVLD", 9.9E37 to 3.5E38); empty for other texts.
-// Independent of the locale. Fortran's D is
-// read as E, the sign U+2212 as a minus; with a decimal comma, blanks and points separate
-// thousands.
+// Independent of the locale. Fortran's D is read as E, the sign U+2212 as a minus; with a decimal
+// comma, blanks and points separate thousands.
 std::optional<double> parse_field(std::string_view field, bool decimal_comma);
 
 // Least magnitude of a number that may be a mark of overload.

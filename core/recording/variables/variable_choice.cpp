@@ -169,7 +169,7 @@ private:
             if (letter != 0) {
                 auto& of = named[letter == 'c' ? 0 : 1];
                 if (of) {
-                    return;  // two of them: nothing is told
+                    return;  // ambiguous names
                 }
                 of = place;
             }
