@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
+#include "core/analysis/passport.h"
 #include "core/analysis/settings.h"
 #include "core/recording/samples/open_options.h"
-#include "core/resonator/results/passport.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,8 +2,8 @@
 #include "app/cli_identify_text.h"
 #include "app/cli_support.h"
 #include "core/analysis/setting_table.h"
+#include "core/batch/identify_set.h"
 #include "core/batch/list_sets.h"
-#include "core/batch/set_identification.h"
 #include "core/database/results_database.h"
 #include "core/output/file_ending.h"
 #include "core/output/identify_json.h"
@@ -25,7 +25,7 @@ Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
     if (request.list.empty()) {
         MeasurementSet set{request.inputs.front(), {}, request.settings};
         for (const std::string& name : request.inputs) {
-            set.recordings.push_back({name, name, request.open, {}, {}});
+            set.recordings.push_back({name, name, request.open});
         }
         return MeasurementList{{}, {std::move(set)}, {}};
     }
@@ -45,7 +45,7 @@ Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
 Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
     std::vector<InputPath> inputs{{request.old_passport, "it is the passport to compare with"},
                                   {request.list, "it is the list of the recordings"}};
-    for (const ListedRecording& recording : set.recordings) {
+    for (const RecordingRef& recording : set.recordings) {
         inputs.push_back({recording.path.string(), "it is one of the recordings"});
     }
     if (request.database == "-") {
@@ -180,37 +180,33 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
         return log.fail(there.error());
     }
     const double opened = seconds_now();
-    const Result<IdentifiedSet> result =
-        identify_set(*open, *set, request.compare, job_of(stop, log));
+    const Result<SetResult> result =
+        identify_set(*open, program, request.compare, job_of(stop, log));
     if (!result) {
         log.warnings(warnings_of(*open));
         return log.fail(result.error());
     }
-    log.warnings(result->warnings);
+    log.warnings(warnings_of(*open, *result));
     const double identified = seconds_now();
-    const Identification& found = result->found;
-    const PassportComparison* const compared = open->comparison ? &*open->comparison : nullptr;
     if (outputs.database) {
-        const auto result_of_set =
-            stored_result(program, *set, list->other_columns, open->told, found,
-                          identify_json(program, open->told, found, compared));
-        const Status stored = result_of_set ? store(*outputs.database, *result_of_set, log)
-                                            : Status(result_of_set.error());
+        const auto to_store = stored_result(*result, identify_json(*result));
+        const Status stored =
+            to_store ? store(*outputs.database, *to_store, log) : Status(to_store.error());
         if (!stored) {
             return log.fail(stored.error());
         }
     }
-    const Status written = write_outputs(
-        outputs,
-        summary ? identify_text(open->told, found, compared)
-                : identify_json(program, open->told, found, compared),
-        outputs.passport ? passport_json(passport_of(program, open->told, found, *set)) : "");
+    const Status written =
+        write_outputs(outputs, summary ? identify_text(*result) : identify_json(*result),
+                      outputs.passport ? passport_json(passport_of(*result)) : "");
     if (!written) {
         return log.fail(written.error());
     }
     if (request.timing) {
-        std::fputs(identify_timing_line(found, opened - begun, seconds_now() - identified).c_str(),
-                   stderr);
+        std::fputs(
+            identify_timing_line(result->identification, opened - begun, seconds_now() - identified)
+                .c_str(),
+            stderr);
     }
     return 0;
 }

@@ -68,8 +68,8 @@ std::string parameter_text(const ResonatorParameter& parameter, const Estimate& 
 }
 
 // What the wave of a recording did, whatever the resonator is.
-std::string wave_text(const IdentifiedInput& input, const WaveMotion& wave) {
-    std::string text = "wave of " + input.name + ", means over the recording\n";
+std::string wave_text(const RecordingRef& recording, const WaveMotion& wave) {
+    std::string text = "wave of " + recording.name() + ", means over the recording\n";
     for (const WaveParameter& parameter : wave_parameters) {
         const Estimate& estimate = wave.*parameter.member;
         text += line(label_of(parameter.name), text_of(estimate, parameter.unit));
@@ -166,9 +166,9 @@ std::string q_envelope_text(const RunEstimate& run) {
            short_text(band.q_at_smallest, 3) + " at " + short_text(band.smallest, 3) + ")";
 }
 
-std::string run_text(const IdentifiedInput& input, const IdentifiedRun& run,
+std::string run_text(const RecordingRef& recording, const IdentifiedRun& run,
                      const RunEstimate& estimate) {
-    return "run " + plain_text(input.name) + "\n" +
+    return "run " + plain_text(recording.name()) + "\n" +
            line("windows", integer_text(run.windows_used) + " of " + integer_text(run.windows) +
                                ", " + integer_text(run.window) + " samples") +
            line("f_offset", text_of(estimate.f_offset_hz, "Hz")) +
@@ -223,13 +223,13 @@ std::string difference_text(const Difference& difference) {
 
 }  // namespace
 
-std::string identify_text(std::span<const IdentifiedInput> inputs,
-                          const Identification& identification,
-                          const PassportComparison* comparison) {
+std::string identify_text(const SetResult& result) {
+    const std::vector<RecordingRef>& recordings = result.set.recordings;
+    const Identification& identification = result.identification;
     const ResonatorFit& fit = identification.fit;
     std::string text;
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-        text += wave_text(inputs[k], identification.runs[k].wave);
+    for (std::size_t k = 0; k < recordings.size(); ++k) {
+        text += wave_text(recordings[k], identification.runs[k].wave);
     }
     text += tolerances_text(identification.settings);
     if (fit.model == ResonatorModel::structured) {
@@ -243,14 +243,14 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
         text += "resonator, free model: " + english(Reason{ReasonCode::free_model, {}}) + "\n";
     }
     text += modes_text(fit);
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-        text += run_text(inputs[k], identification.runs[k], fit.runs[k]);
+    for (std::size_t k = 0; k < recordings.size(); ++k) {
+        text += run_text(recordings[k], identification.runs[k], fit.runs[k]);
     }
     text += drift_text(identification);
     text += "residual rms " + short_text(fit.residual_rms, 4) + ", " +
             (fit.noise.white() ? "white" : "coloured") + ", chi^2 per degree of freedom " +
             short_text(fit.chi2_per_dof, 4) + "\n";
-    if (comparison != nullptr) {
+    if (const auto& comparison = result.comparison) {
         text += "compared with " + plain_text(comparison->file) + ", changed from " +
                 short_text(changed_from(count_compared(comparison->differences)), 3) +
                 " u of the difference on\n";

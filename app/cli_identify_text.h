@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/output/identify_json.h"
+#include "core/analysis/set_result.h"
 
-#include <span>
 #include <string>
 
 namespace vybeg::cli {
@@ -10,8 +9,6 @@ namespace vybeg::cli {
 // The summary of an identification for people: what each wave did, resonator, modes, runs, drift
 // function and, where there is one, the comparison; every number with its standard deviation, and u
 // where it differs, or its reason.
-std::string identify_text(std::span<const IdentifiedInput> inputs,
-                          const Identification& identification,
-                          const PassportComparison* comparison);
+std::string identify_text(const SetResult& result);
 
 }  // namespace vybeg::cli

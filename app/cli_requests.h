@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/analysis/identify.h"
+#include "core/analysis/passport.h"
 #include "core/analysis/settings.h"
 #include "core/batch/batch_request.h"
 #include "core/recording/samples/open_options.h"
-#include "core/resonator/results/passport.h"
 #include "core/simulation/free_decay.h"
 
 #include <cstdint>

@@ -73,7 +73,7 @@ std::vector<std::string> files_of(const ReportRequest& request,
                                   const std::vector<MeasurementSet>& sets) {
     std::vector<std::string> files;
     for (const MeasurementSet& set : sets) {
-        for (const ListedRecording& listed : set.recordings) {
+        for (const RecordingRef& listed : set.recordings) {
             files.push_back(listed.path.string());
         }
     }
@@ -95,8 +95,8 @@ QString program_text() {
 
 Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementList& list,
                               const JobControl& job) {
-    const auto content = TRY(
-        report_of_set(list.sets.front(), list.other_columns, request.settings, request.title, job));
+    const auto content =
+        TRY(report_of_set(list.sets.front(), request.settings, request.title, job));
     return ui::reportPdf(ui::reportTextOf(content, program_text(), ui::reportDay()),
                          ui::drawnFigures(content));
 }
@@ -110,7 +110,7 @@ Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementLis
     units.angle = ui::AngleUnit::degrees;
     for (const MeasurementSet& set : list.sets) {
         Result<ui::ReportContent> content =
-            report_of_set(set, list.other_columns, request.settings, request.title, job);
+            report_of_set(set, request.settings, request.title, job);
         if (!content) {
             if (ends_report(content.error().code)) {
                 return content.error();

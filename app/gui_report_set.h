@@ -13,12 +13,10 @@ namespace vybeg::cli {
 
 // What a report shows of a set, computed from its recordings: checks, analyses in the windows of
 // `track` with the set's signals, identification. What cannot be identified has its reason in it.
-// Conditions of the set take precedence over `title`; `other_columns` are its list's. Warnings go
-// to standard error. Errors: conditions_differ, those of open_recording(), analyse(), inspect(),
-// check_distinct(), file_changed, interrupted.
-Result<ui::ReportContent> report_of_set(const MeasurementSet& set,
-                                        const std::vector<std::string>& other_columns,
-                                        const Settings& track, const ui::ReportTitle& title,
-                                        const JobControl& job);
+// Conditions of the set take precedence over `title`. Warnings go to standard error. Errors:
+// conditions_differ, those of open_recording(), analyse(), inspect(), read_contents(),
+// file_changed, interrupted.
+Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
+                                        const ui::ReportTitle& title, const JobControl& job);
 
 }  // namespace vybeg::cli

@@ -262,30 +262,6 @@ void name_runs(std::span<const Recording> recordings, std::vector<Diagnostic>& w
 
 }  // namespace
 
-Status check_distinct(std::span<const Recording> recordings, std::span<const std::string> sha256) {
-    const auto signals = [](const Recording& recording) {
-        std::vector<std::string> names;
-        for (const int channel : {recording.channel_c, recording.channel_d}) {
-            const auto place = static_cast<std::size_t>(channel - 1);
-            names.push_back(integer_text(channel));
-            names.push_back(place < recording.channels.size() ? recording.channels[place].name
-                                                              : "");
-        }
-        return names;
-    };
-    for (std::size_t later = 1; later < recordings.size(); ++later) {
-        for (std::size_t k = 0; k < later; ++k) {
-            if (sha256[k] == sha256[later] &&
-                signals(recordings[k]) == signals(recordings[later])) {
-                return Error{ErrorCode::same_recording,
-                             recording_name(recordings[k]),
-                             {recording_name(recordings[later])}};
-            }
-        }
-    }
-    return {};
-}
-
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job) {
     TRY(validate(settings));

@@ -48,10 +48,6 @@ struct Identification {
     IdentifyTiming timing;
 };
 
-// Whether each recording is evidence of its own: no two have the same file content and the same two
-// channels. `sha256` as the recordings. Errors: same_recording.
-Status check_distinct(std::span<const Recording> recordings, std::span<const std::string> sha256);
-
 // The whole road from the recordings of one resonator to the resonator (METHOD section 8): a set of
 // runs that differ in their start. The gain ratio that is found is the one of the recorded signals.
 // Memory does not grow with the recordings, and the result is the same to the last bit for any

@@ -270,7 +270,7 @@ private:
     }
 
     Result<IdentifySettings> read_row(const CsvRow& row, MeasurementSet& set) const {
-        ListedRecording recording{field(row, "file"), {}, defaults_.open, {}, {}};
+        RecordingRef recording{field(row, "file"), {}, defaults_.open};
         if (recording.file.empty()) {
             return invalid(row.line, "file", words(VYBEG_MESSAGE("Words", "no file is named")));
         }
@@ -309,7 +309,7 @@ private:
             return read.error();
         }
         for (const std::string& column : list_.other_columns) {
-            recording.others.push_back(field(row, column));
+            recording.others.emplace_back(column, field(row, column));
         }
         set.recordings.push_back(std::move(recording));
         return settings;
@@ -427,7 +427,7 @@ Status check_conditions(const MeasurementSet& set) {
                   [](const Conditions& c) { return std::string(c.exchanged ? "yes" : "no"); }}};
     for (const Condition& condition : checked) {
         std::string told;
-        for (const ListedRecording& recording : set.recordings) {
+        for (const RecordingRef& recording : set.recordings) {
             const std::string text = condition.text(recording.conditions);
             if (!told.empty() && !text.empty() && text != told) {
                 return Error{ErrorCode::conditions_differ, set.name, {condition.name, told, text}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
+#include "core/base/describe.h"
 #include "core/base/diagnostic.h"
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
@@ -9,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -22,20 +24,45 @@ struct Conditions {
     bool exchanged = false;  // pick-off C on amplifier 2
     std::string operator_name;
     std::string comment;
+
+    friend bool operator==(const Conditions&, const Conditions&) = default;
 };
 
-struct ListedRecording {
+// By the names of a list's columns.
+template <class Archive, Described<Conditions> Owner>
+void describe(Archive&& archive, Owner& conditions) {
+    archive("gyro", conditions.gyro);
+    archive("date", conditions.date);
+    archive("bias_v", conditions.bias_v);
+    archive("temperature_c", conditions.temperature_c);
+    archive("exchanged", conditions.exchanged);
+    archive("operator", conditions.operator_name);
+    archive("comment", conditions.comment);
+}
+
+// A recording of a set: its file and how it is read, the conditions it was made under, and, from
+// reading it, what it contains.
+struct RecordingRef {
     std::string file;  // as the list names it
     std::filesystem::path path;
-    OpenOptions open;
-    Conditions conditions;
-    std::vector<std::string> others;  // fields of the unknown columns
+    OpenOptions open{};
+    Conditions conditions{};
+    std::vector<std::pair<std::string, std::string>> others{};  // unknown columns and their fields
+    std::string sha256{};
+    std::string start{};  // date and time that the file tells, or empty
+    double seconds = 0;
+    double rate_hz = 0;
+    double f0_hz = 0;
+
+    std::string name() const { return path.filename().string(); }
+
+    friend bool operator==(const RecordingRef&, const RecordingRef&) = default;
 };
 
 // Recordings of one resonator, in the order of the list.
 struct MeasurementSet {
     std::string name;
-    std::vector<ListedRecording> recordings;
+    std::vector<RecordingRef> recordings;
     IdentifySettings settings;
 };
 

@@ -14,6 +14,9 @@ namespace vybeg {
 std::string gyro_of(const MeasurementSet& set);
 std::string list_date_of(const MeasurementSet& set);
 
+// The conditions of a recording as a list has them, column by column; empty: not told.
+std::vector<std::pair<std::string, std::string>> fields_of(const Conditions& conditions);
+
 // bias_v, temperature_c, exchanged, operator, comment: columns of a list, and their fields. Fields
 // of recordings that differ stand side by side with ";" between; empty: not told.
 std::vector<std::pair<std::string, std::string>> conditions_of(const MeasurementSet& set);

@@ -23,6 +23,8 @@ public:
         }
     }
 
+    std::stop_token stop_token() const { return stop_; }
+
     // The same job for a part of it that has no progress of its own.
     JobControl silent() const { return JobControl(stop_, {}, clock_); }
 

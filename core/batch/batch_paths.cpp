@@ -97,7 +97,7 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
     for (const SetTask& task : tasks) {
         inputs.push_back(
             {task.passport, words(VYBEG_MESSAGE("Words", "it is one of the passports"))});
-        for (const ListedRecording& recording : task.set->recordings) {
+        for (const RecordingRef& recording : task.set->recordings) {
             inputs.push_back({recording.path.string(),
                               words(VYBEG_MESSAGE("Words", "it is one of the recordings"))});
         }

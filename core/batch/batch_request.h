@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
+#include "core/analysis/passport.h"
 #include "core/recording/samples/open_options.h"
-#include "core/resonator/results/passport.h"
 
 #include <string>
 

@@ -294,8 +294,7 @@ private:
     Status compute_rows(const MeasurementList& list, const std::vector<SetTask>& tasks,
                         const std::vector<std::string>& header, OutputFile& output) {
         const auto last_id = TRY(database_ ? database_->last_id() : Result<std::int64_t>(0));
-        SetWork work({request_, tasks, list.other_columns, *journal_,
-                      database_ ? &*database_ : nullptr, last_id},
+        SetWork work({request_, tasks, *journal_, database_ ? &*database_ : nullptr, last_id},
                      events_, stop_);
         Status done = work.run();
         LimitCounts counts;

@@ -55,19 +55,21 @@ Result<MeasurementList> FolderWatch::look() {
         return MeasurementList{};
     }
     for (const MeasurementSet& set : come.sets) {
-        for (const ListedRecording& recording : set.recordings) {
+        for (const RecordingRef& recording : set.recordings) {
             listed.insert(recording.path.lexically_normal());
         }
     }
     std::erase_if(come.sets, [this](const MeasurementSet& set) {
-        return !std::ranges::all_of(set.recordings, [this](const ListedRecording& recording) {
+        return !std::ranges::all_of(set.recordings, [this](const RecordingRef& recording) {
             return is_settled(recording.path.lexically_normal());
         });
     });
     for (MeasurementSet& file : single) {
-        ListedRecording& recording = file.recordings.front();
+        RecordingRef& recording = file.recordings.front();
         if (!listed.contains(recording.path.lexically_normal())) {
-            recording.others.resize(come.other_columns.size());
+            for (const std::string& column : come.other_columns) {
+                recording.others.emplace_back(column, "");
+            }
             come.sets.push_back(std::move(file));
         }
     }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/analysis/passport.h"
 #include "core/base/result.h"
 #include "core/resonator/results/parameter_limit.h"
-#include "core/resonator/results/passport.h"
 
 #include <filesystem>
 #include <string>

@@ -112,19 +112,18 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
         add(name);
         add(value);
     }
-    for (const ListedRecording& recording : set.recordings) {
-        const Conditions& told = recording.conditions;
+    for (const RecordingRef& recording : set.recordings) {
         const OpenOptions& open = recording.open;
         for (const std::string& part :
-             {recording.file, recording.path.string(), file_stamp(recording.path), told.gyro,
-              told.date, told.bias_v ? round_trip_text(*told.bias_v) : std::string(),
-              told.temperature_c ? round_trip_text(*told.temperature_c) : std::string(),
-              std::string(told.exchanged ? "yes" : "no"), told.operator_name, told.comment,
+             {recording.file, recording.path.string(), file_stamp(recording.path),
               options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
               integer_text(open.channel_c), integer_text(open.channel_d)}) {
             add(part);
         }
-        for (const std::string& other : recording.others) {
+        for (const auto& [column, field] : fields_of(recording.conditions)) {
+            add(field);
+        }
+        for (const auto& [column, other] : recording.others) {
             add(other);
         }
     }

@@ -105,62 +105,59 @@ void SetWork::finish(const SetTask& task) {
         add_failure(task, open.error(), {});
         return;
     }
-    Result<IdentifiedSet> result = identify_set(*open, set, batch_.request.compare, job);
+    Result<SetResult> result =
+        identify_set(*open, batch_.request.program, batch_.request.compare, job);
     if (!result) {
         add_failure(task, result.error(), warnings_of(*open));
         return;
     }
-    const PassportComparison* const compared = open->comparison ? &*open->comparison : nullptr;
+    std::vector<NamedWarnings> warnings = warnings_of(*open, *result);
     const double identified = job.now();
     // Before the row: a row in the journal means that its files and its result in the database are
     // there.
     if (!task.new_passport.empty()) {
-        const Passport passport =
-            passport_of(batch_.request.program, open->told, result->found, set);
-        if (Status written = write_file(task.new_passport, passport_json(passport), job);
+        if (Status written =
+                write_file(task.new_passport, passport_json(passport_of(*result)), job);
             !written) {
             give_up(written.error());
             return;
         }
     }
     if (!task.json.empty() || batch_.database != nullptr) {
-        const std::string json =
-            identify_json(batch_.request.program, open->told, result->found, compared);
+        const std::string json = identify_json(*result);
         Status written = task.json.empty() ? Status() : write_file(task.json, json, job);
         if (!written) {
             give_up(written.error());
             return;
         }
-        Result<std::vector<Diagnostic>> stored = store(task, *open, result->found, json);
+        Result<std::vector<Diagnostic>> stored = store(task, *result, json);
         if (!stored) {
             give_up(stored.error());
             return;
         }
         if (!stored->empty()) {
-            result->warnings.emplace_back("", std::move(*stored));
+            warnings.emplace_back("", std::move(*stored));
         }
     }
-    const std::optional<LimitVerdict> limits = limit_verdict(task, &result->found);
-    FinishedRow row{.text = batch_row(set, result->found, compared, limits ? &*limits : nullptr),
-                    .warnings = std::move(result->warnings),
+    const std::optional<LimitVerdict> limits = limit_verdict(task, &result->identification);
+    FinishedRow row{.text = batch_row(*result, limits ? &*limits : nullptr),
+                    .warnings = std::move(warnings),
                     .error = {},
-                    .timing = result->found.timing,
+                    .timing = result->identification.timing,
                     .write_s = job.now() - identified};
-    for (const IdentifiedRun& run : result->found.runs) {
+    for (const IdentifiedRun& run : result->identification.runs) {
         row.windows += run.windows;
     }
     add_row(task, std::move(row));
 }
 
-Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const OpenSet& open,
-                                               const Identification& found,
+Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const SetResult& result,
                                                const std::string& json) {
     std::vector<Diagnostic> warnings;
     if (batch_.database == nullptr) {
         return warnings;
     }
-    const auto stored = TRY(stored_result(batch_.request.program, *task.set, batch_.other_columns,
-                                          open.told, found, json));
+    const auto stored = TRY(stored_result(result, json));
     const std::lock_guard lock(database_mutex_);
     const auto holder = TRY(batch_.database->holder(stored.key));
     // Of two sets of the list the later one counts, whichever is computed first.

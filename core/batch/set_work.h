@@ -3,7 +3,7 @@
 #include "core/base/result.h"
 #include "core/batch/batch_events.h"
 #include "core/batch/batch_request.h"
-#include "core/batch/set_identification.h"
+#include "core/batch/identify_set.h"
 #include "core/batch/set_task.h"
 #include "core/database/results_database.h"
 #include "core/output/row_journal.h"
@@ -25,7 +25,6 @@ namespace vybeg {
 struct BatchWork {
     const BatchRequest& request;
     const std::vector<SetTask>& tasks;
-    const std::vector<std::string>& other_columns;  // of the list
     RowJournal& journal;
     ResultsDatabase* database = nullptr;  // null: there is none
     std::int64_t last_id = 0;             // of the results in it
@@ -52,8 +51,8 @@ private:
     void work();
     void finish(const SetTask& task);
     // Returns the warning that the database keeps one result for this set and another one.
-    Result<std::vector<Diagnostic>> store(const SetTask& task, const OpenSet& open,
-                                          const Identification& found, const std::string& json);
+    Result<std::vector<Diagnostic>> store(const SetTask& task, const SetResult& result,
+                                          const std::string& json);
     void add_failure(const SetTask& task, const Error& error,
                      const std::vector<NamedWarnings>& warnings);
     void add_row(const SetTask& task, FinishedRow row);

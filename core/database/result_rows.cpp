@@ -98,13 +98,30 @@ Estimate read_estimate(const SqliteStatement& row, int column) {
     return estimate;
 }
 
-double or_nan(const std::optional<double>& value) {
-    return value.value_or(std::numeric_limits<double>::quiet_NaN());
-}
+// Archives of describe(): the values of a statement, and columns of a row one after the other.
+struct Binder {
+    SqliteStatement& row;
 
-std::optional<double> told(const SqliteStatement& row, int column) {
-    return row.is_null(column) ? std::optional<double>() : row.number(column);
-}
+    void operator()(const char*, const std::string& text) { row.bind(text); }
+    void operator()(const char*, bool value) { row.bind(std::int64_t{value}); }
+    void operator()(const char*, const std::optional<double>& value) {
+        row.bind(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+};
+
+struct ColumnReader {
+    const SqliteStatement& row;
+    int column;
+
+    void operator()(const char*, std::string& text) { text = row.text(column++); }
+    void operator()(const char*, bool& value) { value = row.whole(column++) != 0; }
+    void operator()(const char*, std::optional<double>& value) {
+        if (!row.is_null(column)) {
+            value = row.number(column);
+        }
+        ++column;
+    }
+};
 
 std::int64_t write_head(const SqliteConnection& connection, const StoredResult& result,
                         std::optional<std::int64_t> wanted) {
@@ -165,21 +182,18 @@ void write_recordings(const SqliteConnection& connection, std::int64_t id,
                         "INSERT INTO recording VALUES "
                         "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     std::int64_t position = 0;
-    for (const StoredRecording& recording : result.recordings) {
-        const IdentifiedInput& input = recording.input;
-        const Conditions& conditions = recording.conditions;
+    for (const RecordingRef& recording : result.recordings) {
         Json others = Json::array();
         for (const auto& [name, value] : recording.others) {
             others.push_back({name, value});
         }
-        row.bind(id).bind(position++).bind(recording.file).bind(recording.path);
-        row.bind(input.name).bind(input.sha256).bind(input.start);
-        row.bind(input.seconds).bind(input.rate_hz).bind(input.f0_hz);
+        row.bind(id).bind(position++).bind(recording.file).bind(recording.path.string());
+        row.bind(recording.name()).bind(recording.sha256).bind(recording.start);
+        row.bind(recording.seconds).bind(recording.rate_hz).bind(recording.f0_hz);
         row.bind(std::int64_t{recording.open.channel_c});
         row.bind(std::int64_t{recording.open.channel_d});
-        row.bind(conditions.gyro).bind(conditions.date).bind(or_nan(conditions.bias_v));
-        row.bind(or_nan(conditions.temperature_c)).bind(std::int64_t{conditions.exchanged});
-        row.bind(conditions.operator_name).bind(conditions.comment).bind(line_of(others));
+        describe(Binder{row}, recording.conditions);
+        row.bind(line_of(others));
         row.bind(opening_of(recording.open));
         row.run();
     }
@@ -206,27 +220,29 @@ std::string column_since(const SqliteConnection& connection, int schema, const c
     return version.whole(0) < schema ? otherwise : column;
 }
 
-std::vector<StoredRecording> read_recordings(const SqliteConnection& connection, std::int64_t id) {
+std::vector<RecordingRef> read_recordings(const SqliteConnection& connection, std::int64_t id) {
     const std::string opening = column_since(connection, 2, "opening", "'[]'");
     SqliteStatement row(connection, (R"sql(
-        SELECT file, path, name, sha256, start, seconds, rate_hz, f0_hz, channel_c, channel_d,
+        SELECT file, path, sha256, start, seconds, rate_hz, f0_hz, channel_c, channel_d,
             gyro, date, bias_v, temperature_c, exchanged, operator, comment, others, )sql" +
                                      opening + " FROM recording WHERE result = ? ORDER BY position")
                                         .c_str());
     row.bind(id);
-    std::vector<StoredRecording> recordings;
+    std::vector<RecordingRef> recordings;
     while (row.step()) {
-        StoredRecording recording;
+        RecordingRef recording;
         recording.file = row.text(0);
         recording.path = row.text(1);
-        recording.input = {row.text(2),   row.text(3),   row.text(4),
-                           row.number(5), row.number(6), row.number(7)};
-        recording.open.channel_c = static_cast<int>(row.whole(8));
-        recording.open.channel_d = static_cast<int>(row.whole(9));
-        recording.conditions = {row.text(10),       row.text(11), told(row, 12), told(row, 13),
-                                row.whole(14) != 0, row.text(15), row.text(16)};
-        recording.others = pairs_in(row.text(17));
-        read_opening(row.text(18), recording.open);
+        recording.sha256 = row.text(2);
+        recording.start = row.text(3);
+        recording.seconds = row.number(4);
+        recording.rate_hz = row.number(5);
+        recording.f0_hz = row.number(6);
+        recording.open.channel_c = static_cast<int>(row.whole(7));
+        recording.open.channel_d = static_cast<int>(row.whole(8));
+        describe(ColumnReader{row, 9}, recording.conditions);
+        recording.others = pairs_in(row.text(16));
+        read_opening(row.text(17), recording.open);
         recordings.push_back(std::move(recording));
     }
     return recordings;

@@ -32,15 +32,15 @@ std::string settings_text(IdentifySettings settings) {
     return text;
 }
 
-Result<std::string> result_key(const MeasurementSet& set, std::span<const IdentifiedInput> inputs) {
+Result<std::string> result_key(const MeasurementSet& set) {
     std::vector<std::string> each;
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
+    for (std::size_t k = 0; k < set.recordings.size(); ++k) {
         const OpenOptions& open = set.recordings[k].open;
         IdentifySettings own = set.settings;
         own.signal = set.settings.signal_of(k);
         std::string text;
         for (const std::string& part :
-             {inputs[k].sha256, integer_text(open.channel_c), integer_text(open.channel_d),
+             {set.recordings[k].sha256, integer_text(open.channel_c), integer_text(open.channel_d),
               options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
               settings_text(own)}) {
             add_part(text, part);
@@ -56,23 +56,10 @@ Result<std::string> result_key(const MeasurementSet& set, std::span<const Identi
     return text_sha256(whole);
 }
 
-// The first date that the list tells, otherwise the first start that a recording tells as ISO 8601.
-StoredDate date_of(const MeasurementSet& set, std::span<const IdentifiedInput> inputs) {
-    if (const std::string date = list_date_of(set); !date.empty()) {
-        return {date, DateSource::list};
-    }
-    for (const IdentifiedInput& input : inputs) {
-        if (is_iso_date(input.start)) {
-            return {input.start, DateSource::recording};
-        }
-    }
-    return {};
-}
-
-std::string absolute_path(const std::filesystem::path& path) {
+std::filesystem::path absolute_path(const std::filesystem::path& path) {
     std::error_code failed;
     const std::filesystem::path whole = std::filesystem::absolute(path, failed);
-    return (failed ? path : whole).lexically_normal().string();
+    return (failed ? path : whole).lexically_normal();
 }
 
 std::vector<StoredParameter> parameters_of(const ResonatorFit& fit) {
@@ -92,32 +79,38 @@ std::vector<StoredParameter> parameters_of(const ResonatorFit& fit) {
 
 }  // namespace
 
-Result<StoredResult> stored_result(const std::string& program, const MeasurementSet& set,
-                                   std::span<const std::string> other_columns,
-                                   std::span<const IdentifiedInput> inputs,
-                                   const Identification& found, std::string json) {
-    auto key = TRY(result_key(set, inputs));
-    StoredResult result;
-    result.key = std::move(key);
-    result.set = set.name;
-    result.gyro = gyro_of(set);
-    result.date = date_of(set, inputs);
-    result.program = program;
-    result.model = found.fit.model == ResonatorModel::structured ? "structured" : "free";
-    result.warnings = warning_kinds(findings_of(found));
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-        const ListedRecording& listed = set.recordings[k];
-        StoredRecording recording{listed.file, absolute_path(listed.path), inputs[k],
-                                  listed.open, listed.conditions,          {}};
-        for (std::size_t c = 0; c < std::min(other_columns.size(), listed.others.size()); ++c) {
-            recording.others.emplace_back(other_columns[c], listed.others[c]);
-        }
-        result.recordings.push_back(std::move(recording));
+StoredDate date_of(const MeasurementSet& set) {
+    if (const std::string date = list_date_of(set); !date.empty()) {
+        return {date, DateSource::list};
     }
-    result.parameters = parameters_of(found.fit);
-    result.raw = found.fit.raw;
-    result.json = std::move(json);
-    return result;
+    for (const RecordingRef& recording : set.recordings) {
+        if (is_iso_date(recording.start)) {
+            return {recording.start, DateSource::recording};
+        }
+    }
+    return {};
+}
+
+Result<StoredResult> stored_result(const SetResult& result, std::string json) {
+    const MeasurementSet& set = result.set;
+    const Identification& found = result.identification;
+    auto key = TRY(result_key(set));
+    StoredResult stored;
+    stored.key = std::move(key);
+    stored.set = set.name;
+    stored.gyro = gyro_of(set);
+    stored.date = date_of(set);
+    stored.program = result.program;
+    stored.model = found.fit.model == ResonatorModel::structured ? "structured" : "free";
+    stored.warnings = warning_kinds(findings_of(found));
+    stored.recordings = set.recordings;
+    for (RecordingRef& recording : stored.recordings) {
+        recording.path = absolute_path(recording.path);
+    }
+    stored.parameters = parameters_of(found.fit);
+    stored.raw = found.fit.raw;
+    stored.json = std::move(json);
+    return stored;
 }
 
 }  // namespace vybeg

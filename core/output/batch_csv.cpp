@@ -76,7 +76,7 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
                       const std::string& message, const std::vector<std::string>& results,
                       const LimitVerdict* limits) {
     std::string files;
-    for (const ListedRecording& recording : set.recordings) {
+    for (const RecordingRef& recording : set.recordings) {
         files += (files.empty() ? "" : ";") + recording.file;
     }
     std::vector<std::string> texts{set.name, gyro_of(set), list_date_of(set),
@@ -103,8 +103,8 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
 
 // The verdict about the gyro, and the names of the parameters that have changed, without Q, which
 // follows from others.
-std::pair<std::string, std::string> verdict(const PassportComparison* comparison) {
-    if (comparison == nullptr) {
+std::pair<std::string, std::string> verdict(const std::optional<PassportComparison>& comparison) {
+    if (!comparison) {
         return {};
     }
     std::string verdict = "not-comparable";
@@ -184,8 +184,8 @@ std::string batch_row(const MeasurementSet& set, const Error& error, const Limit
     return whole_row(set, std::to_string(exit_status(error.code)), english(error), {}, limits);
 }
 
-std::string batch_row(const MeasurementSet& set, const Identification& found,
-                      const PassportComparison* comparison, const LimitVerdict* limits) {
+std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
+    const Identification& found = result.identification;
     const ResonatorFit& fit = found.fit;
     std::vector<std::string> results{fit.model == ResonatorModel::structured ? "structured"
                                                                              : "free"};
@@ -197,7 +197,7 @@ std::string batch_row(const MeasurementSet& set, const Identification& found,
     const std::vector<Finding> findings = findings_of(found);
     // Numbers that may be wrong are compared with nothing: the message says why.
     const bool doubtful = is_doubtful(found);
-    const auto [judged, changed] = verdict(doubtful ? nullptr : comparison);
+    const auto [judged, changed] = verdict(doubtful ? std::nullopt : result.comparison);
     results.insert(results.end(), {fit.noise.white() ? "white" : "coloured",
                                    number(fit.chi2_per_dof), judged, changed});
     for (const Parameter& parameter : parameters) {
@@ -205,7 +205,7 @@ std::string batch_row(const MeasurementSet& set, const Identification& found,
         results.push_back(estimate.given() ? number(estimate.u) : "");
     }
     results.push_back(warning_kinds(findings));
-    return whole_row(set, "ok", doubtful ? english(findings.front()) : "", results, limits);
+    return whole_row(result.set, "ok", doubtful ? english(findings.front()) : "", results, limits);
 }
 
 std::string excel_head(const std::string& head) {

@@ -37,10 +37,9 @@ std::string batch_head(std::span<const std::string> header,
 std::string batch_row(const MeasurementSet& set, const Error& error,
                       const LimitVerdict* limits = nullptr);
 
-// The row of a set; `comparison`: with its gyro's passport, null: there is none. A serious warning
-// stands as the message, in place of a verdict. `limits`: null, the table has none.
-std::string batch_row(const MeasurementSet& set, const Identification& found,
-                      const PassportComparison* comparison, const LimitVerdict* limits = nullptr);
+// The row of a set. A serious warning stands as the message, in place of a verdict. `limits`: null,
+// the table has none.
+std::string batch_row(const SetResult& result, const LimitVerdict* limits = nullptr);
 
 // The head of the same table for table programs: a byte order mark and the line of names.
 std::string excel_head(const std::string& head);

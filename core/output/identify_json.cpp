@@ -23,19 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json inputs_json(std::span<const IdentifiedInput> inputs) {
-    Json list = Json::array();
-    for (const IdentifiedInput& input : inputs) {
-        list.push_back({{"name", input.name},
-                        {"sha256", input.sha256},
-                        {"start", input.start},
-                        {"seconds", input.seconds},
-                        {"rate_hz", input.rate_hz},
-                        {"f0_hz", input.f0_hz}});
-    }
-    return list;
-}
-
 Json settings_json(const IdentifySettings& settings) {
     Json object = Json::object();
     for (const auto& [name, value] : settings_list(settings)) {
@@ -45,7 +32,7 @@ Json settings_json(const IdentifySettings& settings) {
 }
 
 // Each kind once for each input, the worst first.
-Json warnings_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
+Json warnings_json(const Identification& identification, std::span<const RecordingRef> inputs) {
     std::vector<std::pair<Finding, Json>> findings;
     const auto add = [&findings](const std::vector<Diagnostic>& diagnostics, const Json& input) {
         for (Finding& finding : findings_of(diagnostics)) {
@@ -54,7 +41,7 @@ Json warnings_json(const Identification& identification, std::span<const Identif
     };
     add(identification.fit.warnings, nullptr);
     for (std::size_t k = 0; k < identification.runs.size(); ++k) {
-        add(identification.runs[k].diagnostics, inputs[k].name);
+        add(identification.runs[k].diagnostics, inputs[k].name());
     }
     const auto weight = [](const auto& each) { return severity(each.first.diagnostic.kind); };
     std::ranges::stable_sort(findings, std::ranges::greater(), weight);
@@ -155,12 +142,12 @@ Json q_envelope_json(const RunEstimate& run) {
     return quantity;
 }
 
-Json runs_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
+Json runs_json(const Identification& identification, std::span<const RecordingRef> inputs) {
     Json list = Json::array();
     for (std::size_t k = 0; k < identification.runs.size(); ++k) {
         const RunEstimate& run = identification.fit.runs[k];
         const IdentifiedRun& input = identification.runs[k];
-        list.push_back({{"name", inputs[k].name},
+        list.push_back({{"name", inputs[k].name()},
                         {"wave", wave_json(input.wave)},
                         {"f_offset_hz", quantity_json(run.f_offset_hz)},
                         {"a_A", quantity_json(run.a_A)},
@@ -293,14 +280,14 @@ Json rounded_json(std::span<const double> values, std::span<const double> sds) {
     return numbers_json(rounded);
 }
 
-Json balance_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
+Json balance_json(const Identification& identification, std::span<const RecordingRef> inputs) {
     if (identification.balance.empty()) {
         return nullptr;
     }
     Json list = Json::array();
     for (std::size_t k = 0; k < identification.balance.size(); ++k) {
         const ChannelBalance& balance = identification.balance[k];
-        list.push_back({{"name", inputs[k].name},
+        list.push_back({{"name", inputs[k].name()},
                         {"time_s", numbers_json(balance.time_s)},
                         {"orthogonality", rounded_json(balance.orthogonality, balance.sd)},
                         {"sd", rounded_json(balance.sd, balance.sd)}});
@@ -370,21 +357,21 @@ std::vector<Finding> findings_of(const Identification& identification) {
     return findings_of(all);
 }
 
-std::string identify_json(const std::string& program, std::span<const IdentifiedInput> inputs,
-                          const Identification& identification,
-                          const PassportComparison* comparison) {
+std::string identify_json(const SetResult& result) {
+    const Identification& identification = result.identification;
+    const std::vector<RecordingRef>& inputs = result.set.recordings;
     const ResonatorFit& fit = identification.fit;
-    Json json{{"program", program},
+    Json json{{"program", result.program},
               {"inputs", inputs_json(inputs)},
               {"settings", settings_json(identification.settings)},
               {"tolerances", tolerances_json(identification.settings)},
               {"frequencies_by",
                identification.settings.tolerance.rate_ppm ? "tolerance" : "clock of the recorder"},
               {"warnings", warnings_json(identification, inputs)}};
-    if (comparison != nullptr) {
+    if (const auto& comparison = result.comparison) {
         json["passport"] = {{"file", comparison->file},
                             {"sha256", comparison->sha256},
-                            {"program", comparison->program}};
+                            {"program", comparison->passport.program}};
         json["differences"] = differences_json(comparison->differences);
     }
     json["model"] = fit.model == ResonatorModel::structured ? "structured" : "free";
@@ -408,18 +395,18 @@ std::string identify_json(const std::string& program, std::span<const Identified
     return json_text(json);
 }
 
-Passport passport_of(const std::string& program, std::span<const IdentifiedInput> inputs,
-                     const Identification& identification, const MeasurementSet& set) {
+Passport passport_of(const SetResult& result) {
+    const Identification& identification = result.identification;
     Passport passport;
-    passport.program = program;
-    passport.gyro = gyro_of(set);
-    passport.date = list_date_of(set);
-    for (auto& condition : conditions_of(set)) {
+    passport.program = result.program;
+    passport.gyro = gyro_of(result.set);
+    passport.date = list_date_of(result.set);
+    for (auto& condition : conditions_of(result.set)) {
         if (!condition.second.empty()) {
             passport.conditions.push_back(std::move(condition));
         }
     }
-    passport.inputs.assign(inputs.begin(), inputs.end());
+    passport.inputs = result.set.recordings;
     passport.settings = settings_list(identification.settings);
     passport.model = identification.fit.model;
     passport.resonator = identification.fit.resonator;

@@ -1,6 +1,7 @@
 #include "core/output/passport_json.h"
 
 #include "core/base/number_text.h"
+#include "core/output/identify_json.h"
 #include "core/output/quantity_json.h"
 #include "core/output/stored_reason.h"
 #include "core/recording/bytes/file_bytes.h"
@@ -40,14 +41,19 @@ constexpr std::array<TrackColumn, 8> track_columns{{
     {"sd_f_hz", &RunTrack::sd_f_hz},
 }};
 
+Json args_json(const std::vector<MessageArg>& args) {
+    Json list = Json::array();
+    for (const MessageArg& arg : args) {
+        list.push_back(english(arg));
+    }
+    return list;
+}
+
 Json written(const Estimate& estimate) {
     Json json = quantity_json(estimate);
     if (!estimate.given()) {
         json["code"] = reason_name(estimate.reason.code);
-        json["args"] = Json::array();
-        for (const MessageArg& arg : estimate.reason.args) {
-            json["args"].push_back(english(arg));
-        }
+        json["args"] = args_json(estimate.reason.args);
     }
     return json;
 }
@@ -55,6 +61,9 @@ Json written(const Estimate& estimate) {
 // What is wrong with a passport, thrown by the following functions.
 struct Fault {
     MessageArg reason;
+};
+struct LaterSchema {
+    int schema;
 };
 
 // A value of the file with its place, as "resonator.tau_s.value" or "runs[1].a_A".
@@ -137,11 +146,14 @@ public:
     }
 
     // Numbers that are not finite are null.
+    double number_or_nan() const {
+        return is_null() ? std::numeric_limits<double>::quiet_NaN() : number();
+    }
+
     std::vector<double> numbers() const {
         std::vector<double> values;
         for (const Node& node : elements()) {
-            values.push_back(node.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                            : node.number());
+            values.push_back(node.number_or_nan());
         }
         return values;
     }
@@ -239,9 +251,15 @@ Owner read_parameters(const Node& json, const Parameters& parameters, int schema
     return owner;
 }
 
-IdentifiedInput read_input(const Node& json) {
-    return {json.at("name").text(),      json.at("sha256").text(),    json.at("start").text(),
-            json.at("seconds").number(), json.at("rate_hz").number(), json.at("f0_hz").number()};
+RecordingRef read_input(const Node& json) {
+    const std::string name = json.at("name").text();
+    return {.file = name,
+            .path = name,
+            .sha256 = json.at("sha256").text(),
+            .start = json.at("start").text(),
+            .seconds = json.at("seconds").number(),
+            .rate_hz = json.at("rate_hz").number(),
+            .f0_hz = json.at("f0_hz").number()};
 }
 
 RunTrack read_track(const Node& json) {
@@ -337,18 +355,7 @@ Passport read_all(const Node& json, int schema) {
     return passport;
 }
 
-}  // namespace
-
-std::string passport_json(const Passport& passport) {
-    Json inputs = Json::array();
-    for (const IdentifiedInput& input : passport.inputs) {
-        inputs.push_back({{"name", input.name},
-                          {"sha256", input.sha256},
-                          {"start", input.start},
-                          {"seconds", input.seconds},
-                          {"rate_hz", input.rate_hz},
-                          {"f0_hz", input.f0_hz}});
-    }
+Json passport_object(const Passport& passport) {
     Json settings = Json::object();
     for (const auto& [name, value] : passport.settings) {
         settings[name] = value;
@@ -373,46 +380,44 @@ std::string passport_json(const Passport& passport) {
     for (const auto& [name, value] : passport.conditions) {
         conditions[name] = value;
     }
-    return json_text({{"vybeg", "passport"},
-                      {"schema", Passport::schema},
-                      {"program", passport.program},
-                      {"gyro", passport.gyro},
-                      {"date", passport.date},
-                      {"conditions", conditions},
-                      {"inputs", inputs},
-                      {"settings", settings},
-                      {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
-                      {"resonator", written_parameters(passport.resonator, resonator_parameters)},
-                      {"modes", modes},
-                      {"modes_by", passport.mode_order ? Json(mode_order_name(*passport.mode_order))
-                                                       : Json(nullptr)},
-                      {"runs", runs},
-                      {"parameters",
-                       {{"names", passport.raw.names},
-                        {"values", numbers_json(passport.raw.values)},
-                        {"covariance", numbers_json(passport.raw.covariance)}}},
-                      {"tracks", tracks}});
+    return {{"vybeg", "passport"},
+            {"schema", Passport::schema},
+            {"program", passport.program},
+            {"gyro", passport.gyro},
+            {"date", passport.date},
+            {"conditions", conditions},
+            {"inputs", inputs_json(passport.inputs)},
+            {"settings", settings},
+            {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
+            {"resonator", written_parameters(passport.resonator, resonator_parameters)},
+            {"modes", modes},
+            {"modes_by",
+             passport.mode_order ? Json(mode_order_name(*passport.mode_order)) : Json(nullptr)},
+            {"runs", runs},
+            {"parameters",
+             {{"names", passport.raw.names},
+              {"values", numbers_json(passport.raw.values)},
+              {"covariance", numbers_json(passport.raw.covariance)}}},
+            {"tracks", tracks}};
 }
 
-Result<Passport> read_passport(std::string_view text, const std::string& where) {
+Passport read_any(const Node& whole) {
+    const Node schema = whole.at("schema");
+    if (schema.whole_number() < 1) {
+        schema.wrong(VYBEG_MESSAGE("Words", "a positive number"));
+    }
+    if (schema.whole_number() > Passport::schema) {
+        throw LaterSchema{schema.whole_number()};
+    }
+    return read_all(whole, schema.whole_number());
+}
+
+// What `read` makes of a text.
+template <class Read>
+auto reading(std::string_view text, const std::string& where, const Read& read)
+    -> Result<decltype(read(Json()))> {
     try {
-        const Json json = Json::parse(text);
-        if (!json.is_object() || json.value("vybeg", Json()) != "passport") {
-            return Error{ErrorCode::passport_damaged,
-                         where,
-                         {words(VYBEG_MESSAGE("Words", "its JSON is not a passport's"))}};
-        }
-        const Node whole(json, "");
-        const Node schema = whole.at("schema");
-        if (schema.whole_number() < 1) {
-            schema.wrong(VYBEG_MESSAGE("Words", "a positive number"));
-        }
-        if (schema.whole_number() > Passport::schema) {
-            return Error{ErrorCode::passport_schema,
-                         where,
-                         {count_arg(schema.whole_number()), count_arg(Passport::schema)}};
-        }
-        return read_all(whole, schema.whole_number());
+        return read(Json::parse(text));
     } catch (const Json::parse_error& error) {
         return Error{ErrorCode::passport_damaged,
                      where,
@@ -422,14 +427,122 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
         return Error{ErrorCode::passport_damaged,
                      where,
                      {words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges"))}};
+    } catch (const LaterSchema& later) {
+        return Error{ErrorCode::passport_schema,
+                     where,
+                     {count_arg(later.schema), count_arg(Passport::schema)}};
     } catch (const Fault& fault) {
         return Error{ErrorCode::passport_damaged, where, {fault.reason}};
     }
 }
 
+Json warning_json(const IdentifyWarning& warning) {
+    return {{"kind", kind_name(warning.diagnostic.kind)},
+            {"args", args_json(warning.diagnostic.args)},
+            {"input", warning.input}};
+}
+
+Json run_json(const IdentifiedRun& run) {
+    return {{"window", run.window},
+            {"windows", run.windows},
+            {"windows_used", run.windows_used},
+            {"noise_sd", number_json(run.noise_sd)}};
+}
+
+IdentifiedRun read_run(const Node& json) {
+    IdentifiedRun run;
+    run.window = json.at("window").whole_number();
+    run.windows = json.at("windows").whole_number();
+    run.windows_used = json.at("windows_used").whole_number();
+    run.noise_sd = json.at("noise_sd").number_or_nan();
+    return run;
+}
+
+// A warning of a later version, whose words are not known here, is left out.
+void read_warning(const Node& json, Identification& identification) {
+    const auto warning = stored_diagnostic(json.at("kind").text(), json.at("args").texts());
+    const int input = json.at("input").whole_number();
+    if (!warning || input >= static_cast<int>(identification.runs.size())) {
+        return;
+    }
+    auto& list = input < 0 ? identification.fit.warnings
+                           : identification.runs[static_cast<std::size_t>(input)].diagnostics;
+    list.push_back(*warning);
+}
+
+SetResult read_saved(const Node& whole) {
+    Passport passport = read_any(whole.at("passport"));
+    SetResult result;
+    result.program = std::move(passport.program);
+    result.set.recordings = std::move(passport.inputs);
+    ResonatorFit& fit = result.identification.fit;
+    fit.model = passport.model;
+    fit.resonator = passport.resonator;
+    fit.modes = std::move(passport.modes);
+    fit.mode_order = passport.mode_order.value_or(ModeOrder::frequency);
+    fit.runs = std::move(passport.runs);
+    fit.raw = std::move(passport.raw);
+    const Node no_modes = whole.at("no_modes");
+    fit.no_modes =
+        stored_reason(no_modes.at("kind").text(), no_modes.at("args").texts()).value_or(Reason{});
+    fit.chi2_per_dof = whole.at("chi2_per_dof").number_or_nan();
+    for (const Node& run : whole.at("runs").elements()) {
+        result.identification.runs.push_back(read_run(run));
+    }
+    const std::size_t count = result.set.recordings.size();
+    fit.runs.resize(count);
+    result.identification.runs.resize(count);
+    for (const Node& warning : whole.at("warnings").elements()) {
+        read_warning(warning, result.identification);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string passport_json(const Passport& passport) {
+    return json_text(passport_object(passport));
+}
+
+Result<Passport> read_passport(std::string_view text, const std::string& where) {
+    return reading(text, where, [](const Json& json) {
+        if (!json.is_object() || json.value("vybeg", Json()) != "passport") {
+            throw Fault{words(VYBEG_MESSAGE("Words", "its JSON is not a passport's"))};
+        }
+        return read_any(Node(json, ""));
+    });
+}
+
 Result<Passport> read_passport_file(const std::filesystem::path& path) {
     const Result<std::string> text = own_file_text(path);
     return text ? read_passport(*text, path.string()) : text.error();
+}
+
+std::string saved_result_json(const SetResult& result) {
+    Passport passport = passport_of(result);
+    for (RunTrack& track : passport.tracks) {
+        track = {};
+    }
+    Json runs = Json::array();
+    for (const IdentifiedRun& run : result.identification.runs) {
+        runs.push_back(run_json(run));
+    }
+    Json warnings = Json::array();
+    for (const IdentifyWarning& warning : all_warnings(result.identification)) {
+        warnings.push_back(warning_json(warning));
+    }
+    const ResonatorFit& fit = result.identification.fit;
+    return json_text(
+        {{"passport", passport_object(passport)},
+         {"no_modes",
+          {{"kind", reason_name(fit.no_modes.code)}, {"args", args_json(fit.no_modes.args)}}},
+         {"chi2_per_dof", number_json(fit.chi2_per_dof)},
+         {"runs", runs},
+         {"warnings", warnings}});
+}
+
+Result<SetResult> read_saved_result(std::string_view text) {
+    return reading(text, {}, [](const Json& json) { return read_saved(Node(json, "")); });
 }
 
 }  // namespace vybeg

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/analysis/set_result.h"
 #include "core/base/result.h"
-#include "core/resonator/results/passport.h"
 
 #include <filesystem>
 #include <string>
@@ -21,5 +21,13 @@ Result<Passport> read_passport(std::string_view text, const std::string& where);
 
 // Reads a passport file. Errors also: those of own_file_text().
 Result<Passport> read_passport_file(const std::filesystem::path& path);
+
+// A result as a session saves it: its passport without the tracks of the waves, the warnings, and
+// what became of each recording.
+std::string saved_result_json(const SetResult& result);
+
+// The reverse, without settings, motion of the waves, drift function and channel balance. Errors:
+// those of read_passport().
+Result<SetResult> read_saved_result(std::string_view text);
 
 }  // namespace vybeg

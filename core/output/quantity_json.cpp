@@ -34,6 +34,19 @@ Json quantity_json(const Estimate& estimate) {
     return json;
 }
 
+Json inputs_json(std::span<const RecordingRef> inputs) {
+    Json list = Json::array();
+    for (const RecordingRef& input : inputs) {
+        list.push_back({{"name", input.name()},
+                        {"sha256", input.sha256},
+                        {"start", input.start},
+                        {"seconds", input.seconds},
+                        {"rate_hz", input.rate_hz},
+                        {"f0_hz", input.f0_hz}});
+    }
+    return list;
+}
+
 std::string json_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/measurement_list.h"
 #include "core/resonator/model/reason.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,6 +19,9 @@ nlohmann::ordered_json numbers_json(std::span<const double> values);
 // A quantity as JSON: {"value": x, "sd": s} or {"value": null, "reason": "..."}; with "u" where
 // tolerances contribute.
 nlohmann::ordered_json quantity_json(const Estimate& estimate);
+
+// The recordings of a set: names and what they contain.
+nlohmann::ordered_json inputs_json(std::span<const RecordingRef> inputs);
 
 // The JSON as text, indented, with a line feed at its end. Invalid UTF-8 in names from files is
 // replaced.

@@ -4,7 +4,7 @@
 // difference of a comparison is Gaussian with the deviation it states. A comparison calls something
 // changed by chance in 0.27 % of all cases: of a hundred, none is expected, and two or more have a
 // chance of 3 %.
-#include "core/resonator/results/passport.h"
+#include "core/analysis/passport.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 #include "tests/test_registry.h"

@@ -8,12 +8,13 @@
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
 #include "ui/document/freed_in_background.h"
-#include "ui/document/kept_result.h"
 #include "ui/document/track_export.h"
+#include "ui/words/program_name.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QEvent>
+#include <QJsonDocument>
 
 #include <algorithm>
 #include <filesystem>
@@ -228,42 +229,21 @@ void BackgroundJobs::analyseLive(int key, const Recording& recording, const Sett
         std::move(done));
 }
 
-void BackgroundJobs::identify(int key, const std::vector<Recording>& recordings,
-                              std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
+void BackgroundJobs::identify(int key, OpenSet open,
                               std::function<void(Result<ResonatorOutcome>)> done) {
     start<ResonatorOutcome>(
         analyses_, {Kind::identification, key},
-        [this, key, recordings, inputs = std::move(inputs),
-         settings](const Ticket& ticket) -> Result<ResonatorOutcome> {
+        [this, key, open = std::move(open)](const Ticket& ticket) -> Result<ResonatorOutcome> {
             QMetaObject::invokeMethod(
                 this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
             const JobControl job = reporting(key, ticket.stop);
-            ResonatorOutcome outcome;
-            outcome.inputs = inputs;
-            std::vector<std::string> hashes;
-            for (std::size_t k = 0; k < recordings.size(); ++k) {
-                IdentifiedInput& input = outcome.inputs[k];
-                if (input.sha256.empty()) {
-                    auto hash = TRY(recording_sha256(recordings[k], job.silent()));
-                    input.sha256 = std::move(hash);
-                }
-                hashes.push_back(input.sha256);
-            }
-            TRY(check_distinct(recordings, hashes));
+            OpenSet read = open;
+            TRY(read_contents(read, ticket.stop));
             const double begun = job.now();
-            Result<Identification> found = vybeg::identify(recordings, settings, job);
-            for (const Recording& recording : recordings) {
-                TRY(unchanged(recording));
-            }
-            if (!found) {
-                return found.error();
-            }
-            outcome.seconds = job.now() - begun;
-            outcome.identification = std::move(*found);
-            for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
-                outcome.inputs[k].f0_hz = outcome.identification.runs[k].f0_hz;
-            }
-            outcome.kept = keptResult(outcome);
+            auto result = TRY(identify_set(read, programName().toStdString(), {}, job));
+            ResonatorOutcome outcome{std::move(result), {}, job.now() - begun, {}};
+            const QByteArray saved = QByteArray::fromStdString(saved_result_json(outcome));
+            outcome.kept = QJsonDocument::fromJson(saved).object();
             return outcome;
         },
         std::move(done));
@@ -276,16 +256,12 @@ void BackgroundJobs::readPassport(int key, const QString& path,
         [path = toPath(path)](const Ticket&) { return read_passport_file(path); }, std::move(done));
 }
 
-void BackgroundJobs::writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome,
-                                   MeasurementSet set, const QString& program, const QString& path,
+void BackgroundJobs::writePassport(int key, SetResult result, const QString& path,
                                    std::function<void(Status)> done) {
     write(
         key,
-        [outcome = std::move(outcome), set = std::move(set), name = program.toStdString(),
-         path = toPath(path)](const JobControl& job) -> Status {
-            const Passport passport =
-                passport_of(name, outcome->inputs, outcome->identification, set);
-            return write_file(path, passport_json(passport), job);
+        [result = std::move(result), path = toPath(path)](const JobControl& job) -> Status {
+            return write_file(path, passport_json(passport_of(result)), job);
         },
         std::move(done));
 }

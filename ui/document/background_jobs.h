@@ -6,6 +6,7 @@
 #include "core/analysis/settings.h"
 #include "core/analysis/visible_first.h"
 #include "core/base/caught_error.h"
+#include "core/batch/identify_set.h"
 #include "core/recording/envelope/envelope_builder.h"
 #include "core/recording/open/quick_overview.h"
 #include "core/recording/open/recording_preview.h"
@@ -105,13 +106,10 @@ public:
                      std::optional<SignalSource> known, std::int64_t first, std::int64_t count,
                      std::function<void(Result<ExcerptOutcome>)> done);
 
-    // One resonator behind all recordings. `inputs` as these; hashes that are missing are made.
-    void identify(int key, const std::vector<Recording>& recordings,
-                  std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
-                  std::function<void(Result<ResonatorOutcome>)> done);
+    // One resonator behind all recordings.
+    void identify(int key, OpenSet open, std::function<void(Result<ResonatorOutcome>)> done);
     void readPassport(int key, const QString& path, std::function<void(Result<Passport>)> done);
-    void writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome, MeasurementSet set,
-                       const QString& program, const QString& path,
+    void writePassport(int key, SetResult result, const QString& path,
                        std::function<void(Status)> done);
 
     // Writes the track CSV; hashes the recording first.

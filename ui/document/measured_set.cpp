@@ -17,8 +17,8 @@ IdentifySettings settingsOfPanel(const SettingsModel& settings) {
     return own;
 }
 
-ListedRecording rowOf(const RecordingEntry& entry) {
-    return {entry.name.toStdString(), entry.path.toStdU16String(), entry.options, {}, {}};
+RecordingRef rowOf(const RecordingEntry& entry) {
+    return {entry.name.toStdString(), entry.path.toStdU16String(), entry.options};
 }
 
 // Ids of the recordings of all sets in their order; those that are not open yet are opened
@@ -26,7 +26,7 @@ ListedRecording rowOf(const RecordingEntry& entry) {
 std::vector<RecordingId> openEachOnce(const MeasurementList& list, RecordingStore& recordings) {
     std::vector<RecordingToOpen> wanted;
     for (const MeasurementSet& set : list.sets) {
-        for (const ListedRecording& row : set.recordings) {
+        for (const RecordingRef& row : set.recordings) {
             const QString path = QString::fromStdU16String(row.path.u16string());
             wanted.push_back({QDir::cleanPath(QFileInfo(path).absoluteFilePath()), row.open});
         }
@@ -49,7 +49,9 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
             const auto found = set.listed->members.find(id);
             listed = found == set.listed->members.end() ? nullptr : &found->second;
         }
-        measured.recordings.push_back(listed ? listed->row : rowOf(*recordings.find(id)));
+        const RecordingEntry& entry = *recordings.find(id);
+        measured.recordings.push_back(listed ? listed->row : rowOf(entry));
+        measured.recordings.back().sha256 = entry.sha256.toStdString();
         of_each.push_back(listed ? listed->signal : measured.settings.signal);
     }
     if (!of_each.empty()) {
@@ -91,7 +93,7 @@ QStringList namedTwice(const MeasurementSet& set) {
     QStringList files;
     const auto& rows = set.recordings;
     for (std::size_t k = 0; k < rows.size(); ++k) {
-        const auto same = [&](const ListedRecording& earlier) {
+        const auto same = [&](const RecordingRef& earlier) {
             return earlier.path == rows[k].path && earlier.open == rows[k].open;
         };
         const QString file = QString::fromStdString(rows[k].file);
@@ -111,7 +113,7 @@ std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& 
         RecordingSet set;
         set.name = QString::fromStdString(measured.name);
         set.model = measured.settings.model;
-        ListedSet listed{measured.settings, list.other_columns, {}};
+        ListedSet listed{measured.settings, {}};
         listed.settings.of_recordings.clear();
         for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
             const auto id = ids[next++];

@@ -309,20 +309,15 @@ void SetStore::identifySet(SetId id) {
         emit reported(errorMessage(alike.error()));
         return;
     }
-    std::vector<Recording> recordings;
-    std::vector<IdentifiedInput> inputs;
+    OpenSet open{wanted, {}, {}};
     for (const auto recording : set.recordings) {
-        const RecordingEntry& entry = *recordings_.find(recording);
-        recordings.push_back(*entry.recording);
-        inputs.push_back({entry.name.toStdString(), entry.sha256.toStdString(),
-                          entry.recording->start, entry.recording->seconds(),
-                          entry.recording->rate_hz, 0});
+        open.recordings.push_back(*recordings_.find(recording)->recording);
     }
     const int key = ids_.next();
     Request request;
     request.set_id = set.id;
     queue_.enter(key, request);
-    job_.identify(key, recordings, std::move(inputs), wanted.settings,
+    job_.identify(key, std::move(open),
                   [this, key, members = set.recordings](Result<ResonatorOutcome> result) {
                       if (result) {
                           result->recordings = members;

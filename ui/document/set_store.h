@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/results/passport.h"
+#include "core/analysis/passport.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/request_queue.h"
 #include "ui/values/dossier.h"
@@ -67,6 +67,9 @@ public:
     // The newest of a set: with its present recordings and settings where there is one.
     std::shared_ptr<const ResonatorOutcome> outcome(const RecordingSet& set) const;
     bool outOfDate(const RecordingSet& set, const ResonatorOutcome& outcome) const;
+    // An outcome of the set with the name and the conditions that the set has now.
+    SetResult underPresentConditions(const RecordingSet& set,
+                                     const ResonatorOutcome& outcome) const;
     // What a session keeps of that: the newest outcome, otherwise what the session brought.
     KeptResult kept(const RecordingSet& set) const;
 

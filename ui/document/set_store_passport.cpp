@@ -1,6 +1,5 @@
 #include "core/analysis/set_conditions.h"
 #include "ui/document/set_store.h"
-#include "ui/words/program_name.h"
 
 #include <QFileInfo>
 
@@ -12,7 +11,7 @@ namespace {
 
 // What the window says of the gyro, where the list of the set says nothing.
 MeasurementSet told(MeasurementSet set, const GyroData& session) {
-    for (ListedRecording& recording : set.recordings) {
+    for (RecordingRef& recording : set.recordings) {
         Conditions& conditions = recording.conditions;
         for (const auto& [text, otherwise] :
              {std::pair{&conditions.gyro, &session.serial},
@@ -26,14 +25,31 @@ MeasurementSet told(MeasurementSet set, const GyroData& session) {
 
 }  // namespace
 
+SetResult SetStore::underPresentConditions(const RecordingSet& set,
+                                           const ResonatorOutcome& outcome) const {
+    RecordingSet ordered = set;
+    ordered.recordings = outcome.recordings;
+    SetResult result = outcome;
+    result.set = measured(ordered);
+    for (std::size_t k = 0; k < result.set.recordings.size(); ++k) {
+        const RecordingRef& read = outcome.set.recordings[k];
+        RecordingRef& told = result.set.recordings[k];
+        told.sha256 = read.sha256;
+        told.start = read.start;
+        told.seconds = read.seconds;
+        told.rate_hz = read.rate_hz;
+        told.f0_hz = read.f0_hz;
+    }
+    return result;
+}
+
 void SetStore::savePassport(const QString& path, const GyroData& session,
                             std::function<void(const Status&)> done) {
     const RecordingSet* set = current();
     if (const auto found = set ? outcome(*set) : nullptr) {
-        RecordingSet ordered = *set;
-        ordered.recordings = found->recordings;  // the order of its inputs
-        job_.writePassport(ids_.next(), found, told(measured(ordered), session), programName(),
-                           path, std::move(done));
+        SetResult result = underPresentConditions(*set, *found);
+        result.set = told(std::move(result.set), session);
+        job_.writePassport(ids_.next(), std::move(result), path, std::move(done));
     }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/analysis/passport.h"
 #include "core/database/history_point.h"
 #include "core/database/results_database.h"
 #include "core/numerics/control_chart.h"
 #include "core/numerics/distribution.h"
-#include "core/resonator/results/passport.h"
 
 #include <optional>
 #include <string>

@@ -72,17 +72,12 @@ void readResult(BackgroundJobs& job, int key, Document& document, const QString&
 }
 
 void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                 ResultToStore result,
-                 std::function<void(Result<std::optional<StoredName>>)> done) {
+                 SetResult result, std::function<void(Result<std::optional<StoredName>>)> done) {
     job.run<std::optional<StoredName>>(
         key,
         [&document, path, result = std::move(result)](
             const JobControl& control) -> Result<std::optional<StoredName>> {
-            const std::string program = result.program.toStdString();
-            const ResonatorOutcome& outcome = *result.outcome;
-            const auto stored = TRY(stored_result(
-                program, result.set, result.other_columns, outcome.inputs, outcome.identification,
-                identify_json(program, outcome.inputs, outcome.identification, nullptr)));
+            const auto stored = TRY(stored_result(result, identify_json(result)));
             auto database = TRY(opened(document, path, ResultsDatabase::Access::write, control));
             const auto known = database.holder(stored.key);
             const Result<std::int64_t> id = known ? database.add(stored) : known.error();

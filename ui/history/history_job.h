@@ -29,17 +29,9 @@ void readHistory(BackgroundJobs& job, int key, Document& document, const QString
 void readResult(BackgroundJobs& job, int key, Document& document, const QString& path,
                 std::int64_t id, std::function<void(Result<StoredResult>)> done);
 
-// An identification of the window on its way into a database. `set` as the outcome's recordings.
-struct ResultToStore {
-    QString program;
-    MeasurementSet set;
-    std::vector<std::string> other_columns;
-    std::shared_ptr<const ResonatorOutcome> outcome;
-};
-
 // As `vybeg-cli batch --database` does. `done` gets the name of the earlier result that it
 // replaces.
 void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                 ResultToStore result, std::function<void(Result<std::optional<StoredName>>)> done);
+                 SetResult result, std::function<void(Result<std::optional<StoredName>>)> done);
 
 }  // namespace vybeg::ui

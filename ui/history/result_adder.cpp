@@ -5,7 +5,6 @@
 #include "ui/history/store_dialog.h"
 #include "ui/history/stored_set.h"
 #include "ui/resonator/set_panel.h"
-#include "ui/words/program_name.h"
 
 #include <QFileInfo>
 
@@ -31,11 +30,12 @@ void ResultAdder::ask(const QString& path, const QStringList& gyros, QWidget* wi
     if (!set || !outcome) {
         return;
     }
-    const MeasurementSet measured = document_.sets().measured(*set);
+    const MeasurementSet measured = document_.sets().underPresentConditions(*set, *outcome).set;
     QString gyro = QString::fromStdString(gyro_of(measured));
     gyro = gyro.isEmpty() ? document_.dossier().dossier().gyro.serial : gyro;
     gyro = gyro.isEmpty() ? set->name : gyro;
-    auto* dialog = new StoreDialog(gyros, gyro, toldDate(measured, outcome->inputs), window);
+    auto* dialog =
+        new StoreDialog(gyros, gyro, QString::fromStdString(date_of(measured).text), window);
     connect(dialog, &StoreDialog::chosen, this,
             [this, path](const QString& named, const QString& date) { add(path, named, date); });
     dialog->open();
@@ -47,12 +47,8 @@ void ResultAdder::add(const QString& path, const QString& gyro, const QString& d
     if (!outcome) {
         return;
     }
-    RecordingSet ordered = *set;
-    ordered.name = setName(document_, *set);
-    ordered.recordings = outcome->recordings;  // the order of its inputs
-    ResultToStore result{programName(), document_.sets().measured(ordered),
-                         set->listed ? set->listed->other_columns : std::vector<std::string>(),
-                         outcome};
+    SetResult result = document_.sets().underPresentConditions(*set, *outcome);
+    result.set.name = setName(document_, *set).toStdString();
     tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());
     storeResult(
         job_, storing_job, document_, path, std::move(result),

@@ -1,6 +1,5 @@
 #include "ui/history/stored_set.h"
 
-#include "core/analysis/list_fields.h"
 #include "core/analysis/setting_table.h"
 
 #include <QFileInfo>
@@ -48,22 +47,13 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
     stored.settings_known = settings.has_value();
     set.settings = settings && !settings->empty() ? settings->front() : otherwise;
     for (std::size_t k = 0; k < result.recordings.size(); ++k) {
-        const StoredRecording& each = result.recordings[k];
-        const QString path = QString::fromStdString(each.path);
+        const RecordingRef& each = result.recordings[k];
+        const QString path = QString::fromStdU16String(each.path.u16string());
         if (!QFileInfo(path).isFile()) {
             stored.missing << path;
             continue;
         }
-        ListedRecording& row = set.recordings.emplace_back();
-        row.file = each.file;
-        row.path = path.toStdU16String();
-        row.conditions = each.conditions;
-        row.open = each.open;
-        stored.list.other_columns.clear();
-        for (const auto& [column, value] : each.others) {
-            stored.list.other_columns.push_back(column);
-            row.others.push_back(value);
-        }
+        set.recordings.push_back(each);
         set.settings.of_recordings.push_back(settings ? (*settings)[k].signal : otherwise.signal);
     }
     if (!set.recordings.empty()) {
@@ -72,22 +62,8 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
     return stored;
 }
 
-QString toldDate(const MeasurementSet& set, const std::vector<IdentifiedInput>& inputs) {
-    for (const ListedRecording& recording : set.recordings) {
-        if (!recording.conditions.date.empty()) {
-            return QString::fromStdString(recording.conditions.date);
-        }
-    }
-    for (const IdentifiedInput& input : inputs) {
-        if (is_iso_date(input.start)) {
-            return QString::fromStdString(input.start);
-        }
-    }
-    return {};
-}
-
 void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date) {
-    for (ListedRecording& recording : set.recordings) {
+    for (RecordingRef& recording : set.recordings) {
         recording.conditions.gyro = gyro;
         if (!date.empty()) {
             recording.conditions.date = date;

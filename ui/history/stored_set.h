@@ -20,9 +20,6 @@ struct StoredSet {
 
 StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwise);
 
-// The date that a row tells, otherwise the first start that a recording tells as ISO 8601.
-QString toldDate(const MeasurementSet& set, const std::vector<IdentifiedInput>& inputs);
-
 // The set under this gyro and date, for the whole of it.
 void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date);
 

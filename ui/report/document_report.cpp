@@ -114,7 +114,7 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
         }
         if (listed) {
             if (const auto row = listed->members.find(id); row != listed->members.end()) {
-                told.conditions = conditionsText(row->second.row, listed->other_columns);
+                told.conditions = conditionsText(row->second.row);
             }
         }
         for (const AnalysisEntry& analysis : document.analyses()) {

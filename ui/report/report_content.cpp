@@ -9,7 +9,7 @@ namespace {
 // A condition of the recordings, each value once; otherwise `usual`.
 QString told(const MeasurementSet& set, std::string Conditions::*condition, const QString& usual) {
     QStringList values;
-    for (const ListedRecording& listed : set.recordings) {
+    for (const RecordingRef& listed : set.recordings) {
         const QString value = QString::fromStdString(listed.conditions.*condition);
         if (!value.isEmpty() && !values.contains(value)) {
             values << value;

@@ -73,8 +73,8 @@ QString resonatorSection(const ReportContent& content) {
     }
     const Identification& found = content.outcome->identification;
     QStringList names;
-    for (const IdentifiedInput& input : content.outcome->inputs) {
-        names << QString::fromStdString(input.name);
+    for (const RecordingRef& recording : content.outcome->set.recordings) {
+        names << QString::fromStdString(recording.name());
     }
     QString text = heading(title, true) + paragraph(modelText(found));
     if (content.out_of_date) {

@@ -4,12 +4,9 @@
 
 #include <QLocale>
 
-#include <algorithm>
-
 namespace vybeg::ui {
 
-QStringList conditionsText(const ListedRecording& recording,
-                           const std::vector<std::string>& other_columns) {
+QStringList conditionsText(const RecordingRef& recording) {
     QStringList lines;
     const auto add = [&lines](const QString& name, const QString& text) {
         if (!text.isEmpty()) {
@@ -33,8 +30,8 @@ QStringList conditionsText(const ListedRecording& recording,
         QString::fromStdString(told.operator_name));
     add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "comment")),
         QString::fromStdString(told.comment));
-    for (std::size_t k = 0; k < std::min(other_columns.size(), recording.others.size()); ++k) {
-        add(QString::fromStdString(other_columns[k]), QString::fromStdString(recording.others[k]));
+    for (const auto& [column, field] : recording.others) {
+        add(QString::fromStdString(column), QString::fromStdString(field));
     }
     return lines;
 }

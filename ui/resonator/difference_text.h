@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/results/passport.h"
+#include "core/analysis/passport.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"

@@ -20,11 +20,11 @@ namespace {
 // Names of the recordings, with a mark at those with a finding below the table.
 QStringList markedNames(const ResonatorOutcome& outcome) {
     QStringList names;
-    for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
+    for (std::size_t k = 0; k < outcome.set.recordings.size(); ++k) {
         const bool warned =
             count_warnings(findings_of(outcome.identification.runs[k].diagnostics)) > 0;
         names << (warned ? QStringLiteral("⚠ ") : QString()) +
-                     QString::fromStdString(outcome.inputs[k].name);
+                     QString::fromStdString(outcome.set.recordings[k].name());
     }
     return names;
 }

@@ -1,5 +1,6 @@
 #include "ui/resonator/resonator_page.h"
 
+#include "core/output/passport_json.h"
 #include "ui/document/measured_set.h"
 #include "ui/resonator/comparison_view.h"
 #include "ui/resonator/figures_view.h"
@@ -10,6 +11,7 @@
 #include "ui/words/error_text.h"
 
 #include <QEvent>
+#include <QJsonDocument>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
@@ -98,11 +100,14 @@ void ResonatorPage::rebuild() {
     const RecordingSet* set = document_.sets().current();
     shown_ = set ? document_.sets().outcome(*set) : nullptr;
     kept_json_ = set ? set->kept.json : QJsonObject();
-    kept_ = kept_json_.isEmpty() ? ReadResult{} : readKeptResult(kept_json_);
+    kept_ = kept_json_.isEmpty()
+                ? SetResult{}
+                : read_saved_result(QJsonDocument(kept_json_).toJson().toStdString());
     showState(set);
     const bool from_session = !shown_ && !kept_json_.isEmpty() && kept_;
-    numbers_->setOutcome(from_session ? std::make_shared<const ResonatorOutcome>(kept_->outcome)
-                                      : shown_);
+    numbers_->setOutcome(
+        from_session ? std::make_shared<const ResonatorOutcome>(ResonatorOutcome{*kept_, {}, 0, {}})
+                     : shown_);
     figures_->setOutcome(shown_);
     comparison_->setOutcome(shown_);
     emit figuresChanged();
@@ -134,7 +139,7 @@ QString ResonatorPage::stateText(const RecordingSet* set) const {
     if (shown_) {
         const ResonatorFit& fit = shown_->identification.fit;
         return tr("%1, %n recording(s); χ² per degree of freedom %2", nullptr,
-                  static_cast<int>(shown_->inputs.size()))
+                  static_cast<int>(shown_->set.recordings.size()))
             .arg(modelText(fit.model), shortNumberText(fit.chi2_per_dof, 3));
     }
     if (set && !kept_json_.isEmpty()) {
@@ -142,14 +147,15 @@ QString ResonatorPage::stateText(const RecordingSet* set) const {
             return errorText(kept_.error());
         }
         QStringList names;
-        for (const IdentifiedInput& input : kept_->outcome.inputs) {
-            names << QString::fromStdString(input.name).toHtmlEscaped();
+        for (const RecordingRef& recording : kept_->set.recordings) {
+            names << QString::fromStdString(recording.name()).toHtmlEscaped();
         }
-        const ResonatorFit& fit = kept_->outcome.identification.fit;
+        const ResonatorFit& fit = kept_->identification.fit;
         return tr("Result of the session, identified by %1 from %2. %3; χ² per degree of freedom "
                   "%4. The motion of the waves, the plots and the report need the recordings.")
-            .arg(kept_->program.toHtmlEscaped(), names.join(QStringLiteral(", ")),
-                 modelText(fit.model), shortNumberText(fit.chi2_per_dof, 3));
+            .arg(QString::fromStdString(kept_->program).toHtmlEscaped(),
+                 names.join(QStringLiteral(", ")), modelText(fit.model),
+                 shortNumberText(fit.chi2_per_dof, 3));
     }
     return document_.sets().canIdentify()
                ? tr("Nothing identified yet.")

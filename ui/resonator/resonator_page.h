@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/document/kept_result.h"
 #include "ui/plots/figure_source.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
@@ -50,7 +49,7 @@ private:
     Theme theme_;
     std::shared_ptr<const ResonatorOutcome> shown_;
     // The session's result, shown where nothing is identified here, and what it was read from.
-    Result<ReadResult> kept_ = ReadResult{};
+    Result<SetResult> kept_ = SetResult{};
     QJsonObject kept_json_;
     SetPanel* set_;
     QLabel* state_;

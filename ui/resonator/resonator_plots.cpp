@@ -164,9 +164,9 @@ XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units) {
         plot.series.push_back(driftCurve(drift, angle, rate));
         plot.series.push_back(resonatorCurve(outcome.identification.fit, angle, rate));
     }
-    for (std::size_t run = 0; run < outcome.inputs.size(); ++run) {
+    for (std::size_t run = 0; run < outcome.set.recordings.size(); ++run) {
         XYSeries points;
-        points.name = shortName(outcome.inputs[run].name);
+        points.name = shortName(outcome.set.recordings[run].name());
         points.style = static_cast<int>(run);
         points.points = true;
         for (const DriftPoint& point : drift.points) {
@@ -195,7 +195,7 @@ XYPlot balancePlot(const ResonatorOutcome& outcome, BalanceAxis axis, const Disp
     for (std::size_t run = 0; run < balance.size(); ++run) {
         if (!balance[run].time_s.empty()) {
             XYSeries series;
-            series.name = shortName(outcome.inputs[run].name);
+            series.name = shortName(outcome.set.recordings[run].name());
             series.style = static_cast<int>(run);
             series.points = !over_time;
             series.x =
@@ -232,8 +232,8 @@ RoundPlot rimPlot(const ResonatorOutcome& outcome) {
     }
     for (std::size_t run = 0; run < fit.runs.size(); ++run) {
         if (fit.runs[run].two_theta_A_rad.given()) {
-            plot.series.push_back(wave(shortName(outcome.inputs[run].name), static_cast<int>(run),
-                                       fit.runs[run].two_theta_A_rad.value));
+            plot.series.push_back(wave(shortName(outcome.set.recordings[run].name()),
+                                       static_cast<int>(run), fit.runs[run].two_theta_A_rad.value));
         }
     }
     return plot;
@@ -260,9 +260,9 @@ XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, Trac
         then.dashed = true;
         plot.series.push_back(std::move(then));
     }
-    for (std::size_t run = 0; run < outcome.inputs.size(); ++run) {
+    for (std::size_t run = 0; run < outcome.set.recordings.size(); ++run) {
         XYSeries now = trackOf(outcome.identification.runs[run].track, variable, angle);
-        now.name = shortName(outcome.inputs[run].name);
+        now.name = shortName(outcome.set.recordings[run].name());
         now.style = static_cast<int>(run);
         plot.series.push_back(std::move(now));
     }

@@ -367,7 +367,8 @@ QString uncertaintyText(const Identification& found) {
 std::vector<Finding> recordingFindings(const ResonatorOutcome& outcome) {
     std::vector<NamedWarnings> all;
     for (std::size_t k = 0; k < outcome.identification.runs.size(); ++k) {
-        all.emplace_back(outcome.inputs[k].name, outcome.identification.runs[k].diagnostics);
+        all.emplace_back(outcome.set.recordings[k].name(),
+                         outcome.identification.runs[k].diagnostics);
     }
     return findings_of(all);
 }

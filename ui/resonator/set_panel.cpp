@@ -217,8 +217,7 @@ void SetPanel::refreshMembers(const RecordingSet* set) {
         item->setData(Qt::UserRole, number(id));
         QStringList told{QDir::toNativeSeparators(entry.path)};
         if (listed && listed->members.contains(id)) {
-            const ListedMember& member = listed->members.at(id);
-            told += conditionsText(member.row, listed->other_columns);
+            told += conditionsText(listed->members.at(id).row);
         }
         item->setToolTip(plainTip(told.join(QLatin1Char('\n'))));
         item->setSelected(std::ranges::count(selected, id) > 0);

@@ -4,7 +4,7 @@
 #include "ui/import/open_options_json.h"
 #include "ui/session/listed_json.h"
 #include "ui/session/session_view_json.h"
-#include "ui/values/setting_json.h"
+#include "ui/values/json_fields.h"
 #include "ui/words/program_name.h"
 
 #include <QJsonArray>
@@ -31,10 +31,6 @@ const QString up_to_date_key = QStringLiteral("result_up_to_date");
 const QString view_key = QStringLiteral("view");
 const QString gyro_key = QStringLiteral("gyro");
 const QString limits_key = QStringLiteral("limits");
-const QString serial_key = QStringLiteral("serial");
-const QString type_key = QStringLiteral("type");
-const QString operator_key = QStringLiteral("operator");
-const QString comment_key = QStringLiteral("comment");
 const QString path_key = QStringLiteral("path");
 const QString sha256_key = QStringLiteral("sha256");
 const QString options_key = QStringLiteral("options");
@@ -161,20 +157,6 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
     return set;
 }
 
-// Keys of a later version stay in the gyro's object of the unknown keys.
-QJsonObject gyroToJson(const GyroData& gyro, QJsonObject json) {
-    json[serial_key] = gyro.serial;
-    json[type_key] = gyro.type;
-    json[operator_key] = gyro.operator_name;
-    json[comment_key] = gyro.comment;
-    return json;
-}
-
-GyroData gyroFromJson(const QJsonObject& json) {
-    return {json[serial_key].toString(), json[type_key].toString(), json[operator_key].toString(),
-            json[comment_key].toString()};
-}
-
 // By parameter the least and the greatest value in stored units, null for none.
 QJsonObject limitsToJson(const std::vector<ParameterLimit>& limits) {
     const auto end = [](const std::optional<double>& value) {
@@ -232,7 +214,10 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     json[sets_key] = sets;
     json[current_set_key] = session.current_set;
     json[current_analysis_key] = session.current_analysis;
-    json[gyro_key] = gyroToJson(session.dossier.gyro, json[gyro_key].toObject());
+    // Keys of a later version stay in the gyro's object of the unknown keys.
+    QJsonObject gyro = json[gyro_key].toObject();
+    describe(JsonWriter(gyro), session.dossier.gyro);
+    json[gyro_key] = gyro;
     json[limits_key] = limitsToJson(session.dossier.limits);
     json[view_key] = viewToJson(session.view);
     return json;
@@ -280,14 +265,16 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     session.current = placeFromJson(json[current_key], session.recordings.size());
     session.current_set = placeFromJson(json[current_set_key], session.sets.size());
     session.current_analysis = json[current_analysis_key].toInt(-1);
-    session.dossier = {gyroFromJson(json[gyro_key].toObject()),
-                       limitsFromJson(json[limits_key].toObject())};
+    const QJsonObject gyro = json[gyro_key].toObject();
+    describe(JsonReader(gyro), session.dossier.gyro);
+    session.dossier.limits = limitsFromJson(json[limits_key].toObject());
     session.view = viewFromJson(json[view_key].toObject());
     session.unknown = without(json, {session_schema_key, program_key, settings_key, tolerance_key,
                                      live_key, recordings_key, current_key, sets_key,
                                      current_set_key, current_analysis_key, limits_key, view_key});
-    session.unknown[gyro_key] =
-        without(json[gyro_key].toObject(), {serial_key, type_key, operator_key, comment_key});
+    QJsonObject known;
+    describe(JsonWriter(known), session.dossier.gyro);
+    session.unknown[gyro_key] = without(gyro, known.keys());
     return session;
 }
 

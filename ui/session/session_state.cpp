@@ -20,7 +20,7 @@ int placeOf(const std::vector<RecordingEntry>& recordings, RecordingId id) {
 template <class Key, class Before>
 ListedSetBy<Key> renamed(const ListedSetBy<Before>& listed,
                          const std::function<std::optional<Key>(Before)>& key) {
-    ListedSetBy<Key> other{listed.settings, listed.other_columns, {}};
+    ListedSetBy<Key> other{listed.settings, {}};
     int without = 0;
     for (const auto& [before, member] : listed.members) {
         other.members.emplace(key(before).value_or(static_cast<Key>(--without)), member);

@@ -1,5 +1,7 @@
 #include "ui/session/session_view_json.h"
 
+#include "ui/values/json_fields.h"
+
 #include <QJsonArray>
 
 #include <algorithm>
@@ -42,12 +44,6 @@ std::optional<SlowVariable> variableOf(const QString& column) {
     return found == all_slow_variables.end() ? std::nullopt : std::optional(*found);
 }
 
-template <class Unit>
-Unit unitFromJson(const QJsonObject& json, const char* key, Unit last) {
-    const int value = json[QLatin1String(key)].toInt();
-    return static_cast<Unit>(std::clamp(value, 0, static_cast<int>(last)));
-}
-
 }  // namespace
 
 QJsonObject viewToJson(const SessionView& view) {
@@ -63,20 +59,15 @@ QJsonObject viewToJson(const SessionView& view) {
     for (const auto& cursor : view.cursors_s) {
         cursors.append(cursor ? QJsonValue(*cursor) : QJsonValue());
     }
-    const DisplayUnits& units = view.units;
+    QJsonObject units;
+    describe(JsonWriter(units), view.units);
     return {{QStringLiteral("time_s"), rangeToJson(view.zoom.time)},
             {QStringLiteral("values"), values},
             {QStringLiteral("variables"), variables},
             {QStringLiteral("cursors_s"), cursors},
             {page_key, view.page},
             {trend_key, trend_words.at(static_cast<std::size_t>(view.trend))},
-            {QStringLiteral("units"),
-             QJsonObject{{QStringLiteral("frequency"), static_cast<int>(units.frequency)},
-                         {QStringLiteral("angle"), static_cast<int>(units.angle)},
-                         {QStringLiteral("amplitude"), static_cast<int>(units.amplitude)},
-                         {QStringLiteral("volts_per_unit"), units.volts_per_unit},
-                         {QStringLiteral("log_a_A"), units.log_a_A},
-                         {QStringLiteral("sigma_bands"), units.sigma_bands}}}};
+            {QStringLiteral("units"), units}};
 }
 
 SessionView viewFromJson(const QJsonObject& json) {
@@ -104,12 +95,7 @@ SessionView viewFromJson(const QJsonObject& json) {
     view.page = json[page_key].toString();
     view.trend = trendFromJson(json[trend_key]);
     const QJsonObject units = json[QStringLiteral("units")].toObject();
-    view.units.frequency = unitFromJson(units, "frequency", FrequencyUnit::deviation_ppm);
-    view.units.angle = unitFromJson(units, "angle", AngleUnit::degrees);
-    view.units.amplitude = unitFromJson(units, "amplitude", AmplitudeUnit::decibels);
-    view.units.volts_per_unit = units[QStringLiteral("volts_per_unit")].toDouble(1);
-    view.units.log_a_A = units[QStringLiteral("log_a_A")].toBool();
-    view.units.sigma_bands = units[QStringLiteral("sigma_bands")].toBool(true);
+    describe(JsonReader(units), view.units);
     return view;
 }
 

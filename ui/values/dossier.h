@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/describe.h"
 #include "core/resonator/results/parameter_limit.h"
 
 #include <QString>
@@ -17,6 +18,14 @@ struct GyroData {
 
     friend bool operator==(const GyroData&, const GyroData&) = default;
 };
+
+template <class Archive, Described<GyroData> Owner>
+void describe(Archive&& archive, Owner& gyro) {
+    archive("serial", gyro.serial);
+    archive("type", gyro.type);
+    archive("operator", gyro.operator_name);
+    archive("comment", gyro.comment);
+}
 
 // The gyro of a session, and what its resonator has to keep.
 struct Dossier {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/analysis/identify.h"
-#include "core/analysis/measurement_list.h"
-#include "core/resonator/results/passport.h"
+#include "core/analysis/set_result.h"
 #include "ui/values/ids.h"
 
 #include <QJsonObject>
@@ -15,24 +13,22 @@
 
 namespace vybeg::ui {
 
-// Result of an identification and its inputs.
-struct ResonatorOutcome {
-    Identification identification;        // with the requested settings
-    std::vector<IdentifiedInput> inputs;  // as identification.runs
-    std::vector<RecordingId> recordings;  // ids in the document, in that order
+// The result of a set of the document.
+struct ResonatorOutcome : SetResult {
+    std::vector<RecordingId> recordings;  // ids in the document, as set.recordings
     double seconds = 0;                   // duration
-    QJsonObject kept;                     // as a session keeps it, kept_result.h
+    QJsonObject kept;                     // saved_result_json()
 };
 
 // Result of an identification that a session brings, shown until the set is identified here.
 struct KeptResult {
-    QJsonObject json;         // kept_result.h; empty: none
+    QJsonObject json;         // saved_result_json(); empty: none
     bool up_to_date = false;  // with the recordings and settings of the session
 };
 
 // One recording as its row of a measurement list gives it.
 struct ListedMember {
-    ListedRecording row;
+    RecordingRef row;
     SignalSettings signal;
 };
 
@@ -42,7 +38,6 @@ struct ListedMember {
 template <class Key>
 struct ListedSetBy {
     IdentifySettings settings;
-    std::vector<std::string> other_columns;  // of the list
     // Negative or of no member of the set: a row whose recording is not in it.
     std::map<Key, ListedMember> members;
 };

@@ -19,7 +19,7 @@ bool isSame(const RecordingSet& set, const MeasurementSet& listed) {
         return false;
     }
     return std::ranges::all_of(set.listed->members, [&](const auto& member) {
-        return std::ranges::any_of(listed.recordings, [&](const ListedRecording& recording) {
+        return std::ranges::any_of(listed.recordings, [&](const RecordingRef& recording) {
             return recording.path == member.second.row.path &&
                    recording.open == member.second.row.open;
         });

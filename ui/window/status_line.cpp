@@ -47,7 +47,7 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
     connect(&document_, &Document::progressChanged, this, &StatusLine::refresh);
     connect(&document_.sets(), &SetStore::identified, this, [this](SetId set_id) {
         const auto found = document_.sets().outcome(*document_.sets().find(set_id));
-        const auto count = static_cast<int>(found->inputs.size());
+        const auto count = static_cast<int>(found->set.recordings.size());
         tell([count, seconds = found->seconds] {
             return tr("Resonator of %n recording(s) in %1 s", nullptr, count)
                 .arg(QLocale().toString(seconds, 'g', 2));

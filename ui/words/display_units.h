@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/describe.h"
 #include "core/track/slow_variables.h"
 
 #include <QString>
@@ -21,6 +22,16 @@ struct DisplayUnits {
 
     friend bool operator==(const DisplayUnits&, const DisplayUnits&) = default;
 };
+
+template <class Archive, Described<DisplayUnits> Owner>
+void describe(Archive&& archive, Owner& units) {
+    archive.number("frequency", units.frequency, FrequencyUnit::deviation_ppm);
+    archive.number("angle", units.angle, AngleUnit::degrees);
+    archive.number("amplitude", units.amplitude, AmplitudeUnit::decibels);
+    archive("volts_per_unit", units.volts_per_unit);
+    archive("log_a_A", units.log_a_A);
+    archive("sigma_bands", units.sigma_bands);
+}
 
 // From stored values (slow_variables.h) to displayed ones: (value - origin) * factor, or
 // 20 lg |value| in decibels relative to one recording unit.

@@ -2,6 +2,7 @@
 
 #include "core/recording/samples/text_choice.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 namespace vybeg {
 
 enum class RawType { i16, i32, f32, f64 };
+inline constexpr std::array<const char*, 4> raw_type_names{"i16", "i32", "f32", "f64"};
 
 // Layout of headerless interleaved samples (--raw and its companions).
 struct RawLayout {
@@ -20,6 +22,14 @@ struct RawLayout {
 
     friend bool operator==(const RawLayout&, const RawLayout&) = default;
 };
+
+template <class Archive, Described<RawLayout> Owner>
+void describe(Archive&& archive, Owner& raw) {
+    archive.word("type", raw.type, raw_type_names);
+    archive("big_endian", raw.big_endian);
+    archive("channels", raw.channels);
+    archive("skip_bytes", raw.skip_bytes);
+}
 
 struct OpenOptions {
     std::optional<double> rate_hz{};  // used if the file has no rate
@@ -36,5 +46,18 @@ struct OpenOptions {
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };
+
+template <class Archive, Described<OpenOptions> Owner>
+void describe(Archive&& archive, Owner& open) {
+    const OpenOptions usual;
+    archive("rate_hz", open.rate_hz);
+    archive("channel_c", open.channel_c);
+    archive("channel_d", open.channel_d);
+    archive("raw", open.raw);
+    archive("variables", open.variables, usual.variables);
+    archive("text", open.text);
+    archive("unit", open.unit, usual.unit);
+    archive("scale", open.scale, usual.scale);
+}
 
 }  // namespace vybeg

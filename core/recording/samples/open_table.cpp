@@ -107,9 +107,6 @@ std::string variables_text(const OpenOptions& options) {
     return text;
 }
 
-constexpr std::array raw_types{std::pair{"i16", RawType::i16}, std::pair{"i32", RawType::i32},
-                               std::pair{"f32", RawType::f32}, std::pair{"f64", RawType::f64}};
-
 Status read_raw(const std::string& option, const std::string& text, OpenOptions& options) {
     RawLayout layout;
     std::string type = text;
@@ -118,12 +115,11 @@ Status read_raw(const std::string& option, const std::string& text, OpenOptions&
         layout.big_endian = order == "be";
         type = order == "be" || order == "le" ? text.substr(0, colon) : text;
     }
-    const auto* const found =
-        std::ranges::find(raw_types, type, [](const auto& each) { return each.first; });
-    if (found == raw_types.end()) {
+    const auto* const found = std::ranges::find(raw_type_names, std::string_view(type));
+    if (found == raw_type_names.end()) {
         return refused_value(option, text, "it is i16, i32, f32 or f64, with :be for big-endian");
     }
-    layout.type = found->second;
+    layout.type = static_cast<RawType>(found - raw_type_names.begin());
     options.raw = layout;
     return {};
 }
@@ -137,9 +133,8 @@ auto raw_text(Text text) {
 }
 
 std::string type_text(const RawLayout& layout) {
-    const auto* const type =
-        std::ranges::find(raw_types, layout.type, [](const auto& each) { return each.second; });
-    return std::string(type->first) + (layout.big_endian ? ":be" : "");
+    return std::string(raw_type_names.at(static_cast<std::size_t>(layout.type))) +
+           (layout.big_endian ? ":be" : "");
 }
 
 Status read_raw_channels(const std::string& option, const std::string& text, OpenOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/describe.h"
 #include "core/base/result.h"
 
 #include <cstdint>
@@ -20,6 +21,15 @@ struct TextChoice {
 
     friend bool operator==(const TextChoice&, const TextChoice&) = default;
 };
+
+template <class Archive, Described<TextChoice> Owner>
+void describe(Archive&& archive, Owner& text) {
+    archive("delimiter", text.delimiter);
+    archive("decimal_comma", text.decimal_comma);
+    archive("lines_to_skip", text.lines_to_skip);
+    archive("time_column", text.time_column);
+    archive("time_unit_s", text.time_unit_s);
+}
 
 // Limit of skipped lines: enough for a header, too few for a second table.
 inline constexpr std::int64_t most_skipped_lines = 1'000'000;

@@ -47,7 +47,7 @@ private slots:
         QVERIFY(set.settings.of_recordings.empty());
         QCOMPARE(set.settings.tolerance.skew_deg.value_or(-1), 0.1);
         QCOMPARE(set.settings.tolerance.delay_s.value_or(-1), 1e-8);
-        const ListedRecording& recording = set.recordings[0];
+        const RecordingRef& recording = set.recordings[0];
         QCOMPARE(recording.file, "runs/a.wav");
         QCOMPARE(QString::fromStdString(recording.path.string()), folder_.filePath("runs/a.wav"));
         QCOMPARE(recording.open.channel_c, 2);
@@ -61,7 +61,9 @@ private slots:
         QCOMPARE(told.operator_name, "Иванов");
         QCOMPARE(told.comment, "first");
         QVERIFY(read.other_columns == std::vector<std::string>{"Batch"});
-        QVERIFY(recording.others == std::vector<std::string>{"L1"});
+        QCOMPARE(recording.others.size(), std::size_t{1});
+        QCOMPARE(recording.others[0].first, "Batch");
+        QCOMPARE(recording.others[0].second, "L1");
     }
 
     void a_list_is_told_from_a_recording_by_its_first_row() {
@@ -89,7 +91,7 @@ private slots:
         std::vector<std::string> told;
         for (const MeasurementSet& set : read.sets) {
             std::string files = set.name + ":";
-            for (const ListedRecording& recording : set.recordings) {
+            for (const RecordingRef& recording : set.recordings) {
                 files += " " + recording.file;
             }
             told.push_back(files);
@@ -349,7 +351,7 @@ private slots:
         QVERIFY(told.exchanged);
         QVERIFY(read.warnings.empty());
         QCOMPARE(read.other_columns.size(), std::size_t{1});
-        QCOMPARE(read.sets[0].recordings[0].others[0], "L1");
+        QCOMPARE(read.sets[0].recordings[0].others[0].second, "L1");
     }
 
     void numbers_have_the_signs_of_table_programs() {

@@ -34,11 +34,14 @@ inline StoredResult made_result(int number, const std::string& gyro = "G7") {
     result.model = "structured";
     result.warnings = "residual-coloured;offset";
     for (int k = 0; k < 4; ++k) {
-        StoredRecording recording;
+        RecordingRef recording;
         recording.file = "a/run-" + std::to_string(k) + ".wav";
         recording.path = "/data/" + recording.file;
-        recording.input = {"run.wav", "sha " + std::to_string(k), "2026-03-31", 28.5, 33333,
-                           5300.25};
+        recording.sha256 = "sha " + std::to_string(k);
+        recording.start = "2026-03-31";
+        recording.seconds = 28.5;
+        recording.rate_hz = 33333;
+        recording.f0_hz = 5300.25;
         recording.open = made_opening();
         recording.conditions = {gyro, result.date.text, 60.5, 20.0 + k, true, "И. О.", "quiet"};
         recording.others = {{"lot", "L1"}, {"bench", ""}};

@@ -107,20 +107,8 @@ private slots:
         QCOMPARE(read.json, written.json);
         QCOMPARE(read.recordings.size(), written.recordings.size());
         for (std::size_t k = 0; k < read.recordings.size(); ++k) {
-            const StoredRecording& a = read.recordings[k];
-            const StoredRecording& b = written.recordings[k];
-            QCOMPARE(a.file, b.file);
-            QCOMPARE(a.path, b.path);
-            QVERIFY(a.input == b.input);
-            QVERIFY(a.open == b.open);
-            QCOMPARE(a.conditions.gyro, b.conditions.gyro);
-            QCOMPARE(a.conditions.date, b.conditions.date);
-            QVERIFY(a.conditions.bias_v == b.conditions.bias_v);
-            QVERIFY(a.conditions.temperature_c == b.conditions.temperature_c);
-            QCOMPARE(a.conditions.exchanged, b.conditions.exchanged);
-            QCOMPARE(a.conditions.operator_name, b.conditions.operator_name);
-            QCOMPARE(a.conditions.comment, b.conditions.comment);
-            QVERIFY(a.others == b.others);
+            QVERIFY2(read.recordings[k] == written.recordings[k],
+                     written.recordings[k].file.c_str());
         }
         QCOMPARE(read.parameters.size(), written.parameters.size());
         for (std::size_t k = 0; k < read.parameters.size(); ++k) {

@@ -19,7 +19,13 @@ namespace {
 Passport example() {
     Passport passport;
     passport.program = "vybeg-cli 1.2.3";
-    passport.inputs = {{"r0.wav", std::string(64, 'a'), "2020-03-20T10:00:00", 28, 33333, 5300.1}};
+    passport.inputs = {{.file = "r0.wav",
+                        .path = "r0.wav",
+                        .sha256 = std::string(64, 'a'),
+                        .start = "2020-03-20T10:00:00",
+                        .seconds = 28,
+                        .rate_hz = 33333,
+                        .f0_hz = 5300.1}};
     passport.settings = {{"model", "auto"}, {"filter", "5200,5400"}};
     passport.model = ResonatorModel::structured;
     ResonatorEstimate& resonator = passport.resonator;

@@ -74,8 +74,9 @@ class TestHistoryPage : public QObject {
                            DateSource::list};
             result.parameters[1].estimate = {
                 0.01 + normal(random) + (k == out ? 1e-3 : 0) + k * rise, 1e-5, {}, 2e-5};
-            for (StoredRecording& each : result.recordings) {
-                each.path = recording.isEmpty() ? each.path : recording.toStdString();
+            for (RecordingRef& each : result.recordings) {
+                each.path = recording.isEmpty() ? each.path
+                                                : std::filesystem::path(recording.toStdU16String());
                 each.open = OpenOptions{.unit = "mV"};
             }
             if (!recording.isEmpty()) {

@@ -243,7 +243,7 @@ private slots:
         QCOMPARE(after.recordings[0].path, before.recordings[0].path);
         const auto whole = sets().measured(sets().all()[0]);
         QCOMPARE(whole.recordings[0].conditions.temperature_c, std::optional(22.5));
-        QCOMPARE(whole.recordings[0].others, std::vector<std::string>{"B1"});
+        QCOMPARE(whole.recordings[0].others[0].second, std::string("B1"));
     }
 };
 

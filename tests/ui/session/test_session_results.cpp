@@ -1,8 +1,8 @@
 // Sessions keep what was identified, also where the recordings are away.
+#include "core/output/passport_json.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
-#include "ui/document/kept_result.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_keeper.h"
@@ -201,19 +201,25 @@ private slots:
     }
 
     void warnings_come_back_with_their_words() {
-        ResonatorOutcome outcome;
-        outcome.inputs = {{"a.wav", "aa", "", 28, 33333, 5300},
-                          {"b.wav", "bb", "", 28, 33333, 5300}};
+        SetResult outcome;
+        for (const char* name : {"a.wav", "b.wav"}) {
+            outcome.set.recordings.push_back({.file = name,
+                                              .path = name,
+                                              .sha256 = name,
+                                              .seconds = 28,
+                                              .rate_hz = 33333,
+                                              .f0_hz = 5300});
+        }
         outcome.identification.fit.runs.resize(2);
         outcome.identification.runs.resize(2);
         outcome.identification.runs[1].diagnostics = {
             {DiagnosticKind::samples_lost, {count_arg(3), number_arg(1.25)}}};
         outcome.identification.fit.warnings = {
             {DiagnosticKind::residual_above_noise, {number_arg(2.5, 3)}}};
-        const auto read = readKeptResult(keptResult(outcome));
+        const auto read = read_saved_result(saved_result_json(outcome));
         QVERIFY(read);
-        QCOMPARE(read->outcome.inputs, outcome.inputs);
-        const Identification& found = read->outcome.identification;
+        QCOMPARE(read->set.recordings, outcome.set.recordings);
+        const Identification& found = read->identification;
         QVERIFY(found.runs[0].diagnostics.empty());
         QCOMPARE(found.runs[1].diagnostics, outcome.identification.runs[1].diagnostics);
         QCOMPARE(found.fit.warnings, outcome.identification.fit.warnings);

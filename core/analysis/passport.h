@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/measurement_list.h"
 #include "core/base/diagnostic.h"
 #include "core/resonator/results/resonator_fit.h"
 #include "core/resonator/runs/run_track.h"
@@ -12,18 +13,6 @@
 
 namespace vybeg {
 
-// Input file of an identification.
-struct IdentifiedInput {
-    std::string name;
-    std::string sha256;
-    std::string start;  // date and time from the recording, or empty
-    double seconds = 0;
-    double rate_hz = 0;
-    double f0_hz = 0;
-
-    friend bool operator==(const IdentifiedInput&, const IdentifiedInput&) = default;
-};
-
 // Individual wave pattern of a gyro: resonator with covariance, motion of its waves, and sources.
 struct Passport {
     // Schema of its file. 2 adds the uncertainties u, modes_by and runs.
@@ -33,8 +22,8 @@ struct Passport {
     std::string gyro;  // empty: not told, as in a file of before
     std::string date;  // ISO 8601; empty: not told
     std::vector<std::pair<std::string, std::string>> conditions;  // columns of a list, those told
-    std::vector<IdentifiedInput> inputs;
-    std::vector<std::pair<std::string, std::string>> settings;  // name and value, as options
+    std::vector<RecordingRef> inputs;                             // name and content
+    std::vector<std::pair<std::string, std::string>> settings;    // name and value, as options
     ResonatorModel model{};
     ResonatorEstimate resonator;
     std::vector<ModeEstimate> modes;
@@ -75,6 +64,14 @@ struct Difference {
     bool follows = false;  // Q, beside a frequency and a decay time that are compared themselves
 
     double deviations() const;  // |change| / u
+};
+
+// Comparison of a set with a passport.
+struct PassportComparison {
+    std::string file;
+    std::string sha256;
+    Passport passport;
+    std::vector<Difference> differences;
 };
 
 // Smaller changes of a parameter do not matter to the engineer, significant or not.

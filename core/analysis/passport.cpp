@@ -1,4 +1,4 @@
-#include "core/resonator/results/passport.h"
+#include "core/analysis/passport.h"
 
 #include "core/resonator/results/resonator_parameters.h"
 

@@ -1,0 +1,137 @@
+#include "core/batch/identify_set.h"
+
+#include "core/analysis/idle_options.h"
+#include "core/analysis/prepare.h"
+#include "core/analysis/set_conditions.h"
+#include "core/base/number_text.h"
+#include "core/batch/hash_beside.h"
+#include "core/output/passport_json.h"
+#include "core/recording/bytes/sha256.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/file_changes.h"
+
+#include <list>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+Result<PassportComparison> open_passport(const std::string& path, const JobControl& job) {
+    auto passport = TRY(read_passport_file(path));
+    auto sha256 = TRY(file_sha256(path, job));
+    return PassportComparison{path, std::move(sha256), std::move(passport), {}};
+}
+
+Status hash_all(OpenSet& open, std::stop_token stop) {
+    std::list<std::pair<RecordingRef&, HashBeside>> beside;
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
+        if (RecordingRef& told = open.set.recordings[k]; told.sha256.empty()) {
+            beside.emplace_back(
+                std::piecewise_construct, std::forward_as_tuple(told),
+                std::forward_as_tuple(open.recordings[k], open.set.settings.threads, stop));
+        }
+    }
+    for (; !beside.empty(); beside.pop_front()) {
+        auto& [told, hash] = beside.front();
+        auto sha256 = TRY(hash.get());
+        told.sha256 = std::move(sha256);
+    }
+    return {};
+}
+
+// The content of a file and the two channels: no two recordings of a set may share them.
+std::vector<std::string> signals_of(const RecordingRef& told, const Recording& recording) {
+    std::vector<std::string> signals{told.sha256};
+    for (const int channel : {recording.channel_c, recording.channel_d}) {
+        const auto place = static_cast<std::size_t>(channel - 1);
+        signals.push_back(integer_text(channel));
+        signals.push_back(place < recording.channels.size() ? recording.channels[place].name : "");
+    }
+    return signals;
+}
+
+}  // namespace
+
+Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
+                         std::stop_token stop) {
+    OpenSet open{set, {}, {}};
+    TRY(check_conditions(set));
+    if (!passport.empty()) {
+        auto comparison = TRY(open_passport(passport, JobControl(stop)));
+        open.comparison = std::move(comparison);
+    }
+    for (const RecordingRef& listed : set.recordings) {
+        auto recording = TRY(open_recording(listed.path, listed.open, JobControl(stop)));
+        open.recordings.push_back(std::move(recording));
+    }
+    TRY(read_contents(open, stop));
+    return open;
+}
+
+Status read_contents(OpenSet& open, std::stop_token stop) {
+    TRY(hash_all(open, std::move(stop)));
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
+        const Recording& recording = open.recordings[k];
+        RecordingRef& told = open.set.recordings[k];
+        told.start = recording.start;
+        told.seconds = recording.seconds();
+        told.rate_hz = recording.rate_hz;
+        for (std::size_t earlier = 0; earlier < k; ++earlier) {
+            if (signals_of(open.set.recordings[earlier], open.recordings[earlier]) ==
+                signals_of(told, recording)) {
+                return Error{ErrorCode::same_recording,
+                             recording_name(open.recordings[earlier]),
+                             {recording_name(recording)}};
+            }
+        }
+    }
+    return {};
+}
+
+Result<SetResult> identify_set(const OpenSet& open, const std::string& program,
+                               const CompareOptions& compare, const JobControl& job) {
+    Result<Identification> found = identify(open.recordings, open.set.settings, job);
+    for (const Recording& recording : open.recordings) {
+        TRY(unchanged(recording));
+    }
+    if (!found) {
+        return found.error();
+    }
+    SetResult result{program, open.set, std::move(*found), open.comparison};
+    if (result.comparison) {
+        const Passport& passport = result.comparison->passport;
+        ResonatorFit& fit = result.identification.fit;
+        result.comparison->differences = vybeg::compare(passport, fit, compare);
+        if (const auto other = other_gyro(passport, gyro_of(open.set))) {
+            fit.warnings.push_back(*other);
+        }
+    }
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
+        result.set.recordings[k].f0_hz = result.identification.runs[k].f0_hz;
+    }
+    return result;
+}
+
+std::vector<NamedWarnings> warnings_of(const OpenSet& open) {
+    std::vector<NamedWarnings> warnings;
+    for (const Recording& recording : open.recordings) {
+        warnings.emplace_back(recording.path.filename().string(), recording.diagnostics);
+    }
+    return warnings;
+}
+
+std::vector<NamedWarnings> warnings_of(const OpenSet& open, const SetResult& result) {
+    const std::vector<RecordingRef>& recordings = result.set.recordings;
+    std::vector<NamedWarnings> warnings{{"", result.identification.fit.warnings}};
+    for (std::size_t k = 0; k < recordings.size(); ++k) {
+        warnings.emplace_back(recordings[k].name(), result.identification.runs[k].diagnostics);
+    }
+    warnings.emplace_back("", without_effect(result.set.settings));
+    for (std::size_t k = 0; k < recordings.size(); ++k) {
+        warnings.emplace_back(recordings[k].name(),
+                              without_effect(recordings[k].open, open.recordings[k]));
+    }
+    return warnings;
+}
+
+}  // namespace vybeg

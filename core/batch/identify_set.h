@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/analysis/measurement_list.h"
+#include "core/analysis/set_result.h"
+#include "core/base/finding.h"
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/samples/recording.h"
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// The one road from the recordings of a set to its resonator: identify, compare, batch, report and
+// window take it.
+
+// A set whose recordings are open, and the passport that it is compared with.
+struct OpenSet {
+    MeasurementSet set;
+    std::vector<Recording> recordings;  // of the set, in its order
+    std::optional<PassportComparison> comparison;
+};
+
+// Opens the recordings and, unless `passport` is empty, that file. Errors: conditions_differ, those
+// of open_recording(), read_passport_file() and read_contents().
+Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
+                         std::stop_token stop);
+
+// Tells the set what its recordings contain; hashes those without a SHA-256, all beside each other.
+// Errors: same_recording where two have the same file content and the same two channels, those of
+// recording_sha256().
+Status read_contents(OpenSet& open, std::stop_token stop);
+
+// Precondition: read_contents(). Errors: those of identify(), file_changed.
+Result<SetResult> identify_set(const OpenSet& open, const std::string& program,
+                               const CompareOptions& compare, const JobControl& job);
+
+// Warnings of the recordings alone, and of the result.
+std::vector<NamedWarnings> warnings_of(const OpenSet& open);
+std::vector<NamedWarnings> warnings_of(const OpenSet& open, const SetResult& result);
+
+}  // namespace vybeg
