@@ -11,7 +11,7 @@
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
-#include "core/batch/hash_beside.h"
+#include "core/batch/identify_set.h"
 #include "core/output/output_paths.h"
 #include "core/output/recording_json.h"
 #include "core/output/sample_files.h"

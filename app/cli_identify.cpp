@@ -5,7 +5,6 @@
 #include "core/batch/identify_set.h"
 #include "core/batch/list_sets.h"
 #include "core/database/results_database.h"
-#include "core/output/file_ending.h"
 #include "core/output/identify_json.h"
 #include "core/output/output_paths.h"
 #include "core/output/passport_json.h"

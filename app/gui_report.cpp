@@ -5,8 +5,8 @@
 #include "app/gui_report_set.h"
 #include "core/base/messages.h"
 #include "core/batch/list_sets.h"
-#include "core/output/file_ending.h"
 #include "core/output/output_file.h"
+#include "core/output/output_paths.h"
 #include "ui/report/report_pdf.h"
 #include "ui/session/session_keeper.h"
 

@@ -1,7 +1,7 @@
 #include "core/analysis/inspect.h"
 
 #include "core/analysis/identify.h"
-#include "core/analysis/recording_carrier.h"
+#include "core/analysis/prepare.h"
 #include "core/analysis/settings.h"
 
 #include <algorithm>

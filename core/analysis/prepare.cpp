@@ -1,6 +1,7 @@
 #include "core/analysis/prepare.h"
 
 #include "core/analysis/band_noise.h"
+#include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
 #include "core/recording/conditioning/calibrated_source.h"
 #include "core/recording/conditioning/checked_source.h"
@@ -15,6 +16,14 @@
 #include <utility>
 
 namespace vybeg {
+
+Result<double> find_recording_carrier(const Recording& recording, const SignalSettings& settings,
+                                      const JobControl& job) {
+    TRY(validate(settings));
+    const auto prepared = TRY(prepare(recording, settings, job));
+    return prepared.f0_hz;
+}
+
 namespace {
 
 // The carrier and the offsets are found in so many frames from the start of the range, where a free

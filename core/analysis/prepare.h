@@ -3,6 +3,7 @@
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
+#include "core/base/result.h"
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/samples/recording.h"
 
@@ -13,6 +14,11 @@
 #include <vector>
 
 namespace vybeg {
+
+// Only the carrier f0 of the recording (Hz), with the settings' band, filter, calibration and
+// range: what the interface shows before the first run.
+Result<double> find_recording_carrier(const Recording& recording, const SignalSettings& settings,
+                                      const JobControl& job);
 
 // A recording made ready for windows: what the samples are, where they lie, and what the carrier
 // is.

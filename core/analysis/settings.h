@@ -4,9 +4,18 @@
 #include "core/recording/conditioning/calibration.h"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace vybeg {
+
+// Seconds from the start of the recording; all of it, where nothing is said.
+struct TimeRange {
+    double from_s = -std::numeric_limits<double>::infinity();
+    double to_s = std::numeric_limits<double>::infinity();
+
+    friend bool operator==(const TimeRange&, const TimeRange&) = default;
+};
 
 struct Band {
     double low_hz = 0;

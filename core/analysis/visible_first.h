@@ -2,7 +2,6 @@
 
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
-#include "core/analysis/time_range.h"
 #include "core/base/job_control.h"
 #include "core/recording/samples/recording.h"
 

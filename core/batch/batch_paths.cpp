@@ -4,9 +4,7 @@
 #include "core/base/system_reason.h"
 #include "core/batch/list_sets.h"
 #include "core/output/batch_csv.h"
-#include "core/output/file_ending.h"
 #include "core/output/output_paths.h"
-#include "core/output/same_file.h"
 
 #include <climits>
 #include <filesystem>

@@ -4,7 +4,6 @@
 #include "core/base/result.h"
 #include "core/batch/batch_request.h"
 #include "core/batch/limits.h"
-#include "core/batch/set_task.h"
 
 #include <string>
 #include <vector>

@@ -1,12 +1,58 @@
 #pragma once
 
+#include "core/analysis/identify.h"
 #include "core/analysis/identify_settings.h"
+#include "core/analysis/measurement_list.h"
 #include "core/analysis/passport.h"
+#include "core/base/error.h"
+#include "core/base/finding.h"
 #include "core/recording/samples/open_options.h"
+#include "core/resonator/results/parameter_limit.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace vybeg {
+
+// One set of a batch, on its way to its row.
+struct SetTask {
+    const MeasurementSet* set = nullptr;
+    std::string passport;      // file that it is compared with; empty: none
+    std::string json;          // file of the result; empty: none
+    std::string new_passport;  // file of the set's own passport; empty: none
+    std::optional<std::vector<ParameterLimit>> limits;  // none: the table has no limits
+    std::string key;                                    // of its row
+};
+
+// A row that is safe on the disk.
+struct FinishedRow {
+    std::size_t set = 0;  // its place in the list
+    std::string text;     // as batch_csv.h writes it
+    bool kept = false;    // of an earlier batch
+    // Of a row of this batch.
+    std::vector<NamedWarnings> warnings;
+    std::optional<Error> error;  // why the set has no result
+    IdentifyTiming timing;
+    double write_s = 0;  // files and database
+    std::int64_t windows = 0;
+};
+
+// Receivers of the events of a batch, called in its threads, never two at once. An empty one
+// receives nothing.
+struct BatchEvents {
+    std::function<void(const std::vector<Diagnostic>&)> warned;  // about the list
+    // Everything has been checked; the rows come next, those of an earlier batch first.
+    std::function<void(const MeasurementList&)> begun;
+    std::function<void(const FinishedRow&)> finished;
+    // The caller's monotonic clock, s (job_control.h); empty: no durations.
+    std::function<double()> clock{};
+    // Of a watched folder: why its list does not count now.
+    std::function<void(const Error&)> failed{};
+};
 
 // A batch: the sets of a measurement list, the table of their results, and what goes beside it.
 struct BatchRequest {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/batch/batch_events.h"
 #include "core/batch/batch_request.h"
 
 #include <stop_token>

@@ -3,8 +3,8 @@
 #include "core/analysis/idle_options.h"
 #include "core/analysis/prepare.h"
 #include "core/analysis/set_conditions.h"
+#include "core/base/job_control.h"
 #include "core/base/number_text.h"
-#include "core/batch/hash_beside.h"
 #include "core/output/passport_json.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
@@ -14,6 +14,23 @@
 #include <utility>
 
 namespace vybeg {
+namespace {
+
+std::future<Result<std::string>> hash_of(const Recording& recording, int threads,
+                                         std::stop_token stop) {
+    prepare_sha256();
+    return std::async(threads == 1 ? std::launch::deferred : std::launch::async,
+                      [&recording, job = JobControl(std::move(stop))] {
+                          return recording_sha256(recording, job);
+                      });
+}
+
+}  // namespace
+
+HashBeside::HashBeside(const Recording& recording, int threads, std::stop_token stop)
+    : interrupted_(std::move(stop), [this] { given_up_.request_stop(); }),
+      hash_(hash_of(recording, threads, given_up_.get_token())) {}
+
 namespace {
 
 Result<PassportComparison> open_passport(const std::string& path, const JobControl& job) {

@@ -3,7 +3,6 @@
 #include "core/analysis/measurement_list.h"
 #include "core/base/result.h"
 #include "core/batch/batch_request.h"
-#include "core/batch/set_task.h"
 
 #include <filesystem>
 #include <string>

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/batch/batch_events.h"
 #include "core/batch/batch_request.h"
 #include "core/batch/identify_set.h"
-#include "core/batch/set_task.h"
 #include "core/database/results_database.h"
 #include "core/output/row_journal.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/database/history_point.h"
 #include "core/database/sqlite.h"
 #include "core/database/stored_result.h"
 

@@ -3,7 +3,6 @@
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/database/history_point.h"
 #include "core/database/sqlite.h"
 #include "core/database/stored_result.h"
 

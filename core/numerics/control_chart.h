@@ -7,6 +7,15 @@
 
 namespace vybeg {
 
+// Probability that a number of Student's distribution with `freedom` degrees of freedom lies beyond
+// +-t. Finite series for whole degrees (M. Abramowitz, I. A. Stegun, 26.7.3 and 26.7.4).
+// Preconditions: t >= 0, freedom >= 1.
+double student_beyond(double t, std::size_t freedom);
+
+// The t beyond which lies the probability `beyond`, on both sides together, to 1e-9 of itself.
+// Preconditions: 1e-10 <= beyond < 1, freedom >= 1.
+double student_limit(double beyond, std::size_t freedom);
+
 // Control charts of a series of single results (NIST/SEMATECH e-Handbook of Statistical Methods,
 // 6.3.2; D. C. Montgomery, Introduction to Statistical Quality Control). The first `baseline`
 // results set the centre and the limits; a value that is NaN is no point and counts in neither.

@@ -1,7 +1,7 @@
 #include "core/output/output_file.h"
 
 #include "core/base/system_reason.h"
-#include "core/output/same_file.h"
+#include "core/output/output_paths.h"
 #include "core/output/temporary_file.h"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 #include "core/output/sample_files.h"
 
 #include "core/base/number_text.h"
-#include "core/output/file_ending.h"
-#include "core/output/mat_pieces.h"
-#include "core/output/npy_head.h"
+#include "core/output/array_heads.h"
+#include "core/output/output_paths.h"
 #include "core/output/raw_bytes.h"
 #include "core/output/wav_writer.h"
 

@@ -1,6 +1,6 @@
 #include "core/output/track_file.h"
 
-#include "core/output/file_ending.h"
+#include "core/output/output_paths.h"
 #include "core/output/track_csv.h"
 #include "core/output/track_hdf5.h"
 #include "core/output/track_header.h"

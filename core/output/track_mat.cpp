@@ -1,7 +1,7 @@
 #include "core/output/track_mat.h"
 
+#include "core/output/array_heads.h"
 #include "core/output/flag_cells.h"
-#include "core/output/mat_pieces.h"
 #include "core/output/raw_bytes.h"
 
 namespace vybeg {

@@ -2,8 +2,8 @@
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/output/array_heads.h"
 #include "core/output/flag_cells.h"
-#include "core/output/npy_head.h"
 #include "core/output/raw_bytes.h"
 #include "core/output/stored_zip.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/analysis/settings.h"
-#include "core/analysis/time_range.h"
 #include "core/numerics/distribution.h"
 
 #include <cmath>

@@ -8,8 +8,16 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace vybeg {
+
+inline constexpr int sweep_steps = 15;
+
+// Whole numbers from `first` to `last` in about equal ratios, ascending, each once. Precondition:
+// 1 <= first <= last, steps >= 2.
+std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last,
+                                         int steps = sweep_steps);
 
 // The algorithm of the settings in adjacent windows of each length; with `snap` each is moved to
 // whole half-periods. The settings' window, periods and hop do not count. One preparation serves

@@ -3,7 +3,6 @@
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/median.h"
-#include "core/windows/carrier_peak.h"
 #include "core/windows/carrier_zoom.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "core/base/dispatch.h"
 #include "core/numerics/fft.h"
-#include "core/windows/carrier_peak.h"
 
 #include <array>
 #include <complex>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/batch/batch_events.h"
 #include "core/batch/batch_request.h"
 #include "ui/document/background_jobs.h"
 

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "core/batch/batch_events.h"
+#include "core/batch/batch_request.h"
 #include "ui/batch/batch_columns.h"
 #include "ui/widgets/theme.h"
 
 #include <QAbstractTableModel>
+#include <QCollator>
 #include <QModelIndexList>
+#include <QSortFilterProxyModel>
 #include <QStringList>
 
 #include <limits>
@@ -14,6 +16,21 @@
 #include <vector>
 
 namespace vybeg::ui {
+
+// Rows of a BatchTable by one of its columns, those that have nothing there last in both
+// directions; without a column, as in the list.
+class BatchOrder : public QSortFilterProxyModel {
+    Q_OBJECT
+
+public:
+    explicit BatchOrder(QObject* parent = nullptr);
+
+protected:
+    bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+private:
+    QCollator by_name_;
+};
 
 // The table of a batch: every set of its list from the beginning, with its result as soon as that
 // is there.

@@ -2,13 +2,13 @@
 
 #include "core/output/batch_csv.h"
 #include "ui/batch/batch_message.h"
-#include "ui/batch/batch_order.h"
-#include "ui/batch/batch_text.h"
+#include "ui/batch/batch_table.h"
 #include "ui/words/error_text.h"
 
 #include <QAction>
 #include <QClipboard>
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -23,9 +23,36 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace vybeg::ui {
+
+namespace {
+
+struct Named {
+    const char* option;
+    const char* field;  // of context BatchForm
+};
+
+constexpr std::array fields{
+    Named{"-o", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Results")},
+    Named{"--passport", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Passports")},
+    Named{"--database", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Database")},
+    Named{"--json", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "JSON files")}};
+
+}  // namespace
+
+QString batchErrorText(const Error& error) {
+    Error named = error;
+    for (const auto& [option, field] : fields) {
+        if (named.code == ErrorCode::setting_invalid && named.args.front().text == option) {
+            named.args.front() =
+                QCoreApplication::translate("vybeg::ui::BatchForm", field).toStdString();
+        }
+    }
+    return errorText(named);
+}
 
 namespace {
 

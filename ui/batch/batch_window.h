@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
+#include "core/base/error.h"
 #include "ui/batch/batch_form.h"
 #include "ui/batch/batch_job.h"
 #include "ui/batch/batch_progress.h"
 #include "ui/batch/batch_table.h"
 
+#include <QString>
 #include <QTimer>
 #include <QWidget>
 
@@ -18,8 +20,10 @@ class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QTableView;
-
 namespace vybeg::ui {
+
+// The sentence of an error that ends a batch, with fields of its window in place of options.
+QString batchErrorText(const Error& error);
 
 class BatchMessage;
 class BatchOrder;

@@ -1,14 +1,14 @@
 #include "ui/document/background_jobs.h"
 
-#include "core/analysis/recording_carrier.h"
+#include "core/analysis/prepare.h"
 #include "core/output/identify_json.h"
 #include "core/output/output_file.h"
 #include "core/output/passport_json.h"
+#include "core/output/track_file.h"
+#include "core/output/track_header.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
-#include "ui/document/freed_in_background.h"
-#include "ui/document/track_export.h"
 #include "ui/words/program_name.h"
 
 #include <QCoreApplication>
@@ -25,6 +25,33 @@ namespace {
 
 // Between two progress signals, ms: more often than this nobody sees.
 constexpr qint64 progress_interval_ms = 40;
+
+// Format by the ending of `path`; `program` goes into the header.
+Status exportTrackTo(const std::filesystem::path& path, const Recording& recording,
+                     const Analysis& analysis, const std::string& program, const JobControl& job) {
+    const auto format = TRY(track_format(path));
+    const auto hash = TRY(recording_sha256(recording, job));
+    auto file = TRY(OutputFile::create(path, job));
+    const auto header = track_header(program, recording, hash, analysis);
+    TRY(write_track(file, format, analysis.track, header, job));
+    return file.commit();
+}
+
+// The threads that free memory; not the global pool, because Qt draws with that.
+QThreadPool& freeingPool() {
+    static QThreadPool pool;
+    return pool;
+}
+
+// Gives the memory of a long recording's results back in the background: that takes longer than the
+// window may stand still.
+template <class Value>
+std::shared_ptr<const Value> freedInBackground(std::shared_ptr<const Value> value) {
+    const Value* place = value.get();
+    return {place, [value = std::move(value)](const Value*) mutable {
+                freeingPool().start([value = std::move(value)] {});
+            }};
+}
 
 std::filesystem::path toPath(const QString& path) {
     return std::filesystem::path(path.toStdU16String());

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/analysis/passport.h"
-#include "core/database/history_point.h"
 #include "core/database/results_database.h"
+#include "core/database/stored_result.h"
 #include "core/numerics/control_chart.h"
 #include "core/numerics/distribution.h"
 

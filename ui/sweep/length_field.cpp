@@ -1,7 +1,7 @@
 #include "ui/sweep/length_field.h"
 
 #include "core/analysis/setting_table.h"
-#include "core/sweep/window_lengths.h"
+#include "core/sweep/sweep_windows.h"
 #include "ui/words/rich_text.h"
 
 #include <QCoreApplication>

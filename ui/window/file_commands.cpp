@@ -1,7 +1,7 @@
 #include "ui/window/file_commands.h"
 
 #include "core/output/output_file.h"
-#include "core/output/same_file.h"
+#include "core/output/output_paths.h"
 #include "ui/import/import_dialog.h"
 #include "ui/panels/analysis_list.h"
 #include "ui/plots/track_view.h"

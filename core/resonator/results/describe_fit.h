@@ -2,11 +2,15 @@
 
 #include "core/base/job_control.h"
 #include "core/resonator/fit/map_fit.h"
+#include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/resonator_result.h"
 
 #include <span>
 
 namespace vybeg {
+
+// The fitted parameters that are not held, in recording units, with their covariance of all parts.
+RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> runs);
 
 // A set of runs with its most likely parameters.
 struct SolvedSet {

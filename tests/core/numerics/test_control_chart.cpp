@@ -1,6 +1,5 @@
 #include "core/numerics/control_chart.h"
 #include "core/numerics/ewma_limit.h"
-#include "core/numerics/student.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -1,4 +1,4 @@
-#include "core/output/same_file.h"
+#include "core/output/output_paths.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
