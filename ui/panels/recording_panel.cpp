@@ -4,6 +4,7 @@
 #include "ui/widgets/check_list.h"
 #include "ui/words/format_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/short_names.h"
 
 #include <QAction>
 #include <QDir>
@@ -68,7 +69,7 @@ QString channelText(const Recording& recording, int number) {
 RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new RecordingDragList(this)) {
     list_->setIconSize({16, 16});
-    list_->setTextElideMode(Qt::ElideMiddle);
+    list_->setItemDelegate(new NameDelegate(list_));
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);
     list_->setMinimumHeight(3 * fontMetrics().height());
