@@ -5,6 +5,7 @@
 #include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/commands.h"
+#include "ui/window/page_stack.h"
 #include "ui/words/display_units.h"
 #include "ui/words/language.h"
 
@@ -27,7 +28,6 @@ class HistoryPage;
 class HelpView;
 class MeasurePanel;
 class MessageBar;
-class PageStack;
 class RecordingPanel;
 class ResidualsPage;
 class ResonatorPage;
@@ -90,6 +90,7 @@ private:
     static void storeLive(bool live);
     void restoreState();
     void saveState();
+    void showPanelsOf(Page page);
     void applyLook();
     void retranslate();
 
@@ -103,7 +104,9 @@ private:
     FileCommands* files_ = nullptr;
     BatchCommands* batch_ = nullptr;
     bool leaving_ = false;  // changes are saved or given up
-    std::vector<std::pair<QDockWidget*, const char*>> docks_;
+    std::vector<PanelDock> docks_;
+    // Hidden on the present page, with the sizes that they come back with.
+    std::vector<std::pair<QDockWidget*, QSize>> without_use_;
     QToolBar* tools_ = nullptr;
 
     PageStack* pages_ = nullptr;

@@ -20,9 +20,12 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QJsonDocument>
+#include <QScreen>
 #include <QSettings>
 #include <QTabWidget>
 #include <QToolBar>
+
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -70,7 +73,9 @@ void MainWindow::restoreState() {
     if (!view.variables.empty()) {
         tracks_->setShownVariables(view.variables);
     }
-    resize(1400, 900);
+    // No larger than the screen leaves room for, its own frame counted.
+    constexpr QSize frame(0, 40);
+    resize(QSize(1400, 900).boundedTo(screen()->availableSize() - frame));
     restoreGeometry(settings.value(geometry_key).toByteArray());
     QMainWindow::restoreState(settings.value(state_key).toByteArray(), state_version);
 }
@@ -82,7 +87,30 @@ void MainWindow::saveState() {
     view.variables = tracks_->shownVariables();
     settings.setValue(view_key, QJsonDocument(viewToJson(view)).toJson(QJsonDocument::Compact));
     settings.setValue(geometry_key, saveGeometry());
+    showPanelsOf(Page::tracks);  // as the user has arranged them
     settings.setValue(state_key, QMainWindow::saveState(state_version));
+}
+
+// A page shows only the panels that act on it, the others give it their room. Panels that the user
+// has closed stay closed.
+void MainWindow::showPanelsOf(Page page) {
+    QList<QDockWidget*> back;
+    QList<int> widths;
+    QList<int> heights;
+    for (const auto& [panel, size] : std::exchange(without_use_, {})) {
+        panel->show();
+        back << panel;
+        widths << size.width();
+        heights << size.height();
+    }
+    for (const PanelDock& panel : docks_) {
+        if (!panel.pages.contains(page) && !panel.dock->isHidden()) {
+            panel.dock->hide();
+            without_use_.emplace_back(panel.dock, panel.dock->size());
+        }
+    }
+    resizeDocks(back, widths, Qt::Horizontal);
+    resizeDocks(back, heights, Qt::Vertical);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -140,7 +168,7 @@ void MainWindow::applyLook() {
 void MainWindow::retranslate() {
     commands_->retranslate();
     menus_->retranslate();
-    for (const auto& [dock, title] : docks_) {
+    for (const auto& [dock, title, pages] : docks_) {
         dock->setWindowTitle(tr(title));
         // Qt names these once, in the language of the start.
         const auto name = [dock = dock](const char* button, const QString& text) {

@@ -14,8 +14,7 @@
 namespace vybeg::ui {
 
 WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks,
-                         const std::vector<std::pair<QDockWidget*, const char*>>& docks, int theme,
-                         QMainWindow* window)
+                         const std::vector<PanelDock>& docks, int theme, QMainWindow* window)
     : QObject(window),
       commands_(commands),
       tracks_(tracks),
@@ -92,8 +91,7 @@ void WindowMenus::addFile() {
     add(file, {Command::quit});
 }
 
-void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>>& docks,
-                          int theme) {
+void WindowMenus::addView(const std::vector<PanelDock>& docks, int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
     add(view, {Command::page_tracks, Command::page_signals, Command::page_resonator,
                Command::page_residuals, Command::page_windows, Command::page_history});
@@ -106,8 +104,8 @@ void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>
     add(view, {Command::log_a_A, Command::sigma_bands});
     view->addSeparator();
     QMenu* panels = sub(view, QT_TR_NOOP("Pan&els"));
-    for (const auto& [dock, title] : docks) {
-        panels->addAction(dock->toggleViewAction());
+    for (const PanelDock& panel : docks) {
+        panels->addAction(panel.dock->toggleViewAction());
     }
     addChoice(
         view, QT_TR_NOOP("&Theme"),
