@@ -19,7 +19,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vybeg::ui {
 
@@ -136,13 +135,8 @@ HistoryView HistoryPage::view() const {
     const bool same_gyro = serial.empty() || choices_->gyro().value_or(serial) == serial;
     const ParameterLimit* limit =
         same_gyro ? limit_of(dossier.limits, choices_->parameter().name.c_str()) : nullptr;
-    // Where no result has a date, their order takes its place: the first one is to be seen.
-    const bool dated = !history_ || history_->points.empty() ||
-                       std::ranges::any_of(history_->points, [](const HistoryPoint& point) {
-                           return std::isfinite(point.time_s);
-                       });
     return {choices_->parameter(),
-            !dated && choices_->axis() == HistoryAxis::date ? HistoryAxis::order : choices_->axis(),
+            shownAxis(history_, choices_->axis()),
             units_,
             chosen_,
             passportValue(open ? &open->passport : nullptr, choices_->parameter()),

@@ -235,14 +235,18 @@ void AnalysisList::rebuild() {
             setCurrentItem(topLevelItem(topLevelItemCount() - 1));
         }
     }
-    // Names may be shortened, numbers may not.
-    const int most = 30 * fontMetrics().averageCharWidth();
-    for (const int column : {name, recording}) {
-        resizeColumnToContents(column);
-        setColumnWidth(column, std::min(columnWidth(column), most));
-    }
+    // Names may be shortened, to what the numbers leave of the width; numbers may not.
+    int left = viewport()->width();
     for (int column = algorithm; column < column_count; ++column) {
         resizeColumnToContents(column);
+        left -= column < notes ? columnWidth(column) : 0;
+    }
+    for (const auto& [column, part] : {std::pair{recording, 0.4}, std::pair{name, 1.0}}) {
+        const int least = 14 * fontMetrics().averageCharWidth();
+        resizeColumnToContents(column);
+        setColumnWidth(
+            column, std::min(columnWidth(column), std::max(least, static_cast<int>(part * left))));
+        left -= columnWidth(column);
     }
     enableActions();
     emit currentAnalysisChanged(currentAnalysis());

@@ -84,7 +84,8 @@ private:
         int first = -1;
         int last = -1;
         int columns = 0;
-        for (int x = 0; x < image.width(); ++x) {
+        // Inside the frame: letters beside it are dark, too.
+        for (int x = image.width() / 12; x < image.width() * 24 / 25; ++x) {
             bool found = false;
             for (int y = image.height() / 4; y < image.height() && !found;
                  ++y) {                                // below the legend
