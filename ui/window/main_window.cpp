@@ -68,7 +68,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
         this);
     menus_ =
-        new WindowMenus(*commands_, *tracks_, docks_, static_cast<int>(storedThemeMode()), this);
+        new WindowMenus(*commands_, *tracks_, panels_, static_cast<int>(storedThemeMode()), this);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
     action(Command::quit)->setMenuRole(QAction::QuitRole);
     action(Command::about)->setMenuRole(QAction::AboutRole);
@@ -118,20 +118,12 @@ void MainWindow::buildDocks() {
     wave_ = new WavePanel(document_, this);
     events_ = new EventsPanel(document_, this);
     analyses_ = new AnalysisList(document_, this);
-    const auto dock = [this](QWidget* panel, const char* name, const char* title,
-                             Qt::DockWidgetArea area, const std::set<Page>& pages) {
-        auto* widget = new QDockWidget(this);
-        widget->setObjectName(QLatin1String(name));
-        widget->setWidget(panel);
-        addDockWidget(area, widget);
-        docks_.push_back({widget, title, pages});
-        return widget;
-    };
     auto* recordings =
-        dock(recordings_, "recordings", QT_TR_NOOP("Recordings"), Qt::LeftDockWidgetArea,
-             {Page::tracks, Page::samples, Page::resonator, Page::residuals, Page::windows});
-    auto* settings = dock(settings_, "analysis", QT_TR_NOOP("Analysis"), Qt::LeftDockWidgetArea,
-                          {Page::tracks, Page::samples, Page::residuals, Page::windows});
+        panels_.add(recordings_, "recordings", QT_TR_NOOP("Recordings"), Qt::LeftDockWidgetArea,
+                    {Page::tracks, Page::samples, Page::resonator, Page::residuals, Page::windows});
+    auto* settings =
+        panels_.add(settings_, "analysis", QT_TR_NOOP("Analysis"), Qt::LeftDockWidgetArea,
+                    {Page::tracks, Page::samples, Page::residuals, Page::windows});
     readings_ = new QTabWidget(this);
     readings_->setDocumentMode(true);
     auto* at_cursor = new QSplitter(Qt::Vertical, readings_);
@@ -142,12 +134,13 @@ void MainWindow::buildDocks() {
     readings_->addTab(at_cursor, QString());
     readings_->addTab(wave_, QString());
     readings_->addTab(events_, QString());
-    auto* readings = dock(readings_, "readings", QT_TR_NOOP("Values and events"),
-                          Qt::RightDockWidgetArea, {Page::tracks, Page::samples});
+    auto* readings = panels_.add(readings_, "readings", QT_TR_NOOP("Values and events"),
+                                 Qt::RightDockWidgetArea, {Page::tracks, Page::samples});
     // The tabs say what the title bar would say.
     readings->setTitleBarWidget(new QWidget(readings));
-    auto* analyses = dock(analyses_, "runs", QT_TR_NOOP("Analyses"), Qt::BottomDockWidgetArea,
-                          {Page::tracks, Page::samples, Page::residuals});
+    auto* analyses =
+        panels_.add(analyses_, "runs", QT_TR_NOOP("Analyses"), Qt::BottomDockWidgetArea,
+                    {Page::tracks, Page::samples, Page::residuals});
     resizeDocks({recordings, settings}, {340, 420}, Qt::Vertical);
     resizeDocks({settings, readings}, {300, 390}, Qt::Horizontal);
     resizeDocks({analyses}, {130}, Qt::Vertical);
@@ -235,7 +228,7 @@ void MainWindow::connectSession() {
 
 void MainWindow::connectPanels() {
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
-    connect(pages_, &PageStack::pageShown, this, [this] { showPanelsOf(pages_->page()); });
+    connect(pages_, &PageStack::pageShown, this, [this] { panels_.showThoseOf(pages_->page()); });
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
     connect(welcome_, &WelcomePage::recentChosen, this,
             [this](const QString& path) { files_->open({path}); });

@@ -5,15 +5,12 @@
 #include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/commands.h"
-#include "ui/window/page_stack.h"
+#include "ui/window/page_panels.h"
 #include "ui/words/display_units.h"
 #include "ui/words/language.h"
 
 #include <QMainWindow>
 #include <QPointer>
-
-#include <utility>
-#include <vector>
 
 class QTabWidget;
 class QToolBar;
@@ -90,7 +87,6 @@ private:
     static void storeLive(bool live);
     void restoreState();
     void saveState();
-    void showPanelsOf(Page page);
     void applyLook();
     void retranslate();
 
@@ -104,9 +100,7 @@ private:
     FileCommands* files_ = nullptr;
     BatchCommands* batch_ = nullptr;
     bool leaving_ = false;  // changes are saved or given up
-    std::vector<PanelDock> docks_;
-    // Hidden on the present page, with the sizes that they come back with.
-    std::vector<std::pair<QDockWidget*, QSize>> without_use_;
+    PagePanels panels_{*this};
     QToolBar* tools_ = nullptr;
 
     PageStack* pages_ = nullptr;

@@ -15,17 +15,13 @@
 #include "ui/window/tracks_page.h"
 #include "ui/window/window_menus.h"
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QJsonDocument>
 #include <QScreen>
 #include <QSettings>
 #include <QTabWidget>
 #include <QToolBar>
-
-#include <utility>
 
 namespace vybeg::ui {
 
@@ -87,30 +83,8 @@ void MainWindow::saveState() {
     view.variables = tracks_->shownVariables();
     settings.setValue(view_key, QJsonDocument(viewToJson(view)).toJson(QJsonDocument::Compact));
     settings.setValue(geometry_key, saveGeometry());
-    showPanelsOf(Page::tracks);  // as the user has arranged them
+    panels_.showAll();
     settings.setValue(state_key, QMainWindow::saveState(state_version));
-}
-
-// A page shows only the panels that act on it, the others give it their room. Panels that the user
-// has closed stay closed.
-void MainWindow::showPanelsOf(Page page) {
-    QList<QDockWidget*> back;
-    QList<int> widths;
-    QList<int> heights;
-    for (const auto& [panel, size] : std::exchange(without_use_, {})) {
-        panel->show();
-        back << panel;
-        widths << size.width();
-        heights << size.height();
-    }
-    for (const PanelDock& panel : docks_) {
-        if (!panel.pages.contains(page) && !panel.dock->isHidden()) {
-            panel.dock->hide();
-            without_use_.emplace_back(panel.dock, panel.dock->size());
-        }
-    }
-    resizeDocks(back, widths, Qt::Horizontal);
-    resizeDocks(back, heights, Qt::Vertical);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -168,18 +142,7 @@ void MainWindow::applyLook() {
 void MainWindow::retranslate() {
     commands_->retranslate();
     menus_->retranslate();
-    for (const auto& [dock, title, pages] : docks_) {
-        dock->setWindowTitle(tr(title));
-        // Qt names these once, in the language of the start.
-        const auto name = [dock = dock](const char* button, const QString& text) {
-            if (auto* widget = dock->findChild<QAbstractButton*>(QLatin1String(button))) {
-                widget->setToolTip(text);
-                widget->setAccessibleName(text);
-            }
-        };
-        name("qt_dockwidget_floatbutton", tr("Float"));
-        name("qt_dockwidget_closebutton", tr("Close this panel"));
-    }
+    panels_.retranslate();
     readings_->setTabText(0, tr("At the cursor"));
     readings_->setTabText(1, tr("Wave"));
     readings_->setTabText(2, tr("Events"));

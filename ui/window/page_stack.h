@@ -3,9 +3,7 @@
 #include <QWidget>
 
 #include <optional>
-#include <set>
 
-class QDockWidget;
 class QStackedWidget;
 class QTabBar;
 
@@ -13,14 +11,6 @@ namespace vybeg::ui {
 
 // The pages in the order of their tabs. All but the last are about the open recordings.
 enum class Page { tracks, samples, resonator, residuals, windows, history };
-
-// A panel beside the pages, its title (a text of context "vybeg::ui::MainWindow") and the pages
-// that it acts on.
-struct PanelDock {
-    QDockWidget* dock;
-    const char* title;
-    std::set<Page> pages;
-};
 
 // The word of a page in a session, and the page of a word; nothing for another word.
 QString pageWord(Page page);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/window/commands.h"
-#include "ui/window/page_stack.h"
+#include "ui/window/page_panels.h"
 #include "ui/words/display_units.h"
 
 #include <QObject>
@@ -25,8 +25,8 @@ class WindowMenus : public QObject {
 
 public:
     // `theme`: the choice in effect, as ThemeMode.
-    WindowMenus(const Commands& commands, TrackView& tracks, const std::vector<PanelDock>& docks,
-                int theme, QMainWindow* window);
+    WindowMenus(const Commands& commands, TrackView& tracks, const PagePanels& panels, int theme,
+                QMainWindow* window);
 
     RecentFiles* recentFiles() const { return recent_; }
     QList<QAction*> languages() const;
@@ -51,7 +51,7 @@ private:
     void addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
                    const std::function<int()>& chosen, const std::function<void(int)>& choose);
     void addFile();
-    void addView(const std::vector<PanelDock>& docks, int theme);
+    void addView(const PagePanels& panels, int theme);
     void addVariables(QMenu* view);
     void addUnits(QMenu* view);
     void addLanguages(QMenu* view);
