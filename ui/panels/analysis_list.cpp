@@ -16,6 +16,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyle>
 
@@ -239,7 +240,7 @@ void AnalysisList::rebuild() {
     int left = viewport()->width();
     for (int column = algorithm; column < column_count; ++column) {
         resizeColumnToContents(column);
-        left -= column < notes ? columnWidth(column) : 0;
+        left -= column < notes ? columnWidth(column) : header()->sectionSizeHint(column);
     }
     for (const auto& [column, part] : {std::pair{recording, 0.4}, std::pair{name, 1.0}}) {
         const int least = 14 * fontMetrics().averageCharWidth();
@@ -248,8 +249,16 @@ void AnalysisList::rebuild() {
             column, std::min(columnWidth(column), std::max(least, static_cast<int>(part * left))));
         left -= columnWidth(column);
     }
+    // As high as its rows, from two to six of them; the rest belongs to the plots.
+    constexpr int most_rows = 6;
+    setFixedHeight(header()->sizeHint().height() + horizontalScrollBar()->sizeHint().height() +
+                   std::clamp(topLevelItemCount(), 2, most_rows) * rowHeight() + 2 * frameWidth());
     enableActions();
     emit currentAnalysisChanged(currentAnalysis());
+}
+
+int AnalysisList::rowHeight() const {
+    return topLevelItem(0) ? visualItemRect(topLevelItem(0)).height() : fontMetrics().height();
 }
 
 // The live analysis stays while Live is on: it would come back with the next change.

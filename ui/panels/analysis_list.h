@@ -47,6 +47,7 @@ private:
     void rebuild();
     void retranslate();
     void fill(QTreeWidgetItem& item, const AnalysisEntry& entry);
+    int rowHeight() const;
     void enableActions();
     void fillNotes(QTreeWidgetItem& item, const AnalysisEntry& entry);
 

@@ -33,6 +33,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QSplitter>
 #include <QStatusBar>
@@ -147,25 +148,19 @@ void MainWindow::buildDocks() {
 }
 
 void MainWindow::buildToolBar() {
-    tools_ = addToolBar(QString());
-    tools_->setObjectName(QStringLiteral("tools"));
-    tools_->setMovable(false);
+    tools_ = new QToolBar(this);
     tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    tools_->setIconSize({20, 20});
-    for (const Command command : {Command::open, Command::analyse, Command::compare,
-                                  Command::export_plots, Command::report}) {
+    tools_->setIconSize({16, 16});
+    for (const Command command :
+         {Command::open, Command::analyse, Command::export_plots, Command::report}) {
         tools_->addAction(action(command));
     }
     tools_->addSeparator();
-    for (const Command command : {Command::zoom_fit, Command::zoom_back}) {
-        tools_->addAction(action(command));
-    }
-    auto* gap = new QWidget(tools_);
-    gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    tools_->addWidget(gap);
     for (QAction* language : menus_->languages()) {
         tools_->addAction(language);
     }
+    // In the row of the menus, whose rest is free: the plots have its height.
+    menuBar()->setCornerWidget(tools_);
 }
 
 void MainWindow::connectDocument() {

@@ -28,7 +28,7 @@ namespace vybeg::ui {
 namespace {
 
 // Raised when docks or tool bars change, so that an old state is not forced on a new window.
-constexpr int state_version = 1;
+constexpr int state_version = 2;
 
 const QString theme_key = QStringLiteral("theme");
 const QString live_key = QStringLiteral("live");
@@ -146,7 +146,7 @@ void MainWindow::retranslate() {
     readings_->setTabText(0, tr("At the cursor"));
     readings_->setTabText(1, tr("Wave"));
     readings_->setTabText(2, tr("Events"));
-    tools_->setWindowTitle(tr("Tools"));
+    tools_->setAccessibleName(tr("Tools"));
 }
 
 }  // namespace vybeg::ui
