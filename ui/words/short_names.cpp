@@ -71,9 +71,10 @@ void NameDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     const auto fits = [&item, room] {
         return item.fontMetrics.horizontalAdvance(item.text) <= room;
     };
-    if (!fits()) {
+    const QAbstractItemModel* const model = index.model();
+    if (model && !fits()) {
         QStringList names;
-        for (int row = 0; row < index.model()->rowCount(index.parent()); ++row) {
+        for (int row = 0; row < model->rowCount(index.parent()); ++row) {
             names << index.siblingAtRow(row).data().toString();
         }
         item.text = distinctNames(names, false)[index.row()];
