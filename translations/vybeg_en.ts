@@ -50,6 +50,16 @@
         </message>
     </context>
     <context>
+        <name>PlotStack</name>
+        <message numerus="yes">
+            <source>%n not drawn: other length or unit</source>
+            <translation>
+                <numerusform>%n not drawn: other length or unit</numerusform>
+                <numerusform>%n not drawn: other length or unit</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>vybeg::ui::BatchWindow</name>
         <message numerus="yes">
             <source>%1 of %n set(s)</source>

@@ -1691,6 +1691,21 @@
     </message>
 </context>
 <context>
+    <name>PlotStack</name>
+    <message>
+        <source>and its trend</source>
+        <translation>и его тренд</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not drawn: other length or unit</source>
+        <translation>
+            <numerusform>%n не показан: другая длина или единица</numerusform>
+            <numerusform>%n не показаны: другая длина или единица</numerusform>
+            <numerusform>%n не показаны: другая длина или единица</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Reason</name>
     <message>
         <source>The wave hardly moves, so that one direction of the resonator is seen and no other. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
@@ -3058,8 +3073,8 @@
         <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
     </message>
     <message>
-        <source>No beat of 1¼ to 100 periods between the cursors.</source>
-        <translation>Между курсорами нет биения с числом периодов от 1¼ до 100.</translation>
+        <source>Between the cursors no damped sinusoid of 1¼ to 100 periods follows the windows within their noise. A beat that you see has another form; the page Resonator finds its split.</source>
+        <translation>Ни одна затухающая синусоида с числом периодов от 1¼ до 100 не проходит между курсорами через окна в пределах их шума. Видимое биение имеет другую форму; его разночастотность находит страница «Резонатор».</translation>
     </message>
     <message>
         <source>Too few windows between the cursors.</source>
@@ -4726,8 +4741,8 @@
         <translation>Графики пусков и паспорта</translation>
     </message>
     <message>
-        <source>Lines: these recordings; dashed: the passport</source>
-        <translation>Линии — эти записи, штриховые — паспорт</translation>
+        <source>In the colours of the recordings; further from the background: the passport</source>
+        <translation>Цвета — как у записей; более контрастные оттенки — паспорт</translation>
     </message>
     <message>
         <source>What to overlay</source>
@@ -5754,6 +5769,10 @@
 </context>
 <context>
     <name>vybeg::ui::MeasurePanel</name>
+    <message>
+        <source>The resonator of this recording beats at its split, %1 Hz</source>
+        <translation>Резонатор этой записи бьётся с разночастотностью %1 Гц</translation>
+    </message>
     <message>
         <source>A</source>
         <translation>A</translation>

@@ -11,7 +11,7 @@ trap 'rm -rf "$shots"' EXIT
 
 # picture FROM TO [CROP]
 picture() {
-    convert "$shots/$1" ${3:+-crop "$3" +repage} -strip +dither -colors 192 "PNG8:$2"
+    convert "$shots/$1" ${3:+-crop "$3" +repage -resize "760x>"} -strip +dither -colors 192 "PNG8:$2"
 }
 
 for page in tracks signals resonator windows; do
@@ -19,13 +19,18 @@ for page in tracks signals resonator windows; do
     [ "$page" = signals ] && shot=periods
     picture "$shot-all-en-light-1280x720@1.png" "$page.png"
 done
-# The page alone, in a size that the help shows as it is.
+# The page alone, no wider than the help shows it; the panels beside it leave it more or less room.
 for language in en ru; do
     folder=../help/$language/pictures
     mkdir -p "$folder"
     for page in tracks signals residuals resonator windows; do
         shot=$page
         [ "$page" = signals ] && shot=periods
-        picture "$shot-all-$language-light-1280x720@1.png" "$folder/$page.png" 574x508+316+56
+        case $page in
+            tracks | signals) part=574x544+316+31 ;;
+            residuals) part=964x544+316+31 ;;
+            *) part=964x669+316+31 ;;
+        esac
+        picture "$shot-all-$language-light-1280x720@1.png" "$folder/$page.png" "$part"
     done
 done

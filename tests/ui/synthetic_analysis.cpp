@@ -62,7 +62,7 @@ ShownAnalysis syntheticAnalysis(int index, const SyntheticAnalysis& what) {
     shown.name = QStringLiteral("maximum-likelihood, n = %1").arg(what.window);
     shown.recording = QStringLiteral("demo_%1.wav").arg(index);
     shown.color = style.color;
-    shown.dash = style.dash;
+    shown.shade = style.shade;
     shown.rate_hz = rate;
     shown.analysis = analysis;
     return shown;

@@ -98,7 +98,7 @@ bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& th
 }  // namespace
 
 QColor colorOf(const RoundSeries& series, const Theme& theme) {
-    return series.ink == Ink::style ? readable(series.color, theme)
+    return series.ink == Ink::style ? readable(series.color, theme, series.shade)
                                     : inkColor(series.ink, 0, theme);
 }
 

@@ -16,6 +16,7 @@ struct RoundSeries {
     QString name;  // in the legend; empty: not in it
     Ink ink = Ink::style;
     QColor color;  // for Ink::style, before it is made readable
+    int shade = 0;
     bool points = false;
     bool dashed = false;
     double width = 1.6;

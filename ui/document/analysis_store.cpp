@@ -1,6 +1,5 @@
 #include "ui/document/analysis_store.h"
 
-#include "ui/widgets/theme.h"
 #include "ui/words/program_name.h"
 
 #include <QFileInfo>
@@ -24,25 +23,6 @@ QString freeName(const std::vector<AnalysisEntry>& analyses, const QString& wish
     return name;
 }
 
-// The style wished for, or the first that no analysis has.
-int freeStyle(const std::vector<AnalysisEntry>& analyses, int wish) {
-    const auto taken = [&](int candidate) {
-        const CurveStyle style = curveStyle(candidate);
-        return std::ranges::any_of(analyses, [&](const AnalysisEntry& entry) {
-            return entry.shown.color == style.color && entry.shown.dash == style.dash;
-        });
-    };
-    if (!taken(wish)) {
-        return wish;
-    }
-    // Styles repeat after a while; with more analyses than styles the first free index is as good.
-    int index = 0;
-    while (index < static_cast<int>(analyses.size()) && taken(index)) {
-        ++index;
-    }
-    return index;
-}
-
 void setOutcome(AnalysisEntry& entry, const Settings& requested, AnalysisOutcome outcome) {
     entry.requested = requested;
     entry.summary = outcome.summary;
@@ -58,7 +38,7 @@ AnalysisWish wishOf(const AnalysisEntry& entry, int place) {
     return {.settings = entry.requested,
             .name = entry.shown.name,
             .color = entry.shown.color,
-            .dash = entry.shown.dash,
+            .shade = entry.shown.shade,
             .visible = entry.shown.visible,
             .live = entry.live,
             .place = place};
@@ -105,11 +85,9 @@ AnalysisId AnalysisStore::show(RecordingId recording_id, const Settings& request
         entry = &*same;
         entry->shown.visible = true;
     } else if (entry = addExpected(recording_id, requested, false); !entry) {
-        entry = &add(newAnalysis(recording,
-                                 QStringLiteral("%1, n = %2")
-                                     .arg(QFileInfo(recording.path).completeBaseName())
-                                     .arg(outcome.analysis->plan.length),
-                                 styleWish(recording_id)));
+        entry = &add(newAnalysis(recording, QStringLiteral("%1, n = %2")
+                                                .arg(QFileInfo(recording.path).completeBaseName())
+                                                .arg(outcome.analysis->plan.length)));
     }
     setOutcome(*entry, requested, std::move(outcome));
     const auto id = entry->shown.id;
@@ -135,11 +113,33 @@ AnalysisId AnalysisStore::showLive(RecordingId recording_id, const Settings& req
     return id;
 }
 
-// The first analysis of a recording has the colour of the recording's place.
-int AnalysisStore::styleWish(RecordingId recording_id) const {
-    const bool first =
-        std::ranges::find(analyses_, recording_id, &AnalysisEntry::recording_id) == analyses_.end();
-    return first ? static_cast<int>(recordings_.place(recording_id)) : 0;
+// Where the recording has no analysis yet, the colour of its place, or the next that no recording
+// has.
+CurveStyle AnalysisStore::freeStyle(RecordingId recording_id) const {
+    const auto taken = [this](const CurveStyle& style, bool any_shade) {
+        return std::ranges::any_of(analyses_, [&](const AnalysisEntry& entry) {
+            return entry.shown.color == style.color &&
+                   (any_shade || entry.shown.shade == style.shade);
+        });
+    };
+    const auto own = std::ranges::find(analyses_, recording_id, &AnalysisEntry::recording_id);
+    CurveStyle style;
+    if (own != analyses_.end()) {
+        style.color = own->shown.color;
+    } else {
+        const int place = static_cast<int>(recordings_.place(recording_id)) % curve_colors;
+        style.color = curveStyle(place).color;
+        for (int next = 1; next < curve_colors && taken(style, true); ++next) {
+            style.color = curveStyle((place + next) % curve_colors).color;
+        }
+        if (taken(style, true)) {  // more recordings than colours
+            style.color = curveStyle(place).color;
+        }
+    }
+    while (style.shade + 1 < curve_shades && taken(style, false)) {
+        ++style.shade;
+    }
+    return style;
 }
 
 // The first analysis of each recording stands in the order of the recordings, whichever analysis
@@ -165,8 +165,7 @@ AnalysisEntry& AnalysisStore::add(AnalysisEntry entry) {
 AnalysisEntry& AnalysisStore::addLive(RecordingId recording_id) {
     const RecordingEntry& recording = *recordings_.find(recording_id);
     // Its settings change, so they are in its row and not in its name.
-    AnalysisEntry added = newAnalysis(recording, QFileInfo(recording.path).completeBaseName(),
-                                      static_cast<int>(recordings_.place(recording_id)));
+    AnalysisEntry added = newAnalysis(recording, QFileInfo(recording.path).completeBaseName());
     added.live = true;
     return add(std::move(added));
 }
@@ -187,7 +186,7 @@ AnalysisEntry* AnalysisStore::addExpected(RecordingId recording_id, const Settin
     const AnalysisWish& wanted = wish->second;
     AnalysisEntry entry = newAnalysis(*recordings_.find(recording_id), wanted.name);
     entry.shown.color = wanted.color;
-    entry.shown.dash = wanted.dash;
+    entry.shown.shade = wanted.shade;
     entry.shown.visible = wanted.visible;
     entry.live = live;
     entry.place = wanted.place;
@@ -196,17 +195,21 @@ AnalysisEntry* AnalysisStore::addExpected(RecordingId recording_id, const Settin
     return &*analyses_.insert(next, std::move(entry));
 }
 
-AnalysisEntry AnalysisStore::newAnalysis(const RecordingEntry& recording, const QString& name,
-                                         int wish) {
-    const CurveStyle style = curveStyle(freeStyle(analyses_, wish));
+AnalysisEntry AnalysisStore::newAnalysis(const RecordingEntry& recording, const QString& name) {
+    const CurveStyle style = freeStyle(recording.id);
     AnalysisEntry entry;
     entry.recording_id = recording.id;
     entry.shown.id = ids_.next<AnalysisId>();
     entry.shown.name = freeName(analyses_, name);
     entry.shown.recording = recording.name;
     entry.shown.color = style.color;
-    entry.shown.dash = style.dash;
+    entry.shown.shade = style.shade;
+    entry.shown.unit =
+        QString::fromStdString(recording.recording->channels
+                                   .at(static_cast<std::size_t>(recording.recording->channel_c - 1))
+                                   .unit);
     entry.shown.rate_hz = recording.recording->rate_hz;
+    entry.shown.recorded_s = recording.recording->seconds();
     return entry;
 }
 

@@ -6,6 +6,7 @@
 #include "ui/document/recording_store.h"
 #include "ui/values/ids.h"
 #include "ui/values/shown_analysis.h"
+#include "ui/widgets/theme.h"
 
 #include <QObject>
 
@@ -39,7 +40,7 @@ struct AnalysisWish {
     Settings settings;
     QString name;
     QColor color;
-    Qt::PenStyle dash = Qt::SolidLine;
+    int shade = 0;
     bool visible = true;
     bool live = false;
     int place = 0;
@@ -48,7 +49,7 @@ struct AnalysisWish {
 // The wish that gives an equal analysis.
 AnalysisWish wishOf(const AnalysisEntry& entry, int place);
 
-// The analyses of the open recordings, with names, colours and dashes of their own.
+// The analyses of the open recordings, with names of their own, in the colours of their recordings.
 class AnalysisStore : public QObject {
     Q_OBJECT
 
@@ -89,9 +90,9 @@ private:
     void change(AnalysisId id, const std::function<void(ShownAnalysis&)>& edit);
     void putBack(const AnalysisEntry& entry, std::size_t place);
     void takeOut(AnalysisId id);
-    // `wish`: its style, where no other analysis has it.
-    AnalysisEntry newAnalysis(const RecordingEntry& recording, const QString& name, int wish = 0);
-    int styleWish(RecordingId recording_id) const;
+    AnalysisEntry newAnalysis(const RecordingEntry& recording, const QString& name);
+    // The colour of the recording's analyses, in a shade that none of that colour has.
+    CurveStyle freeStyle(RecordingId recording_id) const;
     AnalysisEntry& add(AnalysisEntry entry);
     AnalysisEntry& addLive(RecordingId recording_id);
     // The analysis that is expected, in its place; null where none is.

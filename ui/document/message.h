@@ -30,6 +30,8 @@ struct Message {
     // A button of its own, with its action.
     std::function<QString()> button = {};
     std::function<void()> press = {};
+    // What closing the message without its button says.
+    std::function<void()> dismiss = {};
     // A question that newer messages do not push out.
     bool until_answered = false;
 };

@@ -5,6 +5,7 @@
 #include "ui/history/history_text.h"
 #include "ui/report/report_html.h"
 #include "ui/words/program_name.h"
+#include "ui/words/rich_text.h"
 
 #include <QLocale>
 
@@ -75,7 +76,7 @@ QString resultsOf(const StoredHistory& history, const HistoryCharts& charts,
                   const HistoryView& view) {
     HtmlTable table{{historyText(QT_TRANSLATE_NOOP("History", "Results"))}, {}, {100}, true};
     for (std::size_t k = 0; k < history.points.size(); ++k) {
-        table.rows.push_back({withIndices(pointText(history, charts, view, k))});
+        table.rows.push_back({richText(pointText(history, charts, view, k))});
     }
     return html(table);
 }

@@ -136,7 +136,7 @@ HistoryView HistoryPage::view() const {
     const ParameterLimit* limit =
         same_gyro ? limit_of(dossier.limits, choices_->parameter().name.c_str()) : nullptr;
     return {choices_->parameter(),
-            choices_->axis(),
+            shownAxis(history_, choices_->axis()),
             units_,
             chosen_,
             passportValue(open ? &open->passport : nullptr, choices_->parameter()),

@@ -201,6 +201,14 @@ QString baselineText(const HistoryCharts& charts) {
     return {};
 }
 
+HistoryAxis shownAxis(const std::optional<StoredHistory>& history, HistoryAxis chosen) {
+    const bool undated = history && !history->points.empty() &&
+                         std::ranges::none_of(history->points, [](const HistoryPoint& point) {
+                             return std::isfinite(point.time_s);
+                         });
+    return undated && chosen == HistoryAxis::date ? HistoryAxis::order : chosen;
+}
+
 QString parameterTitle(const HistoryParameter& parameter) {
     const auto dot = parameter.name.find('.');
     if (dot == std::string::npos) {

@@ -23,6 +23,10 @@ struct HistoryView {
     std::optional<ParameterLimit> limit;  // of the session's dossier
 };
 
+// The axis against which results are shown: their order where none has a date, so that the first
+// one is seen.
+HistoryAxis shownAxis(const std::optional<StoredHistory>& history, HistoryAxis chosen);
+
 // A plot whose first series has the points of these places in the history.
 struct HistoryPlot {
     XYPlot plot;

@@ -194,7 +194,7 @@ void ImportPreview::applyLook() {
         axis->grid()->setZeroLinePen(theme_.zeroLine);
     }
     plot_->graph(0)->setPen(theme_.signalC);
-    plot_->graph(1)->setPen(QPen(theme_.signalD, 1, Qt::DashLine));
+    plot_->graph(1)->setPen(QPen(theme_.signalD, 1));
 }
 
 void ImportPreview::changeEvent(QEvent* event) {

@@ -5,6 +5,7 @@
 #include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/short_names.h"
 
 #include <QAction>
 #include <QEvent>
@@ -15,9 +16,11 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyle>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -32,7 +35,8 @@ QIcon curveIcon(const ShownAnalysis& shown) {
     pixmap.fill(QGuiApplication::palette().color(QPalette::Base));
     QPainter painter(&pixmap);
     const Theme theme = isDark(QGuiApplication::palette()) ? darkTheme() : lightTheme();
-    painter.setPen(QPen(readable(shown.color, theme), 2.5, shown.dash, Qt::FlatCap));
+    painter.setPen(
+        QPen(readable(shown.color, theme, shown.shade), 2.5, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(2, height / 2.0), QPointF(width - 2, height / 2.0));
     painter.end();
     QIcon icon(pixmap);
@@ -48,6 +52,8 @@ AnalysisList::AnalysisList(Document& document, QWidget* parent)
     setColumnCount(column_count);
     setIconSize({28, 14});
     setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setItemDelegateForColumn(name, new NameDelegate(this));
+    setItemDelegateForColumn(recording, new NameDelegate(this));
     setContextMenuPolicy(Qt::ActionsContextMenu);
     header()->setStretchLastSection(false);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -92,17 +98,14 @@ AnalysisList::AnalysisList(Document& document, QWidget* parent)
                 Qt::QueuedConnection);
         }
     });
-    connect(this, &QTreeWidget::currentItemChanged, this,
-            [this] { emit currentAnalysisChanged(currentAnalysis()); });
+    connect(this, &QTreeWidget::currentItemChanged, this, [this] {
+        enableActions();
+        emit currentAnalysisChanged(currentAnalysis());
+    });
     connect(&document_, &Document::analysesChanged, this, &AnalysisList::rebuild);
     connect(&document_, &Document::liveChanged, this, &AnalysisList::rebuild);
     connect(&document_, &Document::analysisAdded, this, &AnalysisList::setCurrentAnalysis);
     retranslate();
-    const int digit = fontMetrics().averageCharWidth();
-    const int widths[column_count] = {27, 14, 25, 7, 23, 25, 12, 10, 40};
-    for (int column = 0; column < column_count; ++column) {
-        setColumnWidth(column, widths[column] * digit);
-    }
 }
 
 void AnalysisList::setCurrentAnalysis(AnalysisId id) {
@@ -233,12 +236,37 @@ void AnalysisList::rebuild() {
             setCurrentItem(topLevelItem(topLevelItemCount() - 1));
         }
     }
-    resizeColumnToContents(time);
-    resizeColumnToContents(notes);
-    for (QAction* action : {rename_, again_, remove_}) {
-        action->setEnabled(currentItem() != nullptr);
+    // Names may be shortened, to what the numbers leave of the width; numbers may not.
+    int left = viewport()->width();
+    for (int column = algorithm; column < column_count; ++column) {
+        resizeColumnToContents(column);
+        left -= column < notes ? columnWidth(column) : header()->sectionSizeHint(column);
     }
+    for (const auto& [column, part] : {std::pair{recording, 0.4}, std::pair{name, 1.0}}) {
+        const int least = 14 * fontMetrics().averageCharWidth();
+        resizeColumnToContents(column);
+        setColumnWidth(
+            column, std::min(columnWidth(column), std::max(least, static_cast<int>(part * left))));
+        left -= columnWidth(column);
+    }
+    // As high as its rows, from two to six of them; the rest belongs to the plots.
+    constexpr int most_rows = 6;
+    setFixedHeight(header()->sizeHint().height() + horizontalScrollBar()->sizeHint().height() +
+                   std::clamp(topLevelItemCount(), 2, most_rows) * rowHeight() + 2 * frameWidth());
+    enableActions();
     emit currentAnalysisChanged(currentAnalysis());
+}
+
+int AnalysisList::rowHeight() const {
+    return topLevelItem(0) ? visualItemRect(topLevelItem(0)).height() : fontMetrics().height();
+}
+
+// The live analysis stays while Live is on: it would come back with the next change.
+void AnalysisList::enableActions() {
+    const AnalysisEntry* entry = document_.analysis(currentAnalysis());
+    rename_->setEnabled(entry);
+    again_->setEnabled(entry);
+    remove_->setEnabled(entry && !(entry->live && document_.live()));
 }
 
 void AnalysisList::changeEvent(QEvent* event) {

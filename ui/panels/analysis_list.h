@@ -47,6 +47,8 @@ private:
     void rebuild();
     void retranslate();
     void fill(QTreeWidgetItem& item, const AnalysisEntry& entry);
+    int rowHeight() const;
+    void enableActions();
     void fillNotes(QTreeWidgetItem& item, const AnalysisEntry& entry);
 
     Document& document_;
@@ -55,7 +57,7 @@ private:
     QAction* remove_;
 };
 
-// A sample of an analysis's line: its colour and dash.
+// A sample of an analysis's line: its colour and shade.
 QIcon curveIcon(const ShownAnalysis& shown);
 
 }  // namespace vybeg::ui

@@ -5,6 +5,7 @@
 #include "ui/values/covered_time.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/short_names.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -89,13 +90,19 @@ void CursorPanel::refresh() {
     const double time_s = shownTime(analyses.front()->shown);
     time_->setText(tr("t = %1 s").arg(QLocale().toString(time_s, 'f', 5)));
     table_->setColumnCount(static_cast<int>(analyses.size()) + 1);
+    QStringList names;
+    for (const AnalysisEntry* entry : analyses) {
+        names << entry->shown.name;
+    }
+    const QStringList short_names = distinctNames(names);
     bool any_flag = false;
     for (int column = 1; column < table_->columnCount(); ++column) {
         const AnalysisEntry& entry = *analyses[static_cast<std::size_t>(column - 1)];
         const Analysis& analysis = *entry.shown.analysis;
         const std::size_t row = nearestRow(analysis.track, time_s);
-        auto* header = new QTableWidgetItem(curveIcon(entry.shown), entry.shown.name);
-        header->setToolTip(plainTip(entry.shown.recording));
+        auto* header = new QTableWidgetItem(curveIcon(entry.shown), short_names[column - 1]);
+        header->setToolTip(
+            plainTip(QStringLiteral("%1\n%2").arg(entry.shown.name, entry.shown.recording)));
         table_->setHorizontalHeaderItem(column, header);
         const auto set = [this, column](int line, const QString& text) {
             auto* item = new QTableWidgetItem(text);
@@ -118,8 +125,10 @@ void CursorPanel::refresh() {
         set(cursor_rows, reason);
         any_flag = any_flag || !reason.isEmpty();
     }
-    table_->setRowHidden(cursor_rows, !any_flag);
+    // Columns are as wide as their numbers; a reason, which is longer, is wrapped in them.
+    table_->setRowHidden(cursor_rows, true);
     table_->resizeColumnsToContents();
+    table_->setRowHidden(cursor_rows, !any_flag);
     table_->resizeRowsToContents();
 }
 

@@ -195,7 +195,8 @@ TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double fr
     const int points =
         beat ? std::max(curve_points, static_cast<int>(points_per_beat * beat->frequency_hz * span))
              : curve_points;
-    TrendCurve curve{trend.variable, {}, {}};
+    TrendCurve curve;
+    curve.variable = trend.variable;
     for (int k = 0; k <= points; ++k) {
         const double time_s = std::min(from_s, to_s) + span * k / points;
         curve.time_s.push_back(time_s);
@@ -207,9 +208,12 @@ TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double fr
 QStringList trendSentences(const Analysis& analysis, TrendKind kind,
                            const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
     if (trends.empty()) {
-        return {kind == TrendKind::beat
-                    ? Words::tr("No beat of 1¼ to 100 periods between the cursors.")
-                    : Words::tr("Too few windows between the cursors.")};
+        return {
+            kind == TrendKind::beat
+                ? Words::tr("Between the cursors no damped sinusoid of 1¼ to 100 periods follows "
+                            "the windows within their noise. A beat that you see has another "
+                            "form; the page Resonator finds its split.")
+                : Words::tr("Too few windows between the cursors.")};
     }
     switch (kind) {
         case TrendKind::line: return lineSentences(trends, units);

@@ -2,6 +2,7 @@
 
 #include "ui/values/covered_time.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -36,6 +37,7 @@ QString nameOf(SlowVariable variable, const DisplayUnits& units) {
 MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
+      owner_(new QLabel(this)),
       difference_(new QLabel(this)),
       kind_name_(new QLabel(this)),
       kind_(new QComboBox(this)),
@@ -57,13 +59,14 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
         connect(field, &NumberField::valueEdited, this,
                 [this] { emit cursorsEdited(fields_[0]->value(), fields_[1]->value()); });
     }
+    owner_->setObjectName(QStringLiteral("owner"));
     kind_name_->setBuddy(kind_);
     kind_->addItems(QStringList(trend_kinds));
     kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     grid->addWidget(kind_name_, 1, 0);
     grid->addWidget(kind_, 1, 1, 1, 3);
     connect(kind_, &QComboBox::activated, this, &MeasurePanel::refresh);
-    for (QLabel* label : {difference_, sentences_}) {
+    for (QLabel* label : {owner_, difference_, sentences_}) {
         label->setContentsMargins(6, 2, 6, 2);
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -83,6 +86,7 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(owner_);
     layout->addLayout(grid);
     // One scroll bar for all readings: the table is as high as its rows.
     auto* readings = new QWidget;
@@ -99,6 +103,7 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     scroll->setFrameShape(QFrame::NoFrame);
     layout->addWidget(scroll, 1);
     connect(&document_, &Document::analysesChanged, this, &MeasurePanel::refresh);
+    connect(&document_.sets(), &SetStore::changed, this, &MeasurePanel::refresh);
     retranslate();
 }
 
@@ -173,6 +178,7 @@ void MeasurePanel::refresh() {
     trends_.clear();
     if (shown) {
         measure(*shown);
+        showOwner();
         showTimes();
         showTable(*shown);
         showSentences();
@@ -189,6 +195,15 @@ void MeasurePanel::measure(const Analysis& analysis) {
             trends_.push_back(std::move(*trend));
         }
     }
+}
+
+void MeasurePanel::showOwner() {
+    const ShownAnalysis& shown = document_.analysis(analysis_id_)->shown;
+    const Theme theme = isDark(palette()) ? darkTheme() : lightTheme();
+    owner_->setText(
+        QStringLiteral("<span style=\"color:%1\">━</span> %2")
+            .arg(readable(shown.color, theme, shown.shade).name(), shown.name.toHtmlEscaped()));
+    owner_->setToolTip(plainTip(shown.recording));
 }
 
 void MeasurePanel::showTimes() {
@@ -252,6 +267,9 @@ void MeasurePanel::showSentences() {
     sentences_->setVisible(both);
     if (both) {
         QStringList sentences = trendSentences(*analysis(), trendKind(), trends_, units_);
+        if (trendKind() == TrendKind::beat) {
+            sentences << resonatorSentences();
+        }
         for (QString& sentence : sentences) {
             sentence = richText(sentence);
         }
@@ -259,11 +277,31 @@ void MeasurePanel::showSentences() {
     }
 }
 
+// A large swing is no sinusoid, yet the modes beat with the split that their resonator has.
+QStringList MeasurePanel::resonatorSentences() const {
+    const RecordingId recording = document_.analysis(analysis_id_)->recording_id;
+    QStringList sentences;
+    for (const RecordingSet& set : document_.sets().all()) {
+        const auto outcome = document_.sets().outcome(set);
+        if (!outcome ||
+            std::ranges::find(outcome->recordings, recording) == outcome->recordings.end()) {
+            continue;
+        }
+        const Estimate& split = outcome->identification.fit.resonator.split_hz;
+        if (split.given()) {
+            sentences << tr("The resonator of this recording beats at its split, %1 Hz")
+                             .arg(valueText(split.value, split.uncertainty()));
+        }
+    }
+    return sentences;
+}
+
 void MeasurePanel::drawTrends(const Analysis* analysis) {
     std::vector<TrendCurve> curves;
     curves.reserve(trends_.size());
     for (const FittedTrend& trend : trends_) {
         curves.push_back(curveOf(*analysis, trend, *a_s_, *b_s_, units_));
+        curves.back().of = analysis_id_;
     }
     if (curves != drawn_) {
         drawn_ = std::move(curves);
@@ -300,6 +338,8 @@ void MeasurePanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        refresh();  // the owner's colour is readable on the theme's ground
     }
 }
 

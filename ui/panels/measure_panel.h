@@ -52,9 +52,12 @@ private:
     void retranslate();
     void refresh();
     void measure(const Analysis& analysis);
+    void showOwner();
     void showTimes();
     void showTable(const Analysis& analysis);
     void showSentences();
+    // The beat of the analysis's recording by the resonators identified from it.
+    QStringList resonatorSentences() const;
     void drawTrends(const Analysis* analysis);
     // Rate or beat frequency of a variable.
     Reading trendOf(const Analysis& analysis, SlowVariable variable) const;
@@ -63,6 +66,7 @@ private:
     Document& document_;
     std::array<QLabel*, 2> names_{};
     std::array<NumberField*, 2> fields_{};
+    QLabel* owner_;
     QLabel* difference_;
     QLabel* kind_name_;
     QComboBox* kind_;

@@ -74,7 +74,12 @@ void MessageBar::add(const Message& message) {
     }
     row.close->setAutoRaise(true);
     row.close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
-    connect(row.close, &QToolButton::clicked, this, [this, frame] { remove(frame); });
+    connect(row.close, &QToolButton::clicked, this, [this, frame, dismiss = message.dismiss] {
+        remove(frame);
+        if (dismiss) {
+            dismiss();
+        }
+    });
     line->addWidget(row.close);
 
     rows_.insert(rows_.begin(), row);

@@ -4,6 +4,7 @@
 #include "ui/widgets/check_list.h"
 #include "ui/words/format_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/short_names.h"
 
 #include <QAction>
 #include <QDir>
@@ -68,10 +69,9 @@ QString channelText(const Recording& recording, int number) {
 RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new RecordingDragList(this)) {
     list_->setIconSize({16, 16});
-    list_->setTextElideMode(Qt::ElideMiddle);
+    list_->setItemDelegate(new NameDelegate(list_));
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);
-    list_->setMinimumHeight(3 * fontMetrics().height());
     close_ = new QAction(this);
     close_->setShortcut(QKeySequence::Delete);
     close_->setShortcutContext(Qt::WidgetShortcut);
@@ -109,7 +109,7 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(2, 2, 2, 2);
     layout->setSpacing(2);
-    layout->addWidget(list_, 1);
+    layout->addWidget(list_);
     layout->addWidget(scroll, 3);
     check_ = new CheckList(this);
     layout->addWidget(check_, 2);
@@ -154,6 +154,11 @@ void RecordingPanel::rebuildList() {
             list_->scrollToItem(item);
         }
     }
+    // As high as its rows, from two to six of them.
+    constexpr int most_rows = 6;
+    const int rows = std::clamp(list_->count(), 2, most_rows);
+    const int row_height = std::max(list_->sizeHintForRow(0), fontMetrics().height());
+    list_->setFixedHeight(rows * row_height + 2 * list_->frameWidth());
     const bool any = document_.currentRecording() != nullptr;
     close_->setEnabled(any);
     reopen_->setEnabled(any);

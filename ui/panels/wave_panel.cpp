@@ -3,7 +3,9 @@
 #include "core/track/wave_pattern.h"
 #include "ui/charts/round_view.h"
 #include "ui/panels/reading.h"
+#include "ui/plots/plot_content.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/short_names.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -26,6 +28,7 @@ RoundSeries curveOf(const ShownAnalysis& shown, ClosedCurve curve, double x_fact
     RoundSeries series;
     series.name = shown.name;
     series.color = shown.color;
+    series.shade = shown.shade;
     series.x = std::move(curve.x);
     series.y = std::move(curve.y);
     for (double& x : series.x) {
@@ -73,6 +76,11 @@ void WavePanel::setTime(std::optional<double> time_s) {
     refresh();
 }
 
+void WavePanel::setAnalysis(AnalysisId id) {
+    chosen_ = id;
+    refresh();
+}
+
 void WavePanel::setTheme(const Theme& theme) {
     pattern_->setTheme(theme);
     ellipse_->setTheme(theme);
@@ -91,9 +99,11 @@ void WavePanel::refresh() {
     pattern.empty = ellipse.empty = tr("No wave here");
     double largest = 0;
     std::optional<double> shown_s = time_s_;
-    for (const AnalysisEntry& entry : document_.analyses()) {
-        const Track& track = entry.shown.analysis->track;
-        if (!entry.shown.visible || track.rows() == 0 || pattern.series.size() == most_waves) {
+    std::vector<ShownAnalysis> analyses = document_.plottedAnalyses();
+    drawnWith(chosen_, analyses);
+    for (const ShownAnalysis& shown : analyses) {
+        const Track& track = shown.analysis->track;
+        if (!shown.visible || track.rows() == 0 || pattern.series.size() == most_waves) {
             continue;
         }
         shown_s = shown_s.value_or(track.time_s().front());
@@ -105,12 +115,18 @@ void WavePanel::refresh() {
             continue;
         }
         largest = std::max({largest, wave.a_A, std::abs(wave.a_B)});
-        pattern.series.push_back(curveOf(entry.shown, polar_pattern(wave, steps), 1 / degree));
-        ellipse.series.push_back(curveOf(entry.shown, channel_ellipse(wave, steps), 1));
+        pattern.series.push_back(curveOf(shown, polar_pattern(wave, steps), 1 / degree));
+        ellipse.series.push_back(curveOf(shown, channel_ellipse(wave, steps), 1));
     }
-    if (pattern.series.size() == 1) {  // a single wave needs no legend
-        pattern.series.front().name.clear();
-        ellipse.series.front().name.clear();
+    // Names by what differs; a single wave needs no legend.
+    QStringList names;
+    for (const RoundSeries& series : pattern.series) {
+        names << series.name;
+    }
+    names = distinctNames(names);
+    for (std::size_t k = 0; k < pattern.series.size(); ++k) {
+        pattern.series[k].name = ellipse.series[k].name =
+            names.size() > 1 ? names[static_cast<qsizetype>(k)] : QString();
     }
     pattern.reach = ellipse.reach = largest > 0 ? roundReach(largest) : 1;
     time_->setText(shown_s ? tr("t = %1 s").arg(QLocale().toString(*shown_s, 'f', 5)) : QString());

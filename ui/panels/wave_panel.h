@@ -22,6 +22,8 @@ class WavePanel : public QWidget {
 public:
     explicit WavePanel(Document& document, QWidget* parent = nullptr);
 
+    // What is unlike the chosen analysis is not drawn over it.
+    void setAnalysis(AnalysisId id);
     void setTime(std::optional<double> time_s);
     void setTheme(const Theme& theme);
 
@@ -41,6 +43,7 @@ private:
     RoundView* pattern_;
     RoundView* ellipse_;
     std::optional<double> time_s_;
+    AnalysisId chosen_ = AnalysisId::none;
 };
 
 }  // namespace vybeg::ui

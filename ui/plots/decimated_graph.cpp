@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vybeg::ui {
 namespace {
@@ -16,7 +15,15 @@ constexpr double dot_spacing = 9;
 // into a bar.
 constexpr double pointer_spacing = 24;
 
-// The band of one standard deviation at one column, pixels.
+// Dense noise: windows in a pixel at least, those of a column of the band, the band's least height
+// in pixels, and columns on either side that the running mean takes in.
+constexpr double least_density = 1;
+constexpr double windows_in_column = 4;
+constexpr std::size_t least_noise_columns = 20;
+constexpr double least_noise_height = 4;
+constexpr std::size_t mean_reach = 4;
+
+// A band at one column, pixels.
 struct BandPoint {
     double x = 0;
     double top = 0;
@@ -70,17 +77,50 @@ void drawBandPixels(QCPPainter& painter, const std::vector<BandPoint>& piece, co
     }
 }
 
-}  // namespace
+void fillBand(QCPPainter& painter, const std::vector<BandPoint>& piece, const QColor& fill) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    painter.modes().testFlag(QCPPainter::pmVectorized) ? drawBandShape(painter, piece)
+                                                       : drawBandPixels(painter, piece, fill);
+    painter.setBrush(Qt::NoBrush);
+}
 
-QVector<double> dashPattern(Qt::PenStyle dash) {
-    switch (dash) {
-        case Qt::DashLine: return {14, 5};
-        case Qt::DashDotLine: return {14, 4, 3, 4};
-        case Qt::DotLine: return {4, 4};
-        case Qt::DashDotDotLine: return {14, 4, 3, 4, 3, 4};
-        default: return {};
+void stroke(QCPPainter& painter, const QVector<QLineF>& lines, const QVector<QPointF>& dots,
+            const QColor& color) {
+    painter.setAntialiasing(true);
+    painter.setPen(QPen(color, line_width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(lines);
+    painter.setPen(QPen(color, 4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPoints(dots.constData(), static_cast<int>(dots.size()));
+}
+
+double mean(const CurveColumn& column) {
+    return column.sum / static_cast<double>(column.count);
+}
+
+// Calls `draw(begin, end)` for each stretch of columns between gaps.
+template <class Draw>
+void forPieces(const std::vector<CurveColumn>& columns, Draw draw) {
+    for (std::size_t begin = 0; begin < columns.size();) {
+        std::size_t end = begin + 1;
+        while (end < columns.size() && columns[end].joined) {
+            ++end;
+        }
+        if (!columns[begin].empty()) {
+            draw(begin, end);
+        }
+        begin = end;
     }
 }
+
+// The upper one in the middle; 0 without values.
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return values.empty() ? 0 : *middle;
+}
+
+}  // namespace
 
 DecimatedGraph::DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis,
                                std::shared_ptr<const CurveData> data)
@@ -88,10 +128,9 @@ DecimatedGraph::DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis,
     setSelectable(QCP::stNone);
 }
 
-void DecimatedGraph::setLook(const QColor& color, Qt::PenStyle dash, const QColor& missing) {
+void DecimatedGraph::setLook(const QColor& color, const QColor& missing) {
     color_ = color;
     missing_ = missing;
-    pattern_ = dashPattern(dash);
 }
 
 const std::vector<CurveColumn>& DecimatedGraph::columns(const AxisRange& time, int width) const {
@@ -126,6 +165,10 @@ QCPRange DecimatedGraph::getValueRange(bool& foundRange, QCP::SignDomain,
     return found ? QCPRange(found->lower, found->upper) : QCPRange();
 }
 
+double DecimatedGraph::pixelX(const CurveColumn& column) const {
+    return keyAxis()->coordToPixel(0.5 * (column.time_first + column.time_last));
+}
+
 double DecimatedGraph::pixelY(double displayed) const {
     const QCPAxis& axis = *valueAxis();
     const QRect rect = axis.axisRect()->rect();
@@ -137,29 +180,47 @@ double DecimatedGraph::pixelY(double displayed) const {
     return std::clamp(axis.coordToPixel(displayed), rect.top() - beyond, rect.bottom() + beyond);
 }
 
-void DecimatedGraph::draw(QCPPainter* painter) {
+const std::vector<CurveColumn>& DecimatedGraph::visibleColumns() const {
     const QCPRange key = keyAxis()->range();
-    const int width = keyAxis()->axisRect()->width();
-    if (width < 2 || data_->rows() == 0) {
+    return columns({key.lower, key.upper}, keyAxis()->axisRect()->width());
+}
+
+void DecimatedGraph::draw(QCPPainter* painter) {
+    if (keyAxis()->axisRect()->width() < 2) {
         return;
     }
-    const auto& visible = columns({key.lower, key.upper}, width);
-    if (band_) {
-        drawBand(*painter, visible);
+    for (const DecimatedGraph* each : *all_) {
+        if (all_->front() == this) {
+            each->drawBands(*painter);
+        }
     }
-    drawLine(*painter, visible);
-    drawMarks(*painter, visible);
+    if (const auto noise = noiseColumns(); !noise.empty()) {
+        drawMean(*painter, noise);
+    } else {
+        drawLine(*painter, visibleColumns());
+    }
+    drawMarks(*painter, visibleColumns());
+}
+
+// Under dense noise the scatter itself; otherwise a standard deviation.
+void DecimatedGraph::drawBands(QCPPainter& painter) const {
+    if (const auto noise = noiseColumns(); !noise.empty()) {
+        drawNoiseBand(painter, noise);
+    } else if (band_) {
+        drawBand(painter, visibleColumns());
+    }
+}
+
+QColor DecimatedGraph::bandColor() const {
+    QColor color = color_;
+    color.setAlphaF(static_cast<float>(0.3 / std::sqrt(static_cast<double>(all_->size()))));
+    return color;
 }
 
 void DecimatedGraph::drawBand(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
-    QColor fill = color_;
-    fill.setAlphaF(0.22f);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(fill);
     std::vector<BandPoint> piece;
     const auto flush = [&] {
-        painter.modes().testFlag(QCPPainter::pmVectorized) ? drawBandShape(painter, piece)
-                                                           : drawBandPixels(painter, piece, fill);
+        fillBand(painter, piece, bandColor());
         piece.clear();
     };
     for (const CurveColumn& column : columns) {
@@ -170,19 +231,16 @@ void DecimatedGraph::drawBand(QCPPainter& painter, const std::vector<CurveColumn
             continue;
         }
         const AxisRange band = displayedInterval(scale_, column.band_min, column.band_max);
-        const double x = keyAxis()->coordToPixel(0.5 * (column.time_first + column.time_last));
+        const double x = pixelX(column);
         piece.push_back({x, pixelY(band.upper), pixelY(band.lower)});
     }
     flush();
-    painter.setBrush(Qt::NoBrush);
 }
 
 void DecimatedGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
     QVector<QLineF> lines;
     QVector<QPointF> dots;
     lines.reserve(2 * static_cast<qsizetype>(columns.size()));
-    // The origin of the pattern is t = 0, so that it moves with the curve.
-    const double origin = keyAxis()->coordToPixel(0);
     QPointF before;
     double last_dot = -1e9;
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -190,14 +248,14 @@ void DecimatedGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn
         if (column.empty()) {
             continue;
         }
-        const double x = keyAxis()->coordToPixel(0.5 * (column.time_first + column.time_last));
+        const double x = pixelX(column);
         const QPointF first(x, pixelY(scale_.value(column.first)));
         if (column.joined) {
-            addDashed(lines, {before, first}, origin);
+            lines.append({before, first});
         }
         const auto vertical = [&](double low, double high) {
             const AxisRange shown = displayedInterval(scale_, low, high);
-            addDashed(lines, {x, pixelY(shown.lower), x, pixelY(shown.upper)}, origin);
+            lines.append({x, pixelY(shown.lower), x, pixelY(shown.upper)});
         };
         if (column.wraps) {
             vertical(column.min, column.negative_max);
@@ -215,36 +273,92 @@ void DecimatedGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn
         last_dot = x;
         before = {x, pixelY(scale_.value(column.last))};
     }
-    painter.setAntialiasing(true);
-    painter.setPen(QPen(color_, line_width, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLines(lines);
-    painter.setPen(QPen(color_, 4, Qt::SolidLine, Qt::RoundCap));
-    painter.drawPoints(dots.constData(), static_cast<int>(dots.size()));
+    stroke(painter, lines, dots, color_);
 }
 
-void DecimatedGraph::addDashed(QVector<QLineF>& lines, const QLineF& segment, double origin) const {
-    if (pattern_.isEmpty()) {
-        lines.append(segment);
-        return;
+// The columns, joined where they are so narrow that they hold too few windows. They begin at whole
+// multiples of their width, as those of the curve do.
+std::vector<CurveColumn> DecimatedGraph::noiseColumns() const {
+    const std::vector<CurveColumn>& fine = visibleColumns();
+    std::size_t windows = 0;
+    std::size_t filled = 0;
+    for (const CurveColumn& column : fine) {
+        windows += column.count;
+        filled += column.empty() ? 0 : 1;
     }
-    const double period = std::accumulate(pattern_.begin(), pattern_.end(), 0.0);
-    const double left = std::max(segment.x1(), double(keyAxis()->axisRect()->left()) - 1);
-    const double right = std::min(segment.x2(), double(keyAxis()->axisRect()->right()) + 1);
-    const bool upright = segment.dx() < 0.5;  // drawn completely if it starts in a dash
-    double dash = origin + std::floor((left - origin) / period) * period;
-    for (qsizetype i = 0; dash <= right; i = (i + 2) % pattern_.size()) {
-        const double begin = std::max(left, dash);
-        const double end = std::min(right, dash + pattern_[i]);
-        if (upright && dash <= left && left < dash + pattern_[i]) {
-            lines.append(segment);
-            return;
-        }
-        if (!upright && begin < end) {
-            lines.append({segment.pointAt((begin - segment.x1()) / segment.dx()),
-                          segment.pointAt((end - segment.x1()) / segment.dx())});
-        }
-        dash += pattern_[i] + pattern_[i + 1];
+    const double pixel_s = keyAxis()->range().size() / keyAxis()->axisRect()->width();
+    const double covered =
+        fine.empty() ? 0 : (fine.back().time_last - fine.front().time_first) / pixel_s;
+    const double density = static_cast<double>(windows) / std::max(1.0, covered);
+    if (filled < least_noise_columns || density < least_density) {
+        return {};
     }
+    const double joined_s = pixel_s * std::ceil(windows_in_column / density);
+    const auto place = [joined_s](const CurveColumn& column) {
+        return std::floor(column.time_first / joined_s);
+    };
+    std::vector<CurveColumn> joined;
+    for (const CurveColumn& column : fine) {
+        if (column.wraps) {
+            return {};  // an angle all around has no mean
+        }
+        const bool same = !joined.empty() && !joined.back().empty() && !column.empty() &&
+                          column.joined && place(joined.back()) == place(column);
+        same ? append(joined.back(), column) : joined.push_back(column);
+    }
+    // Noise: within a column the values differ by more than the means of columns do.
+    std::vector<double> heights;
+    std::vector<double> steps;
+    for (std::size_t k = 0; k < joined.size(); ++k) {
+        const CurveColumn& column = joined[k];
+        if (column.count > 1) {
+            const AxisRange shown = displayedInterval(scale_, column.min, column.max);
+            heights.push_back(pixelY(shown.lower) - pixelY(shown.upper));
+        }
+        if (k > 0 && column.joined && !joined[k - 1].empty()) {
+            steps.push_back(std::abs(pixelY(scale_.value(mean(column))) -
+                                     pixelY(scale_.value(mean(joined[k - 1])))));
+        }
+    }
+    const double height = median(std::move(heights));
+    const bool noise = height > least_noise_height && 2 * median(std::move(steps)) < height;
+    return noise ? joined : std::vector<CurveColumn>();
+}
+
+void DecimatedGraph::drawNoiseBand(QCPPainter& painter,
+                                   const std::vector<CurveColumn>& columns) const {
+    forPieces(columns, [&](std::size_t begin, std::size_t end) {
+        std::vector<BandPoint> band;
+        for (std::size_t k = begin; k < end; ++k) {
+            const AxisRange shown = displayedInterval(scale_, columns[k].min, columns[k].max);
+            band.push_back({pixelX(columns[k]), pixelY(shown.upper), pixelY(shown.lower)});
+        }
+        fillBand(painter, band, bandColor());
+    });
+}
+
+void DecimatedGraph::drawMean(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
+    QVector<QLineF> lines;
+    QVector<QPointF> dots;
+    forPieces(columns, [&](std::size_t begin, std::size_t end) {
+        QPointF before;
+        for (std::size_t k = begin; k < end; ++k) {
+            // As far to the left as to the right, so that a slope does not shift the mean.
+            const std::size_t reach = std::min({mean_reach, k - begin, end - 1 - k});
+            CurveColumn around;
+            for (std::size_t i = k - reach; i <= k + reach; ++i) {
+                append(around, columns[i]);
+            }
+            const QPointF now(pixelX(columns[k]), pixelY(scale_.value(mean(around))));
+            if (k > begin) {
+                lines.append({before, now});
+            } else if (end - begin == 1) {
+                dots.append(now);
+            }
+            before = now;
+        }
+    });
+    stroke(painter, lines, dots, color_);
 }
 
 void DecimatedGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {

@@ -10,10 +10,11 @@
 namespace vybeg::ui {
 
 // The curve of one analysis in one plot: min/max per pixel column, drawn as independent segments
-// (QCustomPlot's own graphs take seconds for dense data unless the pen is one pixel wide). The dash
-// pattern runs along the time axis, so that noise does not blur it. Missing windows leave a gap and
-// a mark at the foot of the plot, however narrow the gap is; values outside the axis leave a mark
-// at the edge that they cross.
+// (QCustomPlot's own graphs take seconds for dense data unless the pen is one pixel wide). Windows
+// closer together than pixels that scatter by more than they move are a pale band from the least to
+// the greatest with their running mean on it, so that curves over each other stay apart. Missing
+// windows leave a gap and a mark at the foot of the plot, however narrow the gap is; values outside
+// the axis leave a mark at the edge that they cross.
 class DecimatedGraph : public QCPAbstractPlottable {
     Q_OBJECT
 
@@ -22,11 +23,14 @@ public:
 
     void setScale(const DisplayScale& scale) { scale_ = scale; }
     void setBand(bool shown) { band_ = shown; }
+    // All curves of the plot, which outlive this one: the first draws the bands of all of them, the
+    // paler the more there are, so that no band covers a line.
+    void setTogether(const std::vector<DecimatedGraph*>& all) { all_ = &all; }
     // Offset of the pointers to values beyond the frame, 0 to 1 of their distance, so that those of
     // several curves are side by side.
     void setPointers(double begin) { pointers_begin_ = begin; }
     // Look of the curve, its band and the marks of missing windows.
-    void setLook(const QColor& color, Qt::PenStyle dash, const QColor& missing);
+    void setLook(const QColor& color, const QColor& missing);
 
     const CurveData& data() const { return *data_; }
     const std::shared_ptr<const CurveData>& sharedData() const { return data_; }
@@ -47,26 +51,29 @@ protected:
     void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override;
 
 private:
+    double pixelX(const CurveColumn& column) const;
     double pixelY(double displayed) const;
+    const std::vector<CurveColumn>& visibleColumns() const;
+    void drawBands(QCPPainter& painter) const;
     void drawBand(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
     void drawLine(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
     void drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
-    // Adds a segment, cut into the analysis's dashes.
-    void addDashed(QVector<QLineF>& lines, const QLineF& segment, double origin) const;
+    // Of neighbouring columns together, each with a few windows; empty without dense noise.
+    std::vector<CurveColumn> noiseColumns() const;
+    void drawNoiseBand(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
+    void drawMean(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
+    QColor bandColor() const;
 
     std::shared_ptr<const CurveData> data_;
     DisplayScale scale_;
     bool band_ = true;
+    const std::vector<DecimatedGraph*>* all_ = nullptr;
     double pointers_begin_ = 0;
     QColor color_;
     QColor missing_;
-    QVector<double> pattern_;  // lengths of dash and gap in turns, pixels; empty: solid
     mutable AxisRange cached_time_;
     mutable int cached_width_ = 0;
     mutable std::vector<CurveColumn> cached_;
 };
-
-// Lengths of dash and gap in turns, in pixels along the time axis; empty for a solid line.
-QVector<double> dashPattern(Qt::PenStyle dash);
 
 }  // namespace vybeg::ui

@@ -66,7 +66,7 @@ void drawFigure(const FigureColumns& columns, const FigureOptions& options, QCPP
         // A column has one analysis, so no legend is needed.
         content.analyses.front().visible = true;
         content.analyses.front().color = curveStyle(0).color;
-        content.analyses.front().dash = Qt::SolidLine;
+        content.analyses.front().shade = 0;
         content.variables = options.variables;
         content.units = options.units;
         content.zoom = zoom;

@@ -5,6 +5,29 @@
 
 namespace vybeg::ui {
 
+int drawnWith(AnalysisId chosen, std::vector<ShownAnalysis>& analyses) {
+    constexpr double alike = 5;
+    auto first = std::ranges::find_if(analyses, [chosen](const ShownAnalysis& shown) {
+        return shown.visible && shown.id == chosen;
+    });
+    if (first == analyses.end()) {
+        first = std::ranges::find_if(analyses, &ShownAnalysis::visible);
+    }
+    if (first == analyses.end()) {
+        return 0;
+    }
+    const ShownAnalysis by = *first;
+    int hidden = 0;
+    for (ShownAnalysis& shown : analyses) {
+        const auto [less, more] = std::minmax(by.recorded_s, shown.recorded_s);
+        if (shown.visible && (shown.unit != by.unit || (less > 0 && more >= alike * less))) {
+            shown.visible = false;
+            ++hidden;
+        }
+    }
+    return hidden;
+}
+
 std::optional<AxisRange> coveredTime(const std::vector<ShownAnalysis>& analyses) {
     std::optional<AxisRange> covered;
     for (const ShownAnalysis& shown : analyses) {

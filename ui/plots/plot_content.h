@@ -20,7 +20,13 @@ struct PlotContent {
     ZoomState zoom;
     std::vector<double> marks_s;  // rising
     std::vector<TrendCurve> trends;
+    int unlike = 0;  // analyses that drawnWith() has hidden
 };
+
+// Hides the analyses that cannot be drawn over the chosen one, because their recordings have
+// another unit or five times its length or more: one would be a pixel, or flatten the others. Where
+// the chosen one is hidden, the first visible one takes its place. Returns how many it hides.
+int drawnWith(AnalysisId chosen, std::vector<ShownAnalysis>& analyses);
 
 // Time range of the visible analyses, from the first to the last sample of their windows; empty
 // without a visible window.

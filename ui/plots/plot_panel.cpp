@@ -56,7 +56,8 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
         graph->setBand(units_.sigma_bands && info(variable_).has_sd);
         graph->setPointers(static_cast<double>(graphs_.size()) /
                            static_cast<double>(content.analyses.size()));
-        graph->setLook(readable(shown.color, theme_), shown.dash, theme_.warning);
+        graph->setLook(readable(shown.color, theme_, shown.shade), theme_.warning);
+        graph->setTogether(graphs_);
         graphs_.push_back(graph);
     }
     const auto found = std::ranges::find(content.trends, variable_, &TrendCurve::variable);

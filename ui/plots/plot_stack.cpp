@@ -3,6 +3,8 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_strip.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace vybeg::ui {
@@ -55,12 +57,27 @@ void PlotStack::setContent(const PlotContent& content) {
         std::vector<StripEntry> entries;
         for (const ShownAnalysis& shown : content.analyses) {
             if (shown.visible && shown.analysis) {
-                entries.push_back(
-                    {shown.name, true, true, readable(shown.color, content.theme), shown.dash});
+                entries.push_back({shown.name, true, true,
+                                   readable(shown.color, content.theme, shown.shade),
+                                   Qt::SolidLine});
+                if (!content.trends.empty() && content.trends.front().of == shown.id) {
+                    entries.push_back({QCoreApplication::translate("PlotStack", "and its trend"),
+                                       false, true, content.theme.text, Qt::DashLine});
+                }
             }
         }
-        // A single curve needs no legend.
-        const bool shown = entries.size() > 1;
+        if (content.unlike > 0) {
+            entries.push_back(
+                {QCoreApplication::translate("PlotStack", "%n not drawn: other length or unit",
+                                             nullptr, content.unlike),
+                 false,
+                 false,
+                 {},
+                 Qt::SolidLine});
+        }
+        // A single curve needs no legend, nor does its trend.
+        const bool shown =
+            content.unlike > 0 || std::ranges::count(entries, true, &StripEntry::literal) > 1;
         head_strip_->setMinimumSize(10, shown ? head_strip_height : 4);
         head_strip_->setMaximumSize(QWIDGETSIZE_MAX, shown ? head_strip_height : 4);
         head_strip_->setEntries(shown ? std::move(entries) : std::vector<StripEntry>(),

@@ -1,7 +1,7 @@
 #include "ui/plots/plot_strip.h"
 
-#include "ui/plots/decimated_graph.h"
 #include "ui/words/index_text.h"
+#include "ui/words/short_names.h"
 
 #include <QStringList>
 
@@ -30,51 +30,32 @@ double widthOf(const std::vector<StripEntry>& entries, const QFont& font) {
     return total;
 }
 
-// Names without the end that all of them share, as the window of the same analysis of each
-// recording: what tells them apart stays legible longer.
-std::vector<StripEntry> withoutCommonEnd(std::vector<StripEntry> entries) {
+// Literal texts by what differs between them, so that it stays legible longest.
+std::vector<StripEntry> withDistinctNames(std::vector<StripEntry> entries, bool beginning) {
     QStringList names;
     for (const StripEntry& entry : entries) {
         if (entry.literal) {
             names << entry.text;
         }
     }
-    qsizetype common = 0;
-    const auto shared = [&names](qsizetype length) {
-        return std::ranges::all_of(names, [&](const QString& name) {
-            return name.size() > length && name.right(length) == names.front().right(length);
-        });
-    };
-    while (names.size() > 1 && shared(common + 1)) {
-        ++common;
-    }
-    constexpr qsizetype worthwhile = 4;
+    names = distinctNames(names, beginning);
     for (StripEntry& entry : entries) {
-        if (entry.literal && common >= worthwhile) {
-            entry.text.chop(common);
-            entry.text += QChar(0x2026);
+        if (entry.literal) {
+            entry.text = names.takeFirst();
         }
     }
     return entries;
 }
 
-}  // namespace
-
+// Draws a sample of a curve as a legend shows it.
 void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& color,
                 Qt::PenStyle dash) {
-    QPen pen(color, 2, Qt::SolidLine, Qt::FlatCap);
-    if (const QVector<double> pattern = dashPattern(dash); !pattern.isEmpty()) {
-        // Half the lengths of the curve, so that a whole period fits; in units of the pen's width.
-        QVector<double> shorter;
-        for (const double part : pattern) {
-            shorter.append(0.5 * part / pen.widthF());
-        }
-        pen.setDashPattern(shorter);
-    }
     painter.setAntialiasing(true);
-    painter.setPen(pen);
+    painter.setPen(QPen(color, 2, dash, Qt::FlatCap));
     painter.drawLine(QLineF(from, from + QPointF(length, 0)));
 }
+
+}  // namespace
 
 PlotStrip::PlotStrip(QCustomPlot* plot, int height) : QCPLayoutElement(plot) {
     setMinimumSize(10, height);
@@ -118,8 +99,12 @@ void PlotStrip::shorten(double available) {
         shown_ = entries_;
         return;
     }
+    shown_ = withDistinctNames(entries_, false);
+    if (widthOf(shown_, font_) <= available) {
+        return;
+    }
     const QFontMetricsF metrics(font_);
-    const std::vector<StripEntry> distinct = withoutCommonEnd(entries_);
+    const std::vector<StripEntry> distinct = withDistinctNames(entries_, true);
     const auto limited = [&metrics](StripEntry entry, double most) {
         if (entry.literal) {
             entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, most);

@@ -51,8 +51,4 @@ private:
     int above_ = 0;
 };
 
-// Draws a sample of a curve as a legend shows it.
-void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& color,
-                Qt::PenStyle dash);
-
 }  // namespace vybeg::ui

@@ -14,7 +14,7 @@ namespace vybeg::ui {
 namespace {
 
 // Heights, pixels.
-constexpr int least_plot = 80;
+constexpr int least_plot = 50;  // all five are seen in 1280 x 720
 constexpr int plot_head = 22;     // its name and values
 constexpr int around_plots = 66;  // names of the analyses, time axis
 
@@ -65,12 +65,13 @@ TrackView::~TrackView() {
     delete plot_;
 }
 
-void TrackView::setAnalyses(std::vector<ShownAnalysis> analyses) {
+void TrackView::setAnalyses(std::vector<ShownAnalysis> analyses, int unlike) {
     const auto before = coveredTime(content_.analyses);
     const bool fitted = timeRange() == fullTimeRange();
     // A zoom into a recording without analyses stays when the first one arrives.
     const bool joined = before && hasOtherRecording(analyses, content_.analyses);
     content_.analyses = std::move(analyses);
+    content_.unlike = unlike;
     const AxisRange full = fullTimeRange();
     const AxisRange shown = timeRange();
     rebuild();

@@ -42,7 +42,8 @@ public:
 
     // Keeps the visible time range. Shows everything if everything was visible before, if the range
     // lies outside the new analyses or if a new recording joins.
-    void setAnalyses(std::vector<ShownAnalysis> analyses);
+    // Of them `unlike` are hidden because they cannot be drawn over the others; the legend says so.
+    void setAnalyses(std::vector<ShownAnalysis> analyses, int unlike = 0);
     const std::vector<ShownAnalysis>& analyses() const { return content_.analyses; }
     // Time that the zoom of other pages covers while there is no analysis.
     void setRecorded(const RecordedTime& recorded);

@@ -24,11 +24,14 @@ constexpr int legend_height = 22;
 constexpr std::size_t most_shapes = 2000;  // of points in a series
 constexpr int legend_inset = 8;
 
-// Range of all values with a margin of a twentieth at both ends.
+// Range of all values with a margin of a twentieth at both ends; of values at a single place with
+// one of their whole deviations, as their bars would fill the plot from edge to edge.
 AxisRange rangeOf(const XYPlot& content, bool of_y) {
     const bool logarithmic = of_y ? content.y_logarithmic : content.x_logarithmic;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
+    double left = low;
+    double right = high;
     for (const XYSeries& series : content.series) {
         for (std::size_t k = 0; k < series.x.size(); ++k) {
             const double sd = of_y && !series.sd.empty() ? series.sd[k] : 0;
@@ -36,6 +39,8 @@ AxisRange rangeOf(const XYPlot& content, bool of_y) {
             if (std::isfinite(value) && std::isfinite(sd) && (!logarithmic || value - sd > 0)) {
                 low = std::min(low, value - sd);
                 high = std::max(high, value + sd);
+                left = std::min(left, series.x[k]);
+                right = std::max(right, series.x[k]);
             }
         }
     }
@@ -46,7 +51,8 @@ AxisRange rangeOf(const XYPlot& content, bool of_y) {
         const double spare = high > low ? std::pow(high / low, 0.05) : 2;
         return {low / spare, high * spare};
     }
-    const double spare = high > low ? 0.05 * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
+    const double part = of_y && left == right ? 1 : 0.05;
+    const double spare = high > low ? part * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
     return {low - spare, high + spare};
 }
 
@@ -154,7 +160,7 @@ QVector<double> vectorOf(const std::vector<double>& values) {
 
 QPen penOf(const XYSeries& series, const Theme& theme) {
     const Qt::PenStyle dash = series.dashed ? Qt::DashLine : Qt::SolidLine;
-    return {inkColor(series.ink, series.style, theme), series.thin ? 1 : 1.6, dash};
+    return {inkColor(series.ink, series.style, theme, series.shades), series.thin ? 1 : 1.6, dash};
 }
 
 void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {

@@ -16,8 +16,9 @@ namespace vybeg::ui {
 
 // Points with their standard deviations, or a line with its band; as many sd as points, or none.
 struct XYSeries {
-    QString name;   // in the legend; empty: not in it
-    int style = 0;  // of curveStyle(): colour, dash, and the shape of points
+    QString name;    // in the legend; empty: not in it
+    int style = 0;   // of curveStyle(): colour, and the shape of points
+    int shades = 0;  // beyond that of the style
     Ink ink = Ink::style;
     bool points = false;
     bool steps = false;  // a line of steps centred at the values

@@ -1,5 +1,7 @@
 #include "ui/report/report_html.h"
 
+#include "ui/words/rich_text.h"
+
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -18,25 +20,18 @@ bool isNumber(const QString& cell) {
 
 }  // namespace
 
-QString withIndices(const QString& text) {
-    // A letter or two of a symbol, its index of as many; no part of a word, no name of a file.
-    static const QRegularExpression symbol(
-        QStringLiteral("(?<![\\p{L}_])(d?Δ?\\p{L})_(\\p{L}{1,2})(?![\\p{L}\\p{N}_]|\\.\\p{L})"));
-    return text.toHtmlEscaped().replace(symbol, QStringLiteral("\\1<sub>\\2</sub>"));
-}
-
 QString heading(const QString& text, bool new_page) {
     return QStringLiteral("<h2%1>%2</h2>")
         .arg(new_page ? QStringLiteral(" style=\"page-break-before:always\"") : QString(),
-             withIndices(text));
+             richText(text));
 }
 
 QString smallHeading(const QString& text) {
-    return QStringLiteral("<h3>%1</h3>").arg(withIndices(text));
+    return QStringLiteral("<h3>%1</h3>").arg(richText(text));
 }
 
 QString paragraph(const QString& text) {
-    return QStringLiteral("<p>%1</p>").arg(withIndices(text));
+    return QStringLiteral("<p>%1</p>").arg(richText(text));
 }
 
 QString monospaced(const QString& text) {
@@ -46,7 +41,7 @@ QString monospaced(const QString& text) {
 QString items(const QStringList& sentences) {
     QString list;
     for (const QString& sentence : sentences) {
-        list += QStringLiteral("<li>%1</li>").arg(withIndices(sentence));
+        list += QStringLiteral("<li>%1</li>").arg(richText(sentence));
     }
     return list.isEmpty() ? list : QStringLiteral("<ul>%1</ul>").arg(list);
 }
@@ -62,8 +57,7 @@ QString html(const HtmlTable& table) {
                         .arg(tag)
                         .arg(table.columns[static_cast<std::size_t>(k)])
                         .arg(last ? rest : 1)
-                        .arg(isNumber(cells[k]) ? QStringLiteral(" style=\"white-space:nowrap\"")
-                                                : QString(),
+                        .arg(isNumber(cells[k]) ? QStringLiteral(" class=\"number\"") : QString(),
                              cells[k]);
         }
         return text + QStringLiteral("</tr>");
@@ -96,13 +90,13 @@ QString quantityTables(const QStringList& headers, const std::vector<QuantityRow
         if (!headers.isEmpty()) {
             table.head << QString();
             for (qsizetype k = from; k < from + count; ++k) {
-                table.head << withIndices(headers[k]);
+                table.head << richText(headers[k]);
             }
         }
         for (const QuantityRow& row : rows) {
-            QStringList cells{withIndices(row.name)};
+            QStringList cells{richText(row.name)};
             for (qsizetype k = from; k < from + count; ++k) {
-                cells << withIndices(row.cells[static_cast<std::size_t>(k)].text);
+                cells << richText(row.cells[static_cast<std::size_t>(k)].text);
             }
             table.rows.push_back(cells);
         }

@@ -11,9 +11,6 @@ namespace vybeg::ui {
 
 // Pieces of the report in the HTML that QTextDocument knows. Texts are plain and become escaped.
 
-// Symbols get their index ("2θ_A"); the underscores of names, as in run_45.wav, stay.
-QString withIndices(const QString& text);
-
 QString heading(const QString& text, bool new_page = false);
 QString smallHeading(const QString& text);
 QString paragraph(const QString& text);

@@ -39,6 +39,7 @@ const char* const style_sheet =
     "table { border-collapse: collapse; }"
     "th { text-align: left; background-color: #e9edf2; border: 1px solid #b8c0c8; }"
     "td { border: 1px solid #c9d0d6; }"
+    ".number { white-space: nowrap; }"
     "table.figures td { border: 0px; }"
     "table.small { font-size: 7.5pt; }";
 

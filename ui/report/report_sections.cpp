@@ -8,6 +8,7 @@
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QLocale>
@@ -86,8 +87,8 @@ QString recordingsSection(const ReportContent& content) {
                 ? reportText(QT_TRANSLATE_NOOP("Report", "not computed yet")).toHtmlEscaped()
                 : monospaced(each.sha256);
         table.rows.push_back({QStringLiteral("SHA-256: ") + hash});
-        table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Check: %1"))
-                                  .arg(withIndices(checkText(each)))});
+        table.rows.push_back(
+            {reportText(QT_TRANSLATE_NOOP("Report", "Check: %1")).arg(richText(checkText(each)))});
         if (!each.conditions.isEmpty()) {
             table.rows.push_back(
                 {reportText(QT_TRANSLATE_NOOP("Report", "Conditions: %1"))
@@ -112,7 +113,7 @@ QString settingsSection(const ReportContent& content) {
                      head(QT_TRANSLATE_NOOP("Report", "Instant of the mean"), "s"),
                      head(QT_TRANSLATE_NOOP("Report", "Noise σ"))},
                     {},
-                    {18, 18, 14, 10, 20, 10, 10}};
+                    {16, 18, 13, 9, 21, 13, 10}};
     for (const ReportAnalysis& each : content.analyses) {
         const Analysis& analysis = *each.shown.analysis;
         const QLocale locale;
@@ -164,7 +165,7 @@ QString eventsSection(const ReportContent& content) {
                         {14, 86}};
         for (std::size_t k = 0; k < std::min(each.events.size(), most_events); ++k) {
             table.rows.push_back(
-                {seconds(each.events[k].time_s, 4), withIndices(eventText(each.events[k]))});
+                {seconds(each.events[k].time_s, 4), richText(eventText(each.events[k]))});
         }
         if (each.events.size() > most_events) {
             table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Further events: %1"))

@@ -6,6 +6,7 @@
 #include "ui/report/resonator_section.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/words/rich_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QDateTime>
@@ -32,7 +33,7 @@ QString nameOf(const ReportContent& content) {
 QStringList lineOf(const ReportContent& content) {
     QStringList cells{nameOf(content).toHtmlEscaped(), chapterMark(content.chapter)};
     if (!content.outcome) {
-        return cells << withIndices(absenceText(content));
+        return cells << richText(absenceText(content));
     }
     const ResonatorEstimate& resonator = content.outcome->identification.fit.resonator;
     const auto add = [&cells](const Estimate& estimate, double factor) {
@@ -93,7 +94,7 @@ ReportChapter chapterOf(const ReportContent& content) {
 ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
                         const DisplayUnits& units, const QString& program, QDate made) {
     const auto head = [](const char* text, const QString& unit = {}) {
-        return withIndices(withUnit(reportText(text), unit));
+        return richText(withUnit(reportText(text), unit));
     };
     HtmlTable table{
         {head(QT_TRANSLATE_NOOP("Report", "Set, gyro")), head(QT_TRANSLATE_NOOP("Report", "Page")),

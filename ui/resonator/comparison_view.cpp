@@ -126,7 +126,8 @@ void ComparisonView::retranslate() {
         richTip(tr("Frequencies follow the temperature: smaller changes, in parts per million, are "
                    "none of the gyro")));
     tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));
-    tracks_->setToolTip(richTip(tr("Lines: these recordings; dashed: the passport")));
+    tracks_->setToolTip(
+        richTip(tr("In the colours of the recordings; further from the background: the passport")));
     track_choice_->setAccessibleName(tr("What to overlay"));
     const QString variables[] = {tr("Amplitude of the working wave"),
                                  tr("Amplitude of the quadrature wave"), tr("Wave angle")};

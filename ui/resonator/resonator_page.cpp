@@ -40,15 +40,15 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     left_column->addWidget(state_);
     left_column->addWidget(scrolled(numbers), 1);
     auto* right = new QVBoxLayout;
-    right->addWidget(figures_);
     right->addWidget(comparison_);
+    right->addWidget(figures_);
     right->addStretch(1);
     auto* sides = new QSplitter(Qt::Horizontal, this);
     sides->setChildrenCollapsible(false);
     sides->addWidget(left);
     sides->addWidget(scrolled(right));
-    sides->setStretchFactor(0, 2);
-    sides->setStretchFactor(1, 3);
+    sides->setStretchFactor(0, 3);
+    sides->setStretchFactor(1, 2);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(sides);

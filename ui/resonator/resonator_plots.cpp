@@ -253,11 +253,11 @@ XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, Trac
     const double angle = angleFactor(units);
     for (std::size_t run = 0; run < passport.tracks.size(); ++run) {
         XYSeries then = trackOf(passport.tracks[run], variable, angle);
-        if (run == 0) {  // one entry for the dash of all of them
+        if (run == 0) {  // one entry for the shade of all of them
             then.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "passport"));
         }
         then.style = static_cast<int>(run);
-        then.dashed = true;
+        then.shades = 2;
         plot.series.push_back(std::move(then));
     }
     for (std::size_t run = 0; run < outcome.set.recordings.size(); ++run) {

@@ -110,4 +110,9 @@ void SessionBackup::discard(const QString& path) {
     QFile::remove(lockOf(path));
 }
 
+void SessionBackup::setAside(const QString& path) {
+    QFile::rename(path, path + QStringLiteral(".declined"));
+    QFile::remove(lockOf(path));
+}
+
 }  // namespace vybeg::ui

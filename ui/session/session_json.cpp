@@ -5,6 +5,7 @@
 #include "ui/session/listed_json.h"
 #include "ui/session/session_view_json.h"
 #include "ui/values/json_fields.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/program_name.h"
 
 #include <QJsonArray>
@@ -66,7 +67,7 @@ QJsonObject wishToJson(const AnalysisWish& analysis) {
     return {{QStringLiteral("name"), analysis.name},
             {QStringLiteral("place"), analysis.place},
             {QStringLiteral("color"), analysis.color.name()},
-            {QStringLiteral("dash"), static_cast<int>(analysis.dash)},
+            {QStringLiteral("shade"), analysis.shade},
             {QStringLiteral("visible"), analysis.visible},
             {QStringLiteral("live"), analysis.live},
             {settings_key, settingsToJson(analysis_settings(), analysis.settings)}};
@@ -79,9 +80,7 @@ Result<AnalysisWish> wishFromJson(const QJsonObject& json) {
     analysis.name = json[QStringLiteral("name")].toString();
     analysis.place = json[QStringLiteral("place")].toInt();
     analysis.color = QColor(json[QStringLiteral("color")].toString());
-    analysis.dash =
-        static_cast<Qt::PenStyle>(std::clamp(json[QStringLiteral("dash")].toInt(Qt::SolidLine),
-                                             int{Qt::SolidLine}, int{Qt::DashDotDotLine}));
+    analysis.shade = std::clamp(json[QStringLiteral("shade")].toInt(), 0, curve_shades - 1);
     analysis.visible = json[QStringLiteral("visible")].toBool(true);
     analysis.live = json[live_key].toBool();
     return analysis;

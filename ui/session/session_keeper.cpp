@@ -371,6 +371,7 @@ void SessionKeeper::offerAbandoned() {
                 backup_.take(copy);
             }
         };
+        message.dismiss = [copy] { SessionBackup::setAside(copy); };
         message.until_answered = true;
         document_.report(message);
     }

@@ -7,9 +7,6 @@
 #include <numbers>
 
 namespace vybeg::ui {
-namespace {
-
-// Appends a column that follows in time.
 void append(CurveColumn& column, const CurveColumn& next) {
     column.missing = column.missing || next.missing;
     if (next.empty()) {
@@ -26,13 +23,13 @@ void append(CurveColumn& column, const CurveColumn& next) {
     column.last = next.last;
     column.min = std::min(column.min, next.min);
     column.max = std::max(column.max, next.max);
+    column.sum += next.sum;
+    column.count += next.count;
     column.band_min = std::min(column.band_min, next.band_min);
     column.band_max = std::max(column.band_max, next.band_max);
     column.negative_max = std::max(column.negative_max, next.negative_max);
     column.positive_min = std::min(column.positive_min, next.positive_min);
 }
-
-}  // namespace
 
 CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable)
     : analysis_(std::move(analysis)),
@@ -77,6 +74,8 @@ void CurveData::addRows(CurveColumn& column, std::size_t begin, std::size_t end)
         last_row = row;
         sum.min = std::min(sum.min, value);
         sum.max = std::max(sum.max, value);
+        sum.sum += value;
+        ++sum.count;
         const double sd = banded && std::isfinite(sd_[row]) ? sd_[row] : 0;
         sum.band_min = std::min(sum.band_min, value - sd);
         sum.band_max = std::max(sum.band_max, value + sd);

@@ -18,6 +18,8 @@ struct CurveColumn {
     double last = std::numeric_limits<double>::quiet_NaN();
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
+    double sum = 0;                                             // of the values
+    std::size_t count = 0;                                      // of the windows with a value
     double band_min = std::numeric_limits<double>::infinity();  // of value - sd and value + sd
     double band_max = -std::numeric_limits<double>::infinity();
     // Of the values below and above zero, for angles that pass from pi to -pi inside the column.
@@ -29,6 +31,9 @@ struct CurveColumn {
 
     bool empty() const { return !(min <= max); }
 };
+
+// Appends a column that follows in time.
+void append(CurveColumn& column, const CurveColumn& next);
 
 // One variable of one analysis for drawing: least and greatest value of every pixel column without
 // reading each window, from summaries of 64, 64 times 64, ... windows. Immutable; keeps the

@@ -17,10 +17,12 @@ struct ShownAnalysis {
     AnalysisId id = AnalysisId::none;  // unique in a document
     QString name;
     QString recording;  // name of the file
-    QColor color;       // Okabe-Ito, see theme.h
-    Qt::PenStyle dash = Qt::SolidLine;
+    QColor color;       // of the recording, see theme.h
+    int shade = 0;      // of the analyses of that colour
+    QString unit;       // of the channels; empty: not known
     bool visible = true;
     double rate_hz = 0;
+    double recorded_s = 0;     // length of the recording; 0: not known
     double seconds_taken = 0;  // estimators only
     std::shared_ptr<const Analysis> analysis;
     Curves curves;  // of the analysis; computed on drawing if empty

@@ -1,5 +1,6 @@
 #include "ui/widgets/check_list.h"
 
+#include "core/base/finding.h"
 #include "ui/words/error_text.h"
 
 #include <QEvent>
@@ -8,6 +9,8 @@
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace vybeg::ui {
 
@@ -55,9 +58,13 @@ void CheckList::refresh() {
         title_->setText(tr("Recording check: reading…"));
         return;
     }
-    title_->setText(findings_.empty() ? tr("Recording check: nothing found")
-                                      : tr("Recording check: %n finding(s)", nullptr,
-                                           static_cast<int>(findings_.size())));
+    // Notes, as on lines passed over, stand in the list but are no findings.
+    const auto found = std::ranges::count_if(findings_, [](const Diagnostic& finding) {
+        return severity(finding.kind) != Severity::note;
+    });
+    title_->setText(found == 0
+                        ? tr("Recording check: nothing found")
+                        : tr("Recording check: %n finding(s)", nullptr, static_cast<int>(found)));
     const std::vector<Finding> findings = findings_of(findings_);
     QString rows;
     for (std::size_t k = 0; k < findings.size() && (open_ || k < most_shown); ++k) {

@@ -1,8 +1,9 @@
 #include "ui/widgets/theme.h"
 
 #include <QApplication>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 #include <array>
 #include <cmath>
@@ -53,6 +54,28 @@ QPalette makePalette(const WidgetColors& colors) {
     palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(colors.dark));
     return palette;
 }
+
+// Fusion with frames round check and radio buttons: its own are darker than the window, which a
+// dark window leaves invisible.
+class FramedStyle : public QProxyStyle {
+public:
+    FramedStyle() : QProxyStyle(QStringLiteral("fusion")) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const bool box = element == PE_IndicatorCheckBox;
+        if ((box || element == PE_IndicatorRadioButton) && isDark(option->palette)) {
+            painter->save();
+            painter->setRenderHint(QPainter::Antialiasing, !box);
+            painter->setPen(option->palette.color(QPalette::PlaceholderText));
+            painter->setBrush(Qt::NoBrush);
+            const QRect frame = option->rect.adjusted(0, 0, -1, -1);
+            box ? painter->drawRect(frame) : painter->drawEllipse(frame);
+            painter->restore();
+        }
+    }
+};
 
 // Relative luminance after WCAG 2.
 double luminance(const QColor& color) {
@@ -119,8 +142,8 @@ bool isDark(const QPalette& palette) {
 
 Theme applyTheme(QApplication& app, ThemeMode mode) {
     // Only for another style, because setting a style resets the palette to that of the style.
-    if (QApplication::style()->name().compare("fusion", Qt::CaseInsensitive) != 0) {
-        QApplication::setStyle(QStyleFactory::create("Fusion"));
+    if (!dynamic_cast<FramedStyle*>(QApplication::style())) {
+        QApplication::setStyle(new FramedStyle);
     }
     bool dark = mode == ThemeMode::dark;
     if (mode == ThemeMode::system) {
@@ -135,27 +158,32 @@ Theme applyTheme(QApplication& app, ThemeMode mode) {
 CurveStyle curveStyle(int index) {
     // Okabe and Ito, without black (no good on dark) and yellow (no good on light), in an order
     // that separates neighbours for every kind of colour blindness.
-    static constexpr std::array<const char*, 6> colors{"#0072b2", "#d55e00", "#009e73",
-                                                       "#cc79a7", "#e69f00", "#56b4e9"};
-    static constexpr std::array<Qt::PenStyle, 5> dashes{
-        Qt::SolidLine, Qt::DashLine, Qt::DashDotLine, Qt::DotLine, Qt::DashDotDotLine};
-    const auto i = static_cast<std::size_t>(index);
-    return {QColor(colors[i % colors.size()]), dashes[i % dashes.size()]};
+    static constexpr std::array<const char*, curve_colors> colors{"#0072b2", "#d55e00", "#009e73",
+                                                                  "#cc79a7", "#e69f00", "#56b4e9"};
+    return {QColor(colors[static_cast<std::size_t>(index % curve_colors)]),
+            index / curve_colors % curve_shades};
 }
 
-QColor readable(const QColor& color, const Theme& theme) {
-    // Thin lines need more contrast on black than on white.
-    const double enough = theme.dark ? 4.5 : 3.2;
-    constexpr double step = 0.02;
+QColor readable(const QColor& color, const Theme& theme, int shade) {
+    constexpr double step = 0.01;
     float hue = 0;
     float saturation = 0;
     float lightness = 0;
     color.getHslF(&hue, &saturation, &lightness);
     QColor shown = color;
-    for (double l = lightness; contrast(shown, theme.panelBackground) < enough && 0 <= l && l <= 1;
-         l += theme.dark ? step : -step) {
-        shown = QColor::fromHslF(hue, saturation, static_cast<float>(l));
-    }
+    double l = lightness;
+    const auto reach = [&](double enough) {
+        for (; contrast(shown, theme.panelBackground) < enough && 0 <= l && l <= 1;
+             l += theme.dark ? step : -step) {
+            shown = QColor::fromHslF(hue, saturation, static_cast<float>(l));
+        }
+    };
+    // Thin lines need more contrast on black than on white.
+    reach(theme.dark ? 4.5 : 3.2);
+    // Shades are equal steps of contrast, up to four fifths of the way to white or black.
+    const double first = contrast(shown, theme.panelBackground);
+    const double last = contrast(theme.dark ? Qt::white : Qt::black, theme.panelBackground);
+    reach(first * std::pow(last / first, 0.8 * (shade % curve_shades) / (curve_shades - 1)));
     return shown;
 }
 
@@ -165,9 +193,12 @@ double contrast(const QColor& a, const QColor& b) {
     return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
-QColor inkColor(Ink ink, int style, const Theme& theme) {
+QColor inkColor(Ink ink, int style, const Theme& theme, int shades) {
     switch (ink) {
-        case Ink::style: return readable(curveStyle(style).color, theme);
+        case Ink::style: {
+            const CurveStyle curve = curveStyle(style);
+            return readable(curve.color, theme, curve.shade + shades);
+        }
         case Ink::text: return theme.text;
         case Ink::muted: return theme.mutedText;
         case Ink::channel_c: return theme.signalC;

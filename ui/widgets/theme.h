@@ -31,11 +31,14 @@ struct Theme {
     QColor signalD;
 };
 
-// Style of the curve of an analysis: an Okabe-Ito colour and a dash.
+// Style of the curve of an analysis: an Okabe-Ito colour, which is that of its recording, and a
+// shade of it. Dashes are left to models and bounds: they chop a dense curve into bursts.
 struct CurveStyle {
     QColor color;
-    Qt::PenStyle dash = Qt::SolidLine;
+    int shade = 0;  // from the colour itself away from the background
 };
+inline constexpr int curve_colors = 6;
+inline constexpr int curve_shades = 5;
 
 // Colours by meaning, so that a plot is the same value on screen, in both themes, and on paper.
 enum class Ink { style, text, muted, channel_c, channel_d, accent, warning };
@@ -50,16 +53,16 @@ bool isDark(const QPalette& palette);
 // theme for views. Call it again on QEvent::ThemeChange to follow the desktop.
 Theme applyTheme(QApplication& app, ThemeMode mode);
 
-// Style of the index-th analysis of a document (any index >= 0): colours change fastest, then
-// dashes.
+// The index-th style (any index >= 0): colours change fastest, then shades.
 CurveStyle curveStyle(int index);
 
-// The analysis's colour with its lightness changed until it is readable on the theme's panels:
-// contrast 3.2 in the light, 4.5 in the dark theme.
-QColor readable(const QColor& color, const Theme& theme);
+// The colour with its lightness changed until it is readable on the theme's panels: contrast 3.2 in
+// the light, 4.5 in the dark theme. Shades (any >= 0) have more contrast.
+QColor readable(const QColor& color, const Theme& theme, int shade = 0);
 
-// The colour of an ink; `style`: number of curveStyle() for Ink::style.
-QColor inkColor(Ink ink, int style, const Theme& theme);
+// The colour of an ink; `style`: number of curveStyle() for Ink::style, in another shade for
+// `shades` > 0.
+QColor inkColor(Ink ink, int style, const Theme& theme, int shades = 0);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.
 double contrast(const QColor& a, const QColor& b);

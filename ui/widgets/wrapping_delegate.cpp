@@ -26,7 +26,8 @@ void prepare(QTextDocument& document, const QString& text, const QFont& font) {
 
 QString WrappingDelegate::unbroken(QString text) {
     return text.replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
-        .replace(QStringLiteral("± "), QStringLiteral("±\u00a0"));
+        .replace(QStringLiteral("± "), QStringLiteral("±\u00a0"))
+        .replace(QStringLiteral("(u "), QStringLiteral("(u\u00a0"));
 }
 
 void WrappingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -33,6 +33,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QSplitter>
 #include <QStatusBar>
@@ -68,7 +69,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
         this);
     menus_ =
-        new WindowMenus(*commands_, *tracks_, docks_, static_cast<int>(storedThemeMode()), this);
+        new WindowMenus(*commands_, *tracks_, panels_, static_cast<int>(storedThemeMode()), this);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
     action(Command::quit)->setMenuRole(QAction::QuitRole);
     action(Command::about)->setMenuRole(QAction::AboutRole);
@@ -118,18 +119,12 @@ void MainWindow::buildDocks() {
     wave_ = new WavePanel(document_, this);
     events_ = new EventsPanel(document_, this);
     analyses_ = new AnalysisList(document_, this);
-    const auto dock = [this](QWidget* panel, const char* name, const char* title,
-                             Qt::DockWidgetArea area) {
-        auto* widget = new QDockWidget(this);
-        widget->setObjectName(QLatin1String(name));
-        widget->setWidget(panel);
-        addDockWidget(area, widget);
-        docks_.emplace_back(widget, title);
-        return widget;
-    };
     auto* recordings =
-        dock(recordings_, "recordings", QT_TR_NOOP("Recordings"), Qt::LeftDockWidgetArea);
-    auto* settings = dock(settings_, "analysis", QT_TR_NOOP("Analysis"), Qt::LeftDockWidgetArea);
+        panels_.add(recordings_, "recordings", QT_TR_NOOP("Recordings"), Qt::LeftDockWidgetArea,
+                    {Page::tracks, Page::samples, Page::resonator, Page::residuals, Page::windows});
+    auto* settings =
+        panels_.add(settings_, "analysis", QT_TR_NOOP("Analysis"), Qt::LeftDockWidgetArea,
+                    {Page::tracks, Page::samples, Page::residuals, Page::windows});
     readings_ = new QTabWidget(this);
     readings_->setDocumentMode(true);
     auto* at_cursor = new QSplitter(Qt::Vertical, readings_);
@@ -140,36 +135,32 @@ void MainWindow::buildDocks() {
     readings_->addTab(at_cursor, QString());
     readings_->addTab(wave_, QString());
     readings_->addTab(events_, QString());
-    auto* readings =
-        dock(readings_, "readings", QT_TR_NOOP("Values and events"), Qt::RightDockWidgetArea);
+    auto* readings = panels_.add(readings_, "readings", QT_TR_NOOP("Values and events"),
+                                 Qt::RightDockWidgetArea, {Page::tracks, Page::samples});
     // The tabs say what the title bar would say.
     readings->setTitleBarWidget(new QWidget(readings));
-    auto* analyses = dock(analyses_, "runs", QT_TR_NOOP("Analyses"), Qt::BottomDockWidgetArea);
+    auto* analyses =
+        panels_.add(analyses_, "runs", QT_TR_NOOP("Analyses"), Qt::BottomDockWidgetArea,
+                    {Page::tracks, Page::samples, Page::residuals});
     resizeDocks({recordings, settings}, {340, 420}, Qt::Vertical);
     resizeDocks({settings, readings}, {300, 390}, Qt::Horizontal);
     resizeDocks({analyses}, {130}, Qt::Vertical);
 }
 
 void MainWindow::buildToolBar() {
-    tools_ = addToolBar(QString());
-    tools_->setObjectName(QStringLiteral("tools"));
-    tools_->setMovable(false);
+    tools_ = new QToolBar(this);
     tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    tools_->setIconSize({20, 20});
-    for (const Command command : {Command::open, Command::analyse, Command::compare,
-                                  Command::export_plots, Command::report}) {
+    tools_->setIconSize({16, 16});
+    for (const Command command :
+         {Command::open, Command::analyse, Command::export_plots, Command::report}) {
         tools_->addAction(action(command));
     }
     tools_->addSeparator();
-    for (const Command command : {Command::zoom_fit, Command::zoom_back}) {
-        tools_->addAction(action(command));
-    }
-    auto* gap = new QWidget(tools_);
-    gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    tools_->addWidget(gap);
     for (QAction* language : menus_->languages()) {
         tools_->addAction(language);
     }
+    // In the row of the menus, whose rest is free: the plots have its height.
+    menuBar()->setCornerWidget(tools_);
 }
 
 void MainWindow::connectDocument() {
@@ -232,6 +223,7 @@ void MainWindow::connectSession() {
 
 void MainWindow::connectPanels() {
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
+    connect(pages_, &PageStack::pageShown, this, [this] { panels_.showThoseOf(pages_->page()); });
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
     connect(welcome_, &WelcomePage::recentChosen, this,
             [this](const QString& path) { files_->open({path}); });
@@ -320,7 +312,8 @@ void MainWindow::showAnalysis(AnalysisId id) {
     session_->setCurrentAnalysis(id);
     events_->setAnalysis(id);
     measure_->setAnalysis(id);
-    tracks_page_->markAnalysis(id);
+    wave_->setAnalysis(id);
+    tracks_page_->chooseAnalysis(id);
     signals_->setAnalysis(id);
     residuals_->setVisibleRange(tracks_->timeRange());
     residuals_->setAnalysis(id);

@@ -5,14 +5,12 @@
 #include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/commands.h"
+#include "ui/window/page_panels.h"
 #include "ui/words/display_units.h"
 #include "ui/words/language.h"
 
 #include <QMainWindow>
 #include <QPointer>
-
-#include <utility>
-#include <vector>
 
 class QTabWidget;
 class QToolBar;
@@ -27,7 +25,6 @@ class HistoryPage;
 class HelpView;
 class MeasurePanel;
 class MessageBar;
-class PageStack;
 class RecordingPanel;
 class ResidualsPage;
 class ResonatorPage;
@@ -103,7 +100,7 @@ private:
     FileCommands* files_ = nullptr;
     BatchCommands* batch_ = nullptr;
     bool leaving_ = false;  // changes are saved or given up
-    std::vector<std::pair<QDockWidget*, const char*>> docks_;
+    PagePanels panels_{*this};
     QToolBar* tools_ = nullptr;
 
     PageStack* pages_ = nullptr;

@@ -15,11 +15,10 @@
 #include "ui/window/tracks_page.h"
 #include "ui/window/window_menus.h"
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QJsonDocument>
+#include <QScreen>
 #include <QSettings>
 #include <QTabWidget>
 #include <QToolBar>
@@ -29,7 +28,7 @@ namespace vybeg::ui {
 namespace {
 
 // Raised when docks or tool bars change, so that an old state is not forced on a new window.
-constexpr int state_version = 1;
+constexpr int state_version = 2;
 
 const QString theme_key = QStringLiteral("theme");
 const QString live_key = QStringLiteral("live");
@@ -70,7 +69,9 @@ void MainWindow::restoreState() {
     if (!view.variables.empty()) {
         tracks_->setShownVariables(view.variables);
     }
-    resize(1400, 900);
+    // No larger than the screen leaves room for, its own frame counted.
+    constexpr QSize frame(0, 40);
+    resize(QSize(1400, 900).boundedTo(screen()->availableSize() - frame));
     restoreGeometry(settings.value(geometry_key).toByteArray());
     QMainWindow::restoreState(settings.value(state_key).toByteArray(), state_version);
 }
@@ -82,6 +83,7 @@ void MainWindow::saveState() {
     view.variables = tracks_->shownVariables();
     settings.setValue(view_key, QJsonDocument(viewToJson(view)).toJson(QJsonDocument::Compact));
     settings.setValue(geometry_key, saveGeometry());
+    panels_.showAll();
     settings.setValue(state_key, QMainWindow::saveState(state_version));
 }
 
@@ -140,22 +142,11 @@ void MainWindow::applyLook() {
 void MainWindow::retranslate() {
     commands_->retranslate();
     menus_->retranslate();
-    for (const auto& [dock, title] : docks_) {
-        dock->setWindowTitle(tr(title));
-        // Qt names these once, in the language of the start.
-        const auto name = [dock = dock](const char* button, const QString& text) {
-            if (auto* widget = dock->findChild<QAbstractButton*>(QLatin1String(button))) {
-                widget->setToolTip(text);
-                widget->setAccessibleName(text);
-            }
-        };
-        name("qt_dockwidget_floatbutton", tr("Float"));
-        name("qt_dockwidget_closebutton", tr("Close this panel"));
-    }
+    panels_.retranslate();
     readings_->setTabText(0, tr("At the cursor"));
     readings_->setTabText(1, tr("Wave"));
     readings_->setTabText(2, tr("Events"));
-    tools_->setWindowTitle(tr("Tools"));
+    tools_->setAccessibleName(tr("Tools"));
 }
 
 }  // namespace vybeg::ui

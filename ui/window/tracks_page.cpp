@@ -131,13 +131,19 @@ void TracksPage::showAnalysedRange() {
 }
 
 void TracksPage::showAnalyses() {
-    tracks_->setAnalyses(document_.plottedAnalyses());
+    std::vector<ShownAnalysis> analyses = document_.plottedAnalyses();
+    const int unlike = drawnWith(chosen_, analyses);
+    tracks_->setAnalyses(std::move(analyses), unlike);
     if (!document_.analyses().empty()) {
         signal_->setVisibleRange(tracks_->timeRange());
     }
 }
 
-void TracksPage::markAnalysis(AnalysisId id) {
+void TracksPage::chooseAnalysis(AnalysisId id) {
+    if (id != chosen_) {
+        chosen_ = id;
+        showAnalyses();
+    }
     std::vector<double> crossings;
     const AnalysisEntry* entry = document_.analysis(id);
     if (entry && entry->shown.visible) {
@@ -178,12 +184,14 @@ void TracksPage::editAnalysedRange(double from_s, double to_s) {
 }
 
 FigureSource TracksPage::figures() const {
-    const PlotContent content = tracks_->content();
+    PlotContent content = tracks_->content();
+    content.unlike = 0;  // no note about what the window does
     FigureSource source;
     QStringList recordings;
     QStringList settings;
     for (const AnalysisEntry& entry : document_.analyses()) {
-        if (entry.shown.visible) {
+        const auto drawn = std::ranges::find(content.analyses, entry.shown.id, &ShownAnalysis::id);
+        if (drawn != content.analyses.end() && drawn->visible) {
             recordings << entry.shown.recording;
             settings << settingsText(entry);
         }

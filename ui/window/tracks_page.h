@@ -25,8 +25,9 @@ public:
     explicit TracksPage(Document& document, QWidget* parent = nullptr);
 
     TrackView& tracks() const { return *tracks_; }
-    // Marks the axis crossings of an analysis.
-    void markAnalysis(AnalysisId id);
+    // The analysis whose axis crossings are marked, and which is drawn alone where others are
+    // unlike it.
+    void chooseAnalysis(AnalysisId id);
     // Centres the present zoom on an event, wide enough to see it from both sides.
     void goToEvent(double time_s, double seconds);
     // Analyses from now on what the plots show.
@@ -53,6 +54,7 @@ private:
     StaleMark* stale_;
     TrackView* tracks_;
     QScrollArea* scroll_;  // of the plots, where the page is too low for all of them
+    AnalysisId chosen_ = AnalysisId::none;
     QElapsedTimer last_range_edit_;
     int range_gesture_ = 0;
 };

@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QDockWidget>
 #include <QMainWindow>
 #include <QMenuBar>
 
@@ -13,9 +12,8 @@
 
 namespace vybeg::ui {
 
-WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks,
-                         const std::vector<std::pair<QDockWidget*, const char*>>& docks, int theme,
-                         QMainWindow* window)
+WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, const PagePanels& panels,
+                         int theme, QMainWindow* window)
     : QObject(window),
       commands_(commands),
       tracks_(tracks),
@@ -28,7 +26,7 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks,
     add(edit, {Command::undo, Command::redo});
     edit->addSeparator();
     add(edit, {Command::copy_plot, Command::copy_table});
-    addView(docks, theme);
+    addView(panels, theme);
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
     add(analysis, {Command::analyse, Command::live, Command::cancel, Command::compare});
     QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
@@ -92,8 +90,7 @@ void WindowMenus::addFile() {
     add(file, {Command::quit});
 }
 
-void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>>& docks,
-                          int theme) {
+void WindowMenus::addView(const PagePanels& panels, int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
     add(view, {Command::page_tracks, Command::page_signals, Command::page_resonator,
                Command::page_residuals, Command::page_windows, Command::page_history});
@@ -105,10 +102,7 @@ void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>
     addUnits(view);
     add(view, {Command::log_a_A, Command::sigma_bands});
     view->addSeparator();
-    QMenu* panels = sub(view, QT_TR_NOOP("Pan&els"));
-    for (const auto& [dock, title] : docks) {
-        panels->addAction(dock->toggleViewAction());
-    }
+    sub(view, QT_TR_NOOP("Pan&els"))->addActions(panels.actions());
     addChoice(
         view, QT_TR_NOOP("&Theme"),
         {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/window/commands.h"
+#include "ui/window/page_panels.h"
 #include "ui/words/display_units.h"
 
 #include <QObject>
@@ -10,7 +11,6 @@
 #include <vector>
 
 class QActionGroup;
-class QDockWidget;
 class QMainWindow;
 class QMenu;
 
@@ -25,8 +25,7 @@ class WindowMenus : public QObject {
 
 public:
     // `theme`: the choice in effect, as ThemeMode.
-    WindowMenus(const Commands& commands, TrackView& tracks,
-                const std::vector<std::pair<QDockWidget*, const char*>>& docks, int theme,
+    WindowMenus(const Commands& commands, TrackView& tracks, const PagePanels& panels, int theme,
                 QMainWindow* window);
 
     RecentFiles* recentFiles() const { return recent_; }
@@ -52,7 +51,7 @@ private:
     void addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
                    const std::function<int()>& chosen, const std::function<void(int)>& choose);
     void addFile();
-    void addView(const std::vector<std::pair<QDockWidget*, const char*>>& docks, int theme);
+    void addView(const PagePanels& panels, int theme);
     void addVariables(QMenu* view);
     void addUnits(QMenu* view);
     void addLanguages(QMenu* view);

@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QSet>
 
 namespace vybeg::ui {
 namespace {
@@ -12,8 +13,25 @@ QFont indexFont(const QFont& font) {
     return small;
 }
 
+// The symbols of the program with an index, by their last letter. A name given by a user, as "s_1"
+// or "run_2", is none of them.
+bool isSymbol(const QString& text, qsizetype at, qsizetype end) {
+    static const QSet<QString> symbols{
+        QStringLiteral("a_A"), QStringLiteral("a_B"),  QStringLiteral("a_C"),
+        QStringLiteral("a_D"), QStringLiteral("θ_A"),  QStringLiteral("θ_w"),
+        QStringLiteral("θ_τ"), QStringLiteral("φ_CD"), QStringLiteral("ω_cp"),
+        QStringLiteral("ω_0"), QStringLiteral("f_cp"), QStringLiteral("f_q"),
+        QStringLiteral("f_p"), QStringLiteral("f_0"),  QStringLiteral("f_ref"),
+        QStringLiteral("S_A"), QStringLiteral("S_B"),  QStringLiteral("S_C"),
+        QStringLiteral("S_D"), QStringLiteral("A_C"),  QStringLiteral("A_D")};
+    while (end > at + 1 && text[end - 1] == QChar(0xb2)) {
+        --end;  // a square of it
+    }
+    return symbols.contains(text.mid(at - 1, end - at + 1));
+}
+
 // Whether the underscore follows a symbol, one or two letters, and what is behind it is not the end
-// of a file's name: "run_2", "s_1.wav", "a_b_c" have none.
+// of a file's name: "a_A.wav", "a_A_c" have none.
 bool beginsIndex(const QString& text, qsizetype at) {
     const auto is_word = [&text](qsizetype place) {
         return place >= 0 && place < text.size() &&
@@ -31,7 +49,7 @@ bool beginsIndex(const QString& text, qsizetype at) {
     const bool in_name = (end < text.size() && text[end] == '_') ||
                          (end + 1 < text.size() && text[end] == '.' && is_word(end + 1)) ||
                          (begin > 0 && text[begin - 1] == '_');
-    return begin < at && at - begin <= longest_symbol && end > at + 1 && !in_name;
+    return begin < at && at - begin <= longest_symbol && isSymbol(text, at, end) && !in_name;
 }
 
 }  // namespace

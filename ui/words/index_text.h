@@ -17,8 +17,8 @@ struct IndexTextPiece {
     friend bool operator==(const IndexTextPiece&, const IndexTextPiece&) = default;
 };
 
-// "2θ_A" as {"2θ"}, {"A", index}: an underscore behind a symbol makes the letters and digits after
-// it an index; names of files stay as they are.
+// "2θ_A" as {"2θ"}, {"A", index}: an underscore in a symbol of the program makes the letters and
+// digits after it an index; names of files and gyros stay as they are.
 std::vector<IndexTextPiece> indexPieces(const QString& text);
 
 // "2θA", where only plain text is possible: accessible names, the rows of a choice.

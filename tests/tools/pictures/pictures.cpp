@@ -348,6 +348,7 @@ void make_pictures(const PictureRequest& request) {
     for (const auto& [content, recordings] : contents) {
         Document document;
         MainWindow window(document);
+        window.resize(request.sizes.front());
         window.show();
         fill(window, recordings, request.open);
         // The page without a database belongs to one recording.

@@ -86,7 +86,7 @@ private slots:
         QCOMPARE(document.recordings().size(), std::size_t(3));
         QSet<QRgb> looks;
         for (const AnalysisEntry& entry : document.analyses()) {
-            looks.insert(entry.shown.color.rgb() ^ static_cast<QRgb>(entry.shown.dash));
+            looks.insert(entry.shown.color.rgb() ^ static_cast<QRgb>(entry.shown.shade));
         }
         QCOMPARE(looks.size(), 3);
         document.closeRecording(document.recordings().front().id);

@@ -26,6 +26,7 @@
 #include <QStandardPaths>
 #include <QTabBar>
 #include <QtTest>
+#include <qcustomplot.h>
 
 #include <random>
 
@@ -119,6 +120,29 @@ private slots:
         window_ = shownWindow();
     }
     void cleanup() { window_.reset(); }
+
+    // Against the order, as there is no date; its bar stands free of the frame.
+    void a_first_result_without_a_date_is_seen() {
+        const QString path = home_.path("first.db");
+        QVERIFY(ResultsDatabase::open(path.toStdString(), ResultsDatabase::Access::write,
+                                      JobControl()));
+        StoredResult result = test::made_result(0, "G0");
+        result.date = {};
+        result.parameters[1].estimate = {0.01, 1e-5, {}, 2e-5};
+        SqliteConnection connection(path.toStdString(), [](int) { return true; });
+        SqliteTransaction transaction(connection, "BEGIN IMMEDIATE");
+        write_result(connection, result);
+        transaction.commit();
+        open(path);
+        const auto& values = the<XYPlotView>("historyValues");
+        QVERIFY(values.isVisible() && !values.content().x_is_date);
+        QCOMPARE(values.content().series.front().x, std::vector<double>{1});
+        QVERIFY(!text("historyVerdict").contains("without a date"));
+        const auto& plot = childOf<QCustomPlot>(values);
+        const QCPRange shown = plot.axisRect()->axis(QCPAxis::atLeft)->range();
+        VYBEG_AT_LEAST(shown.upper, 0.01 + 2 * 2e-5);
+        VYBEG_AT_MOST(shown.lower, 0.01 - 2 * 2e-5);
+    }
 
     // Ctrl+6 without any recording: a sentence and buttons. Tracks then is the welcome again.
     void without_a_database_the_page_says_what_to_do() {

@@ -3,6 +3,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
+#include "ui/panels/measure_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/recording_drag.h"
 #include "ui/plots/xy_plot_view.h"
@@ -129,6 +130,22 @@ private slots:
         looks_only_ = false;
     }
     void cleanupTestCase() { identified_.reset(); }
+
+    // Where no damped sinusoid follows a swing, the split says how it beats.
+    void the_beat_between_the_cursors_knows_the_split() {
+        showIdentified();
+        auto& panel = the<MeasurePanel>();
+        panel.setTrendKind(TrendKind::beat);
+        panel.setCursors(1, 2);
+        const Estimate& split = outcome()->identification.fit.resonator.split_hz;
+        QVERIFY(split.given());
+        const QString value = valueText(split.value, split.uncertainty());
+        const auto labels = panel.findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(
+            labels, [&](const QLabel* label) { return label->text().contains(value); }));
+        panel.setTrendKind(TrendKind::line);
+        panel.setCursors({}, {});
+    }
 
     void a_set_is_built_by_dropping_recordings_and_files() {
         openRuns({files_[0], files_[1]});

@@ -62,15 +62,21 @@ private slots:
                 }
                 double low = INFINITY;
                 double high = -INFINITY;
+                double sum = 0;
+                std::size_t count = 0;
                 for (auto row = static_cast<std::size_t>(column.time_first);
                      row <= static_cast<std::size_t>(column.time_last); ++row) {
                     if (std::isfinite(values[row])) {
                         low = std::min(low, values[row]);
                         high = std::max(high, values[row]);
+                        sum += values[row];
+                        ++count;
                     }
                 }
                 QCOMPARE(column.min, low);
                 QCOMPARE(column.max, high);
+                QCOMPARE(column.count, count);
+                VYBEG_WITHIN(column.sum, sum, 1e-9 * static_cast<double>(count) * 2e4);
                 QCOMPARE(column.band_min, low - 0.5);
                 QCOMPARE(column.band_max, high + 0.5);
                 QCOMPARE(column.first, values[static_cast<std::size_t>(column.time_first)]);

@@ -79,7 +79,68 @@ class TestPlotExport : public QObject {
 private:
     QTemporaryDir dir_;
 
+    // Columns of pixels with a colour, of those between the first and the last.
+    static double shareOf(const QImage& image, const QColor& color) {
+        int first = -1;
+        int last = -1;
+        int columns = 0;
+        // Inside the frame: letters beside it are dark, too.
+        for (int x = image.width() / 12; x < image.width() * 24 / 25; ++x) {
+            bool found = false;
+            for (int y = image.height() / 4; y < image.height() && !found;
+                 ++y) {                                // below the legend
+                const QRgb pixel = image.pixel(x, y);  // where pieces meet a little paler
+                found = std::abs(qRed(pixel) - color.red()) < 80 &&
+                        std::abs(qGreen(pixel) - color.green()) < 80 &&
+                        std::abs(qBlue(pixel) - color.blue()) < 80;
+            }
+            if (found) {
+                first = first < 0 ? x : first;
+                last = x;
+                ++columns;
+            }
+        }
+        return columns < 2 ? 0 : static_cast<double>(columns) / (last - first + 1);
+    }
+
 private slots:
+    // Of whatever number: a dash would chop a dense curve into bursts, a modulation that is not
+    // there.
+    void data_are_drawn_without_gaps() {
+        for (const int index : {0, 7, 14, 21, 28}) {
+            PlotContent content = onePlot(twoRuns(), SlowVariable::a_A);
+            content.units.sigma_bands = false;
+            content.analyses = {syntheticAnalysis(index, {.window = 60, .noise = 1e-9})};
+            content.zoom.time = *coveredTime(content.analyses);
+            const ShownAnalysis& shown = content.analyses.front();
+            const QImage image = toImage(plotsDrawing(content), {{800, 300}, 4 * pixels_per_inch});
+            VYBEG_AT_LEAST(shareOf(image, readable(shown.color, lightTheme(), shown.shade)), 0.99);
+        }
+    }
+
+    // Four curves within each other's noise: the mean of each is seen all along.
+    void noisy_curves_over_each_other_stay_apart() {
+        PlotContent content = onePlot(twoRuns(), SlowVariable::a_B);
+        content.units.sigma_bands = false;
+        content.analyses.clear();
+        for (int k = 0; k < 4; ++k) {
+            ShownAnalysis shown =
+                syntheticAnalysis(k, {.window = 6, .noise = 0.02, .seed = 1U + unsigned(k)});
+            auto shifted = std::make_shared<Analysis>(*shown.analysis);
+            for (double& value : shifted->track.values(SlowVariable::a_B)) {
+                value += 0.01 * k;  // of noise with a deviation of 0.0115
+            }
+            shown.analysis = shifted;
+            content.analyses.push_back(shown);
+        }
+        content.zoom.time = *coveredTime(content.analyses);
+        const QImage image = toImage(plotsDrawing(content), {{800, 400}, 4 * pixels_per_inch});
+        for (const ShownAnalysis& shown : content.analyses) {
+            VYBEG_AT_LEAST(shareOf(image, readable(shown.color, lightTheme(), shown.shade)), 0.8,
+                           qPrintable(shown.recording));
+        }
+    }
+
     void where_curves_leave_the_frame_stand_pointers_of_each_and_no_bar() {
         PlotContent content = onePlot(twoRuns(), SlowVariable::a_A);
         content.units.sigma_bands = false;

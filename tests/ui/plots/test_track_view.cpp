@@ -287,6 +287,38 @@ private slots:
         QVERIFY(!bench.view.cursor(Cursor::a) && !bench.view.cursor(Cursor::b));
     }
 
+    // Of another unit, or a fifth as long: one would be a pixel or flatten the other.
+    void what_is_unlike_the_chosen_one_is_hidden() {
+        std::vector<ShownAnalysis> analyses;
+        for (int k = 0; k < 4; ++k) {
+            analyses.push_back(syntheticAnalysis(k, {.seconds = 1}));
+            analyses.back().unit = QStringLiteral("V");
+            analyses.back().recorded_s = 100;
+        }
+        analyses[1].unit = QStringLiteral("mV");
+        analyses[2].recorded_s = 499;
+        analyses[3].recorded_s = 500;
+        const auto hiddenBy = [&analyses](std::size_t chosen) {
+            std::vector<ShownAnalysis> drawn = analyses;
+            const int told = drawnWith(analyses[chosen].id, drawn);
+            std::vector<int> hidden;
+            for (int k = 0; k < 4; ++k) {
+                if (!drawn[static_cast<std::size_t>(k)].visible) {
+                    hidden.push_back(k);
+                }
+            }
+            return told == static_cast<int>(hidden.size()) ? hidden : std::vector<int>{-1};
+        };
+        QCOMPARE(hiddenBy(0), (std::vector<int>{1, 3}));
+        QCOMPARE(hiddenBy(1), (std::vector<int>{0, 2, 3}));
+        QCOMPARE(hiddenBy(2), (std::vector<int>{1}));
+        // One that is hidden itself does not choose.
+        analyses[1].visible = false;
+        std::vector<ShownAnalysis> drawn = analyses;
+        QCOMPARE(drawnWith(analyses[1].id, drawn), 1);
+        QVERIFY(drawn[0].visible && drawn[2].visible && !drawn[3].visible);
+    }
+
     void a_range_set_from_outside_is_told_once_and_clipped() {
         Bench bench;
         QSignalSpy changed(&bench.view, &TrackView::timeRangeChanged);

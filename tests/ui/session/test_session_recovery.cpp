@@ -209,6 +209,17 @@ private slots:
         window->session().end();
     }
 
+    void a_copy_that_is_declined_stays_and_is_not_offered_again() {
+        const QString copy = home_.file("declined.vybeg", "{}");
+        QVERIFY(copies().mkpath("."));
+        const QString left = copies().filePath("20260101-000000-000-1.vybeg");
+        QVERIFY(QFile::copy(copy, left));
+        QVERIFY(SessionBackup::abandoned().contains(left));
+        SessionBackup::setAside(left);
+        QVERIFY(!SessionBackup::abandoned().contains(left));
+        QVERIFY(QFile::remove(left + ".declined"));
+    }
+
     void a_copy_that_cannot_be_read_stays_and_is_named() {
         QVERIFY(copies().mkpath("."));
         const QString path = copies().filePath("20260101-000000-000-1.vybeg");

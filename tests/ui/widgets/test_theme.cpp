@@ -3,6 +3,8 @@
 #include "ui/widgets/theme.h"
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QRadioButton>
 #include <QStyle>
 #include <QtTest>
 
@@ -53,9 +55,47 @@ private slots:
         for (int i = 0; i < 30; ++i) {
             for (int k = 0; k < i; ++k) {
                 QVERIFY(curveStyle(i).color != curveStyle(k).color ||
-                        curveStyle(i).dash != curveStyle(k).dash);
+                        curveStyle(i).shade != curveStyle(k).shade);
             }
         }
+    }
+
+    void shades_of_a_colour_are_told_apart_and_readable() {
+        for (const Theme& theme : {lightTheme(), darkTheme()}) {
+            for (int i = 0; i < curve_colors; ++i) {
+                double before =
+                    contrast(readable(curveStyle(i).color, theme), theme.panelBackground);
+                for (int shade = 1; shade < curve_shades; ++shade) {
+                    const QColor shown = readable(curveStyle(i).color, theme, shade);
+                    const double now = contrast(shown, theme.panelBackground);
+                    VYBEG_AT_LEAST(now, 1.09 * before, qPrintable(shown.name()));
+                    before = now;
+                }
+            }
+        }
+    }
+
+    // Their frames, against the window around them.
+    void unchecked_boxes_are_seen_in_both_themes() {
+        for (const ThemeMode mode : {ThemeMode::light, ThemeMode::dark}) {
+            applyTheme(*qApp, mode);
+            for (QAbstractButton* const button :
+                 std::initializer_list<QAbstractButton*>{new QCheckBox, new QRadioButton}) {
+                const QImage image = button->grab().toImage();
+                const QColor around = button->palette().color(QPalette::Window);
+                double greatest = 1;
+                for (int x = 0; x < image.width(); ++x) {
+                    for (int y = 0; y < image.height(); ++y) {
+                        if (!(image.pixelColor(x, y) == button->palette().color(QPalette::Base))) {
+                            greatest = std::max(greatest, contrast(image.pixelColor(x, y), around));
+                        }
+                    }
+                }
+                VYBEG_AT_LEAST(greatest, (mode == ThemeMode::dark ? 3 : 1.5));
+                delete button;
+            }
+        }
+        applyTheme(*qApp, ThemeMode::light);
     }
 
     void a_mode_gives_its_palette() {
@@ -65,7 +105,9 @@ private slots:
         const Theme light = applyTheme(*qApp, ThemeMode::light);
         QVERIFY(!light.dark);
         QVERIFY(!isDark(QApplication::palette()));
-        QCOMPARE(QApplication::style()->name(), QStringLiteral("fusion"));
+        const QStyle* before = QApplication::style();
+        applyTheme(*qApp, ThemeMode::dark);
+        QCOMPARE(QApplication::style(), before);
     }
 
     void the_systems_own_palette_decides_after_another_mode() {

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <map>
+#include <set>
 
 namespace test_live {
 
@@ -98,7 +100,7 @@ private slots:
         QCOMPARE(after.shown.id, before.shown.id);
         QCOMPARE(after.shown.name, before.shown.name);
         QCOMPARE(after.shown.color, before.shown.color);
-        QCOMPARE(after.shown.dash, before.shown.dash);
+        QCOMPARE(after.shown.shade, before.shown.shade);
         Settings settings = document.settings();
         settings.algorithm = Algorithm::demodulation;
         settings.calibration.kappa = 1.5;
@@ -120,9 +122,51 @@ private slots:
                 const AnalysisEntry& entry = document.analyses()[k];
                 QCOMPARE(entry.recording_id, document.recordings()[k].id);
                 QCOMPARE(entry.shown.color, curveStyle(static_cast<int>(k)).color);
-                QCOMPARE(entry.shown.dash, curveStyle(static_cast<int>(k)).dash);
+                QCOMPARE(entry.shown.shade, 0);
             }
         }
+    }
+
+    void analyses_of_a_recording_are_shades_of_its_colour() {
+        Document document;
+        document.setLive(false);
+        document.open({short_, long_});
+        QVERIFY(idle(document, 2));
+        for (const std::size_t more : {1, 2}) {
+            change(document, 70 + 10 * static_cast<int>(more));
+            document.analyse();
+            QVERIFY(idle(document, 2 + more));
+        }
+        std::map<QRgb, std::set<int>> shades;
+        std::map<QRgb, std::set<int>> recordings;
+        for (const AnalysisEntry& entry : document.analyses()) {
+            shades[entry.shown.color.rgb()].insert(entry.shown.shade);
+            recordings[entry.shown.color.rgb()].insert(number(entry.recording_id));
+        }
+        QCOMPARE(shades.size(), std::size_t(2));
+        for (const auto& [color, of] : recordings) {
+            QCOMPARE(of.size(), std::size_t(1));
+            const auto count = std::ranges::count_if(
+                document.analyses(),
+                [rgb = color](const AnalysisEntry& e) { return e.shown.color.rgb() == rgb; });
+            QCOMPARE(std::ptrdiff_t(shades[color].size()), count);
+        }
+    }
+
+    void the_live_run_is_not_removed_while_live_is_on() {
+        const auto window = shownWindow();
+        Document& document = window->document();
+        document.setLive(true);
+        document.open({short_});
+        QTRY_VERIFY(!document.busy() && document.analyses().size() == 1);
+        auto& list = childOf<AnalysisList>(*window);
+        list.setFocus();
+        QTest::keyClick(&list, Qt::Key_Delete);
+        deliverPosted();
+        QCOMPARE(document.analyses().size(), std::size_t(1));
+        document.setLive(false);
+        QTest::keyClick(&list, Qt::Key_Delete);
+        QTRY_VERIFY(document.analyses().empty());
     }
 
     void run_keeps_what_the_live_run_leaves() {
@@ -140,7 +184,8 @@ private slots:
         QCOMPARE(document.analyses()[1].shown.analysis->plan.length, 60);
         QVERIFY(!document.analyses()[1].live);
         QCOMPARE(document.plottedAnalyses().back().id, document.analyses()[0].shown.id);  // on top
-        QVERIFY(document.analyses()[1].shown.color != document.analyses()[0].shown.color);
+        QCOMPARE(document.analyses()[1].shown.color, document.analyses()[0].shown.color);
+        QVERIFY(document.analyses()[1].shown.shade != document.analyses()[0].shown.shade);
     }
 
     void the_visible_part_arrives_first_and_is_that_of_the_whole() {

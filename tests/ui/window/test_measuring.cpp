@@ -108,6 +108,19 @@ private slots:
         QVERIFY(!table().isVisibleTo(&panel()));
     }
 
+    // The readings name their analysis, and the trends know it.
+    void readings_and_trends_say_whose_they_are() {
+        setCursors(0.5, 1.5);
+        const ShownAnalysis& first = window_->document().analyses().front().shown;
+        const auto& owner = childOf<QLabel>(panel(), "owner");
+        QVERIFY2(owner.text().contains(first.name), qPrintable(owner.text()));
+        for (const TrendCurve& curve : the<TrackView>().content().trends) {
+            QCOMPARE(curve.of, first.id);
+        }
+        window_->document().renameAnalysis(first.id, QStringLiteral("warm"));
+        QTRY_VERIFY(owner.text().contains("warm"));
+    }
+
     void typed_times_place_cursors() {
         typeInto(fieldOf(panel(), "Time of cursor A"), "0,25");
         typeInto(fieldOf(panel(), "Time of cursor B"), "1.75");

@@ -5,6 +5,7 @@
 #include "ui/window/status_line.h"
 
 #include <QPushButton>
+#include <QToolButton>
 #include <QtTest>
 
 namespace test_message_bar {
@@ -37,6 +38,23 @@ private slots:
         childOf<QPushButton>(bar).click();
         QCOMPARE(pressed, 1);
         QCOMPARE(bar.texts(), (QStringList{"fourth", "third"}));
+    }
+
+    void a_message_that_is_closed_is_dismissed_and_not_pressed() {
+        MessageBar bar;
+        int pressed = 0;
+        int dismissed = 0;
+        Message question = told(MessageLevel::warning, "recover?");
+        question.button = [] { return QString("Recover"); };
+        question.press = [&pressed] { ++pressed; };
+        question.dismiss = [&dismissed] { ++dismissed; };
+        bar.add(question);
+        childOf<QToolButton>(bar).click();
+        QCOMPARE(dismissed, 1);
+        bar.add(question);
+        childOf<QPushButton>(bar).click();
+        QCOMPARE(pressed, 1);
+        QCOMPARE(dismissed, 1);
     }
 
     // What needs no answer stands in the status bar.
