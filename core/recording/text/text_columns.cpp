@@ -1,8 +1,8 @@
 #include "core/recording/text/text_columns.h"
 
 #include "core/numerics/median.h"
-#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_blocks.h"
 #include "core/recording/text/text_clock.h"
 
@@ -196,7 +196,7 @@ private:
             can_be_time(first)) {
             const bool counts = is_whole(at(first).values) && time_unit(name(first)).empty() &&
                                 (said || !unit_said);
-            if (counts && is_counter_name(name(first).name)) {
+            if (counts && meaning_of(name(first).name) == Meaning::counter) {
                 format_.counter_column = first;
             } else if (!counts && candidate < 0 && !said && !counts_other(first)) {
                 candidate = first;

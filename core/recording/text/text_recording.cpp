@@ -1,12 +1,10 @@
 #include "core/recording/text/text_recording.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/samples/channel_units.h"
-#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/scaled_source.h"
-#include "core/recording/samples/unit_ratio.h"
+#include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_head.h"
 #include "core/recording/text/text_scan.h"
 #include "core/recording/text/text_source.h"
