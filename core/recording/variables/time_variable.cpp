@@ -33,8 +33,7 @@ private:
 // About the time from row to row: of the first ones, where rounding does not make them equal.
 double step_of(std::span<const double> first_times_s, double mean_step_s,
                const TimeResolution& resolution) {
-    const TimedSamples samples{{first_times_s.begin(), first_times_s.end()}, {}, {}, resolution};
-    const double step_s = typical_step(samples);
+    const double step_s = typical_step(first_times_s, resolution);
     return step_s > 0 ? step_s : mean_step_s;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/reader_rules.h"
+#include "core/recording/times/time_grid.h"
 #include "core/recording/variables/time_variable.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // What the digits of a time column leave open.
-#include "core/recording/times/local_cubic.h"
+#include "core/recording/times/time_grid.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/times/timed_signal.h"
 #include "tests/test_registry.h"
