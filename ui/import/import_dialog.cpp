@@ -89,7 +89,7 @@ void ImportDialog::refresh() {
 }
 
 std::optional<OpenOptions> ImportDialog::proposal(const RecordingPreview& preview) {
-    const bool unknown = preview.kind == FileKind::unknown;
+    const bool unknown = !preview.file_format;
     if (!proposed_) {
         proposed_ = true;
         raw_proposed_ = unknown;

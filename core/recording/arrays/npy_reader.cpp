@@ -8,7 +8,8 @@
 
 namespace vybeg {
 
-Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
+Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                           const JobControl& /*job*/) {
     const auto bytes = file_part(file, 0, file->size());
     const auto array = TRY(read_npy_header(*file, *bytes, "NPY"));
     const auto channels = static_cast<int>(array.channels());

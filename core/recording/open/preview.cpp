@@ -112,12 +112,13 @@ Result<RecordingPreview> preview_recording(const std::filesystem::path& path,
     const auto file = TRY(FileBytes::open(path));
     const auto head = TRY(file_head(*file));
     RecordingPreview preview;
-    preview.kind = file_kind(head, *file);
-    if (preview.kind == FileKind::unknown || options.raw) {
+    preview.file_format = find_format(head, *file);
+    if (!preview.file_format || options.raw) {
         const auto guess = TRY(guess_raw_layout(*file));
         preview.raw_guess = guess;
     }
-    const bool text = options.text || (!options.raw && preview.kind == FileKind::text);
+    const bool text =
+        options.text || (!options.raw && preview.file_format && preview.file_format->is_text);
     const Status status = text ? preview_text(file, options, job, preview)
                                : preview_opened(*file, options, job, preview);
     if (!status) {
