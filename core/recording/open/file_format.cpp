@@ -1,6 +1,5 @@
 #include "core/recording/open/file_format.h"
 
-#include "core/recording/arrays/npy_array.h"
 #include "core/recording/arrays/npy_reader.h"
 #include "core/recording/arrays/tdms_reader.h"
 #include "core/recording/audio/audio_extent.h"

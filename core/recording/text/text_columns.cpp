@@ -286,6 +286,17 @@ private:
 
 }  // namespace
 
+std::vector<int> channel_columns(const TextFormat& format) {
+    std::vector<int> columns;
+    for (int column = 0; column < format.columns; ++column) {
+        if (column != format.time_column && column != format.counter_column &&
+            std::ranges::find(format.no_channels, column) == format.no_channels.end()) {
+            columns.push_back(column);
+        }
+    }
+    return columns;
+}
+
 void find_columns(std::span<const std::string> rows, const std::vector<Channel>& columns,
                   const TextChoice& choice, std::vector<int> words, TextFormat& format) {
     ColumnSearch(rows, columns, choice, std::move(words), format).run();
