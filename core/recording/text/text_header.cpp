@@ -1,5 +1,6 @@
 #include "core/recording/text/text_header.h"
 
+#include "core/base/plain_text.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
