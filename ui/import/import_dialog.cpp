@@ -98,20 +98,13 @@ std::optional<OpenOptions> ImportDialog::proposal(const RecordingPreview& previe
         }
         if (unknown) {
             OpenOptions raw = options();
-            raw.raw = preview.raw_guess.value_or(RawLayout{});
+            raw.raw = RawLayout{};
             return raw;
         }
     }
     if (options().raw && !raw_proposed_) {
         raw_proposed_ = true;
-        if (const auto last = rememberedImport(importKind(path_, preview, true))) {
-            return last;
-        }
-        if (preview.raw_guess) {
-            OpenOptions raw = options();
-            raw.raw = preview.raw_guess;
-            return raw;
-        }
+        return rememberedImport(importKind(path_, preview, true));
     }
     return {};
 }

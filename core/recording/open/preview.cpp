@@ -1,7 +1,6 @@
 #include "core/recording/open/preview.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/arrays/raw_guess.h"
 #include "core/recording/arrays/raw_reader.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_decoding.h"
@@ -267,10 +266,6 @@ Result<RecordingPreview> preview_recording(const std::filesystem::path& path,
     const auto head = TRY(file_head(*file));
     RecordingPreview preview;
     preview.file_format = find_format(head, *file);
-    if (!preview.file_format || options.raw) {
-        const auto guess = TRY(guess_raw_layout(*file));
-        preview.raw_guess = guess;
-    }
     const bool text =
         options.text || (!options.raw && preview.file_format && preview.file_format->is_text);
     const Status status = text ? preview_text(file, options, job, preview)

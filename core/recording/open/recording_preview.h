@@ -22,11 +22,10 @@ struct PreviewLine {
     std::vector<std::string> cells;  // of a row; otherwise the whole line as one cell
 };
 
-// Beginning of a recording under given options, and guesses from its file.
+// Beginning of a recording under given options, and the guessed format of a text.
 struct RecordingPreview {
     const FileFormat* file_format = nullptr;  // by content, independent of the options
     std::optional<TextFormat> guessed;        // of text, by content only
-    std::optional<RawLayout> raw_guess;       // of a file of no format
     std::optional<TextFormat> used;           // of a file read as text
     RecordingFormat format;                   // as Recording::format
     std::vector<Channel> channels;            // as Recording::channels

@@ -4,8 +4,6 @@
 #include "core/recording/open/file_format.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/open/recording_preview.h"
-#include "core/simulation/free_decay.h"
-#include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/test_registry.h"
@@ -207,19 +205,9 @@ private slots:
         QVERIFY(!preview.file_format);
     }
 
-    void a_file_of_no_kind_suggests_a_layout() {
-        FreeDecay settings = demo_decay();
-        settings.seconds = 1;
-        const auto decay = simulate(settings, {});
-        QVERIFY(bool(decay));
-        std::string bytes;
-        for (std::size_t i = 0; i < decay->c.size(); ++i) {
-            bytes += store(static_cast<float>(decay->c[i]), true);
-            bytes += store(static_cast<float>(decay->d[i]), true);
-        }
-        const RecordingPreview preview = shown(folder_.write("f32.bin", bytes));
-        QVERIFY(preview.raw_guess);
-        QCOMPARE(*preview.raw_guess, (RawLayout{.type = RawType::f32, .big_endian = true}));
+    void a_file_of_no_format_is_told() {
+        const RecordingPreview preview = shown(folder_.write("f32.bin", std::string(4000, '\1')));
+        QVERIFY(!preview.file_format);
         QCOMPARE(preview.problem->code, ErrorCode::format_unknown);
     }
 
