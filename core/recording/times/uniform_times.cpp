@@ -74,10 +74,10 @@ double typical_step(std::span<const double> times_s, const TimeResolution& resol
     const UniformTimeDetector judge(times_s, median_step(times_s), resolution);
     double products = 0;
     double squares = 0;
-    for (const RowSegment& segment : judge.line().segments) {
-        const double centre = 0.5 * static_cast<double>(segment.rows - 1);
-        const auto times = times_s.subspan(static_cast<std::size_t>(segment.first_row),
-                                           static_cast<std::size_t>(segment.rows));
+    for (const std::int64_t rows : judge.rows_between_gaps()) {
+        const double centre = 0.5 * static_cast<double>(rows - 1);
+        const auto times = times_s.first(static_cast<std::size_t>(rows));
+        times_s = times_s.subspan(times.size());
         for (std::size_t i = 0; i < times.size(); ++i) {
             const double k = static_cast<double>(i) - centre;
             products += k * (times[i] - times[0]);
@@ -207,10 +207,14 @@ bool UniformTimeDetector::continues(double time_s) {
     if (segments_.empty()) {
         return false;
     }
-    const double steps = (time_s - segments_.back().last_s) / step_s_;
+    const double last_s = segments_.back().last_s;
     if (has_all_) {
-        return steps <= std::max(gap_steps, decade_.rounding);
+        // Not in steps: more than half of the times may be the one before again.
+        const double coarser_s = std::max(std::abs(time_s), std::abs(last_s));
+        return !(time_s - last_s > std::max(gap_steps * step_s_,
+                                            longest_rounded_step(step_s_, expected_, coarser_s)));
     }
+    const double steps = (time_s - last_s) / step_s_;
     const double longest = std::max(longest_single_step, decade_.rounding);
     const double shortest = std::max(shortest_gap, decade_.rounding + doubt);
     doubtful_ = doubtful_ || !(steps <= longest || steps >= shortest);
@@ -419,8 +423,14 @@ bool UniformTimeDetector::pass_nearly(const std::vector<RowSegment>& segments,
     return true;
 }
 
+std::vector<std::int64_t> UniformTimeDetector::rows_between_gaps() const {
+    std::vector<std::int64_t> rows;
+    std::ranges::transform(segments_, std::back_inserter(rows), &Segment::rows);
+    return rows;
+}
+
 TimeLine UniformTimeDetector::line() const {
-    TimeLine found{.segments = number_rows(fitted_step().value_or(step_s_))};
+    TimeLine found{.segments = number_rows(step_s_)};
     const Line line = fit_line(found.segments);
     found.start_s = segments_[0].first_s + line.mean_late_s - line.slope * line.mean_frame;
     found.step_s = step_s_ + line.slope;

@@ -95,7 +95,9 @@ public:
     // there are more gaps than are kept.
     std::optional<EvenTimes> judge(const TimeResolution& resolution) const;
 
-    // Precondition: all times of a column, two or more.
+    std::vector<std::int64_t> rows_between_gaps() const;
+
+    // Precondition: all times of a column, two or more, over a plausible number of steps.
     TimeLine line() const;
 
 private:
