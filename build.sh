@@ -53,7 +53,7 @@ Usage: ./build.sh COMMAND
   test-threads  the tests that run several threads under ThreadSanitizer, in build/tsan
   tidy          clang-tidy over core/, a quarter of an hour (not part of .ci/run)
   fuzz FORMAT [SECONDS]
-                feed the reader of a format (audio text npy npz uff tdms raw mat mat73 hdf5) with
+                feed the reader of a format (audio wav text npy npz uff tdms raw mat mat73 hdf5) with
                 what libFuzzer makes of sound and damaged files, in build/fuzz; 60 s if not told
   build         build everything into build/release
   install [PREFIX]
@@ -220,12 +220,16 @@ run_tidy() {
 
 # Of MAT 7.3 and HDF5 it is libhdf5 that falls, which vybeg-reader is there for.
 run_fuzzer() {
-    local format=$1 seconds=$2 corpus=build/fuzz/corpus-$1
+    local format=$1 seconds=$2 corpus=build/fuzz/corpus-$1 options=
+    case $format in
+        # What vybeg-reader has for memory; and the libraries leave some of it behind.
+        audio | mat73 | hdf5) options=detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=64 ;;
+    esac
     install_packages "${fuzz_packages[@]}"
     configure_tests fuzz
-    build fuzz --target "fuzz-$format" fuzz-corpus
+    build fuzz --target fuzz-reader fuzz-corpus
     build/fuzz/bin/fuzz-corpus "$format" "$corpus"
-    "build/fuzz/bin/fuzz-$format" "$corpus" -max_total_time="$seconds" -timeout=5 \
+    VYBEG_FORMAT=$format ASAN_OPTIONS=$options build/fuzz/bin/fuzz-reader "$corpus" -max_total_time="$seconds" -timeout=5 \
         -artifact_prefix="build/fuzz/$format-"
 }
 

@@ -1,6 +1,6 @@
 #include "core/analysis/idle_options.h"
 
-#include "core/recording/open/file_kind.h"
+#include "core/recording/open/file_format.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,8 +18,8 @@ bool has_variables(const Recording& recording) {
     if (!head) {
         return true;
     }
-    const FileKind kind = file_kind(*head, *recording.file);
-    return kind == FileKind::npz || kind == FileKind::mat_or_hdf5;
+    const FileFormat* const format = find_format(*head, *recording.file);
+    return format && format->has_variables;
 }
 
 class Findings {

@@ -2,7 +2,6 @@
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
-#include "core/recording/samples/column_words.h"
 
 #include <algorithm>
 #include <array>

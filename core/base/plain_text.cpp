@@ -49,7 +49,32 @@ std::string hexadecimal(std::uint32_t number, int digits) {
     return text;
 }
 
+// Of a letter of two bytes.
+unsigned small_letter(unsigned code) {
+    constexpr unsigned multiplication_sign = 0xD7;
+    const bool latin = code >= 0xC0 && code <= 0xDE && code != multiplication_sign;
+    const bool cyrillic = code >= 0x410 && code <= 0x42F;
+    const bool cyrillic_with_marks = code >= 0x400 && code <= 0x40F;  // as Ё
+    return code + (latin || cyrillic ? 0x20 : cyrillic_with_marks ? 0x50 : 0);
+}
+
 }  // namespace
+
+std::string lower_text(std::string_view text) {
+    std::string small(text);
+    for (std::size_t i = 0; i < small.size(); ++i) {
+        const auto first = static_cast<unsigned char>(small[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < small.size() ? small[i + 1] : 0);
+        if (first >= 'A' && first <= 'Z') {
+            small[i] = static_cast<char>(first - 'A' + 'a');
+        } else if ((first & 0xE0u) == 0xC0 && (next & 0xC0u) == 0x80) {
+            const unsigned code = small_letter((first & 0x1Fu) << 6 | (next & 0x3Fu));
+            small[i] = static_cast<char>(0xC0 | code >> 6);
+            small[++i] = static_cast<char>(0x80 | (code & 0x3F));
+        }
+    }
+    return small;
+}
 
 std::string plain_text(std::string_view text) {
     std::string plain;

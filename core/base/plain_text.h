@@ -16,6 +16,9 @@ constexpr bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
+// Small letters of the Latin alphabets of western Europe and of the Cyrillic ones, in UTF-8.
+std::string lower_text(std::string_view text);
+
 // The characters of a text in UTF-8; a byte that is none is U+FFFD.
 std::u32string code_points(std::string_view text);
 

@@ -3,7 +3,7 @@
 #include "core/analysis/list_fields.h"
 #include "core/analysis/tolerance.h"
 #include "core/base/number_text.h"
-#include "core/recording/samples/column_words.h"
+#include "core/base/plain_text.h"
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>

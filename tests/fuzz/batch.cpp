@@ -71,7 +71,8 @@ std::string place(std::uint64_t seed, const std::string& what) {
 }
 
 [[noreturn]] void work(Progress& progress, std::uint64_t end,
-                       const std::function<Mutation(std::uint64_t)>& file_of, TryFile try_file) {
+                       const std::function<Mutation(std::uint64_t)>& file_of,
+                       const TryFile& try_file) {
     for (; progress.next < end; ++progress.next) {
         const Mutation mutation = file_of(progress.next);
         limit_memory(mutation.bytes.size());
@@ -128,7 +129,7 @@ private:
 
 // Runs one process over the files from progress.next on and returns the status of waitpid().
 int run(Progress& progress, std::uint64_t end, const Workplace& workplace,
-        const std::function<Mutation(std::uint64_t)>& file_of, TryFile try_file) {
+        const std::function<Mutation(std::uint64_t)>& file_of, const TryFile& try_file) {
     const pid_t id = fork();
     if (id == 0) {
         setenv("TMPDIR", workplace.folder().c_str(), 1);
@@ -152,7 +153,8 @@ int run(Progress& progress, std::uint64_t end, const Workplace& workplace,
 }  // namespace
 
 BatchCount try_batch(std::uint64_t first, std::uint64_t count,
-                     const std::function<Mutation(std::uint64_t)>& file_of, TryFile try_file) {
+                     const std::function<Mutation(std::uint64_t)>& file_of,
+                     const TryFile& try_file) {
     void* const shared =
         mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) {

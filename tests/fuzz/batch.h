@@ -26,6 +26,7 @@ struct BatchCount {
 // dies is followed by another with the next file. Its death is a fault where a sanitizer names our
 // own code, and a death of the library otherwise.
 BatchCount try_batch(std::uint64_t first, std::uint64_t count,
-                     const std::function<Mutation(std::uint64_t)>& file_of, TryFile try_file);
+                     const std::function<Mutation(std::uint64_t)>& file_of,
+                     const TryFile& try_file);
 
 }  // namespace vybeg::fuzz

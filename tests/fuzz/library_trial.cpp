@@ -101,8 +101,6 @@ std::string difference(std::string_view bytes, const std::shared_ptr<const FileB
     return {};
 }
 
-}  // namespace
-
 Verdict try_audio(std::string_view bytes) {
     const MemoryFile memory(bytes);
     const auto file = FileBytes::open(memory.path());
@@ -123,6 +121,15 @@ Verdict try_mat73(std::string_view bytes) {
 Verdict try_hdf5(std::string_view bytes) {
     const MemoryFile file(bytes);
     return judge(open_hdf5_file(file.descriptor(), Naming::hdf5));
+}
+
+}  // namespace
+
+TryFile library_of(std::string_view format) {
+    return format == "audio"   ? TryFile(try_audio)
+           : format == "mat73" ? TryFile(try_mat73)
+           : format == "hdf5"  ? TryFile(try_hdf5)
+                               : nullptr;
 }
 
 }  // namespace vybeg::fuzz

@@ -299,20 +299,20 @@ with h5py.File('deep', 'w') as f:
 
 }  // namespace
 
-std::vector<std::string> sound_files(const QString& format) {
-    const std::map<QString, Files (*)()> writers{{"wav", wav_files},
-                                                 {"audio", audio_files},
-                                                 {"text", text_files},
-                                                 {"npy", npy_files},
-                                                 {"npz", npz_files},
-                                                 {"uff", uff_files},
-                                                 {"tdms", tdms_files},
-                                                 {"raw", raw_files},
-                                                 {"mat", mat_files},
-                                                 {"mat73", mat73_files},
-                                                 {"hdf5", hdf5_files},
-                                                 {"any", any_files},
-                                                 {"bottomless", bottomless_files}};
+std::vector<std::string> sound_files(const std::string& format) {
+    const std::map<std::string, Files (*)()> writers{{"wav", wav_files},
+                                                     {"audio", audio_files},
+                                                     {"text", text_files},
+                                                     {"npy", npy_files},
+                                                     {"npz", npz_files},
+                                                     {"uff", uff_files},
+                                                     {"tdms", tdms_files},
+                                                     {"raw", raw_files},
+                                                     {"mat", mat_files},
+                                                     {"mat73", mat73_files},
+                                                     {"hdf5", hdf5_files},
+                                                     {"any", any_files},
+                                                     {"bottomless", bottomless_files}};
     return writers.at(format)();
 }
 

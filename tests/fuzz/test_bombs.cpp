@@ -26,14 +26,14 @@ private slots:
     void a_jump_of_an_uneven_clock_takes_no_memory();
 
 private:
-    Verdict tried(TryFile try_file, const std::string& bytes);
+    Verdict tried(const TryFile& try_file, const std::string& bytes);
 
     Folder folder_;
     std::int64_t held_ = 0;  // bytes, at most, beyond the file's size
     double seconds_ = 0;
 };
 
-Verdict TestBombs::tried(TryFile try_file, const std::string& bytes) {
+Verdict TestBombs::tried(const TryFile& try_file, const std::string& bytes) {
     const std::clock_t start = std::clock();
     start_heap_peak();
     Verdict verdict = try_file(bytes);
@@ -85,7 +85,8 @@ void TestBombs::archives_are_neither_unpacked_nor_believed_data() {
 
 void TestBombs::archives_are_neither_unpacked_nor_believed() {
     QFETCH(bool, is_recording);
-    const Verdict verdict = tried(try_npz, bytes_of(folder_.file(QTest::currentDataTag())));
+    const Verdict verdict =
+        tried(reader_of("npz"), bytes_of(folder_.file(QTest::currentDataTag())));
     qInfo("%s%.1f MB, %.2f s", verdict.fault.c_str(), 1e-6 * static_cast<double>(held_), seconds_);
     QCOMPARE(verdict.fault, std::string());
     QCOMPARE(verdict.outcome == Outcome::read, is_recording);
@@ -106,9 +107,9 @@ void TestBombs::a_table_of_segments_stays_smaller_than_the_file() {
         }
         return all;
     };
-    const Verdict few = tried(try_tdms, with(1000));
+    const Verdict few = tried(reader_of("tdms"), with(1000));
     QVERIFY(few.outcome == Outcome::read && few.fault.empty());
-    const Verdict many = tried(try_tdms, with(400000));
+    const Verdict many = tried(reader_of("tdms"), with(400000));
     qInfo("%.1f MB, %.2f s", 1e-6 * static_cast<double>(held_), seconds_);
     QVERIFY(many.outcome == Outcome::refused && many.fault.empty());
     VYBEG_LESS(held_, 64 << 20);
@@ -123,10 +124,10 @@ void TestBombs::a_jump_of_an_uneven_clock_takes_no_memory() {
         }
         return text;
     };
-    const Verdict plausible = tried(try_text, with_jump(1000));
+    const Verdict plausible = tried(reader_of("text"), with_jump(1000));
     QVERIFY(plausible.outcome == Outcome::read && plausible.fault.empty());
     VYBEG_LESS(held_, 64 << 20);
-    const Verdict absurd = tried(try_text, with_jump(5000));
+    const Verdict absurd = tried(reader_of("text"), with_jump(5000));
     QVERIFY(absurd.outcome == Outcome::refused && absurd.fault.empty());
     VYBEG_LESS(held_, 64 << 20);
 }

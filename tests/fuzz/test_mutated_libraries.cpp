@@ -40,16 +40,15 @@ private:
 };
 
 void TestMutatedLibraries::formats() {
-    QTest::addColumn<TryFile>("try_file");
     QTest::addColumn<std::uint64_t>("count");
     // Two namings of one reader.
-    QTest::newRow("mat73") << TryFile(try_mat73) << files / 4;
-    QTest::newRow("hdf5") << TryFile(try_hdf5) << files - files / 4;
-    QTest::newRow("audio") << TryFile(try_audio) << files;
+    QTest::newRow("mat73") << files / 4;
+    QTest::newRow("hdf5") << files - files / 4;
+    QTest::newRow("audio") << files;
 }
 
 void TestMutatedLibraries::sound_files_are_read() {
-    QFETCH(TryFile, try_file);
+    const TryFile try_file = library_of(QTest::currentDataTag());
     const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
     const BatchCount count = try_batch(
         0, sound.size(),
@@ -62,7 +61,7 @@ void TestMutatedLibraries::sound_files_are_read() {
 }
 
 void TestMutatedLibraries::damaged_files_do_no_harm() {
-    QFETCH(TryFile, try_file);
+    const TryFile try_file = library_of(QTest::currentDataTag());
     QFETCH(std::uint64_t, count);
     const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
     const BatchCount found = try_batch(
@@ -86,7 +85,7 @@ void TestMutatedLibraries::groups_in_each_other_without_bottom_are_refused() {
         [&](std::uint64_t) {
             return Mutation{deep, "deep"};
         },
-        try_hdf5);
+        library_of("hdf5"));
     QCOMPARE(found.outcomes[static_cast<std::size_t>(Outcome::refused)], std::uint64_t{1});
     QCOMPARE(found.faults, std::vector<std::string>());
     VYBEG_LESS(found.slowest_s, 1);

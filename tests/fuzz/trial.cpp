@@ -1,17 +1,12 @@
 #include "tests/fuzz/trial.h"
 
 #include "core/base/error.h"
-#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/arrays/raw_reader.h"
-#include "core/recording/arrays/tdms_reader.h"
 #include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/byte_order.h"
+#include "core/recording/open/file_format.h"
 #include "core/recording/open/open_recording.h"
-#include "core/recording/text/text_recording.h"
-#include "core/recording/text/uff_reader.h"
-#include "core/recording/variables/mat_reader.h"
-#include "core/recording/variables/npz_reader.h"
 #include "tests/fuzz/memory_file.h"
 
 #include <algorithm>
@@ -85,8 +80,6 @@ Verdict try_opening(std::string_view bytes, double most_frames, const Open& open
     return file ? judge(open(*file), most_frames) : Verdict{};
 }
 
-}  // namespace
-
 Verdict try_wav(std::string_view bytes) {
     return try_opening(bytes, static_cast<double>(bytes.size()),
                        [](const File& file) -> Result<Recording> {
@@ -96,38 +89,15 @@ Verdict try_wav(std::string_view bytes) {
                        });
 }
 
-Verdict try_text(std::string_view bytes) {
-    // Gaps between times are frames, too: 20 for a row, and 10 million (time_grid.h).
-    const double most = 1e7 + 20.0 * static_cast<double>(bytes.size());
+Verdict try_format(const FileFormat& format, std::string_view bytes) {
+    // Gaps between times are frames, too: 20 for a row, and 10 million (is_plausible_grid()).
+    // Variables may be packed.
+    const auto size = static_cast<double>(bytes.size());
+    const double most = format.has_variables ? 1e7 + 20 * 1032.0 * size
+                        : format.is_text     ? 1e7 + 20.0 * size
+                                             : size;
     return try_opening(bytes, most,
-                       [](const File& file) { return open_text(file, some_rate(), {}); });
-}
-
-Verdict try_npy(std::string_view bytes) {
-    return try_opening(bytes, static_cast<double>(bytes.size()),
-                       [](const File& file) { return open_npy(file, some_rate()); });
-}
-
-Verdict try_npz(std::string_view bytes) {
-    const double most = 1e7 + 20 * 1032.0 * static_cast<double>(bytes.size());
-    return try_opening(bytes, most,
-                       [](const File& file) { return open_npz(file, some_rate(), {}); });
-}
-
-Verdict try_mat(std::string_view bytes) {
-    const double most = 1e7 + 20 * 1032.0 * static_cast<double>(bytes.size());
-    return try_opening(bytes, most,
-                       [](const File& file) { return open_mat(file, some_rate(), {}); });
-}
-
-Verdict try_uff(std::string_view bytes) {
-    return try_opening(bytes, static_cast<double>(bytes.size()),
-                       [](const File& file) { return open_uff(file, some_rate(), {}); });
-}
-
-Verdict try_tdms(std::string_view bytes) {
-    return try_opening(bytes, static_cast<double>(bytes.size()),
-                       [](const File& file) { return open_tdms(file, some_rate(), {}); });
+                       [&](const File& file) { return format.open(file, some_rate(), {}); });
 }
 
 Verdict try_any(std::string_view bytes) {
@@ -160,6 +130,39 @@ Verdict try_raw(std::string_view bytes) {
         return {};
     }
     return judge(recording, static_cast<double>(bytes.size()));
+}
+
+}  // namespace
+
+std::vector<std::string> readers() {
+    std::vector<std::string> names{"wav", "raw", "any"};
+    for (const FileFormat& format : file_formats()) {
+        const std::string name(format.name);
+        if (!format.in_helper && std::ranges::find(names, name) == names.end()) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+TryFile reader_of(std::string_view format) {
+    if (format == "wav") {
+        return try_wav;
+    }
+    if (format == "raw") {
+        return try_raw;
+    }
+    if (format == "any") {
+        return try_any;
+    }
+    const auto formats = file_formats();
+    const auto found = std::ranges::find_if(formats, [format](const FileFormat& each) {
+        return each.name == format && !each.in_helper;
+    });
+    if (found == formats.end()) {
+        return nullptr;
+    }
+    return [&reader = *found](std::string_view bytes) { return try_format(reader, bytes); };
 }
 
 }  // namespace vybeg::fuzz

@@ -89,7 +89,7 @@ void ImportDialog::refresh() {
 }
 
 std::optional<OpenOptions> ImportDialog::proposal(const RecordingPreview& preview) {
-    const bool unknown = preview.kind == FileKind::unknown;
+    const bool unknown = !preview.file_format;
     if (!proposed_) {
         proposed_ = true;
         raw_proposed_ = unknown;
@@ -98,20 +98,13 @@ std::optional<OpenOptions> ImportDialog::proposal(const RecordingPreview& previe
         }
         if (unknown) {
             OpenOptions raw = options();
-            raw.raw = preview.raw_guess.value_or(RawLayout{});
+            raw.raw = RawLayout{};
             return raw;
         }
     }
     if (options().raw && !raw_proposed_) {
         raw_proposed_ = true;
-        if (const auto last = rememberedImport(importKind(path_, preview, true))) {
-            return last;
-        }
-        if (preview.raw_guess) {
-            OpenOptions raw = options();
-            raw.raw = preview.raw_guess;
-            return raw;
-        }
+        return rememberedImport(importKind(path_, preview, true));
     }
     return {};
 }

@@ -160,13 +160,13 @@ ImportFields::ReadAs ImportFields::readAs() const {
 }
 
 bool ImportFields::isText() const {
-    return readAs() == ReadAs::text ||
-           (readAs() == ReadAs::content && preview_ && preview_->kind == FileKind::text);
+    return readAs() == ReadAs::text || (readAs() == ReadAs::content && preview_ &&
+                                        preview_->file_format && preview_->file_format->is_text);
 }
 
 bool ImportFields::hasVariables() const {
-    return readAs() == ReadAs::content && preview_ &&
-           (preview_->kind == FileKind::mat_or_hdf5 || preview_->kind == FileKind::npz);
+    return readAs() == ReadAs::content && preview_ && preview_->file_format &&
+           preview_->file_format->has_variables;
 }
 
 TextChoice ImportFields::textChoice() const {

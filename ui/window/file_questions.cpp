@@ -1,5 +1,7 @@
 #include "ui/window/file_questions.h"
 
+#include "core/recording/open/file_format.h"
+
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -16,6 +18,21 @@ const QString folder_key = QStringLiteral("folder");
 
 void keepFolder(const QString& file) {
     QSettings().setValue(folder_key, QFileInfo(file).absolutePath());
+}
+
+// The patterns of the names of a group's files.
+QString endingsOf(FileFormat::Group group) {
+    QStringList patterns;
+    for (const FileFormat& format : file_formats()) {
+        const auto endings =
+            QString::fromUtf8(format.endings.data(), qsizetype(format.endings.size()));
+        for (const QString& ending : endings.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+            if (format.group == group) {
+                patterns.append(QStringLiteral("*.") + ending);
+            }
+        }
+    }
+    return patterns.join(QLatin1Char(' '));
 }
 
 }  // namespace
@@ -47,9 +64,9 @@ QFileDialog& FileQuestions::dialog(const QString& title) {
 void FileQuestions::recordings(const std::function<void(const QStringList&)>& open) {
     QFileDialog& asked = dialog(tr("Open recordings"));
     asked.setFileMode(QFileDialog::ExistingFiles);
-    const QString audio = QStringLiteral("*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf");
-    const QString tables = QStringLiteral("*.csv *.tsv *.txt *.dat");
-    const QString arrays = QStringLiteral("*.npy *.npz *.mat *.h5 *.hdf5 *.tdms *.uff *.unv");
+    const QString audio = endingsOf(FileFormat::Group::audio);
+    const QString tables = endingsOf(FileFormat::Group::tables);
+    const QString arrays = endingsOf(FileFormat::Group::arrays);
     asked.setNameFilters({tr("Recordings and sessions (%1)")
                               .arg(QStringLiteral("*.vybeg ") + audio + QLatin1Char(' ') + tables +
                                    QLatin1Char(' ') + arrays),

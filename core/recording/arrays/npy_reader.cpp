@@ -1,14 +1,205 @@
 #include "core/recording/arrays/npy_reader.h"
 
 #include "core/base/translatable.h"
-#include "core/recording/arrays/npy_array.h"
+#include "core/recording/bytes/byte_order.h"
 #include "core/recording/samples/reader_rules.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace vybeg {
+namespace {
 
-Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
+using namespace std::string_view_literals;
+
+constexpr std::string_view magic = "\x93NUMPY"sv;
+constexpr std::int64_t most_channels = 4096;
+constexpr std::int64_t longest_npy_header = std::int64_t{1} << 16;  // NumPy itself stops at 10000
+
+// Reads the header, a Python literal, token by token. Blanks are ignored.
+class Literal {
+public:
+    explicit Literal(std::string_view text) : text_(text) {}
+
+    bool at(char token) {
+        while (!text_.empty() && " \t\r\n"sv.find(text_.front()) != ""sv.npos) {
+            text_.remove_prefix(1);
+        }
+        return !text_.empty() && text_.front() == token;
+    }
+
+    bool take(char token) {
+        const bool is_there = at(token);
+        text_.remove_prefix(is_there ? 1 : 0);
+        return is_there;
+    }
+
+    std::optional<std::string_view> string() {
+        for (const char quote : {'\'', '"'}) {
+            if (take(quote)) {
+                const std::size_t end = text_.find(quote);
+                if (end == text_.npos) {
+                    return std::nullopt;
+                }
+                const std::string_view content = text_.substr(0, end);
+                text_.remove_prefix(end + 1);
+                return content;
+            }
+        }
+        return std::nullopt;
+    }
+
+    bool word(std::string_view wanted) {
+        const bool is_there = at(wanted.front()) && text_.starts_with(wanted);
+        text_.remove_prefix(is_there ? wanted.size() : 0);
+        return is_there;
+    }
+
+    // Not negative; Python 2 appended an L.
+    std::optional<std::int64_t> whole_number() {
+        at(' ');
+        std::int64_t number = 0;
+        const auto end = std::from_chars(text_.data(), text_.data() + text_.size(), number);
+        if (end.ec != std::errc{} || number < 0) {
+            return std::nullopt;
+        }
+        text_.remove_prefix(static_cast<std::size_t>(end.ptr - text_.data()));
+        take('L');
+        return number;
+    }
+
+    bool ended() {
+        at(' ');
+        return text_.empty();
+    }
+
+private:
+    std::string_view text_;
+};
+
+std::optional<std::vector<std::int64_t>> parse_shape(Literal& literal) {
+    std::vector<std::int64_t> shape;
+    if (!literal.take('(')) {
+        return std::nullopt;
+    }
+    while (!literal.take(')')) {
+        const auto number = literal.whole_number();
+        if (!number || !(literal.take(',') || literal.at(')'))) {
+            return std::nullopt;
+        }
+        shape.push_back(*number);
+    }
+    return shape;
+}
+
+struct Header {
+    std::optional<std::string> descr;  // empty: a list, that is, records
+    std::optional<bool> fortran_order;
+    std::optional<std::vector<std::int64_t>> shape;
+};
+
+// Empty if the text is no dictionary of the three known keys.
+std::optional<Header> parse_header(std::string_view text) {
+    Literal literal(text);
+    Header header;
+    if (!literal.take('{')) {
+        return std::nullopt;
+    }
+    while (!literal.take('}')) {
+        const auto key = literal.string();
+        if (!key || !literal.take(':')) {
+            return std::nullopt;
+        }
+        if (*key == "descr") {
+            if (literal.at('[')) {
+                header.descr = "";
+                return header;
+            }
+            const auto descr = literal.string();
+            if (!descr) {
+                return std::nullopt;
+            }
+            header.descr = std::string(*descr);
+        } else if (*key == "fortran_order") {
+            header.fortran_order = literal.word("True");
+            if (!*header.fortran_order && !literal.word("False")) {
+                return std::nullopt;
+            }
+        } else if (*key == "shape") {
+            header.shape = parse_shape(literal);
+        } else {
+            return std::nullopt;
+        }
+        if (!literal.take(',') && !literal.at('}')) {
+            return std::nullopt;
+        }
+    }
+    const bool whole = header.descr && header.fortran_order && header.shape && literal.ended();
+    return whole ? std::optional(header) : std::nullopt;
+}
+
+// Type codes such as "<f8". NumPy writes '|' for one byte; '=' or no sign means the byte order of
+// the writing machine, almost certainly little endian.
+std::optional<std::pair<NumberType, bool>> parse_type(std::string_view descr) {
+    bool big_endian = false;
+    if (!descr.empty() && "<>=|"sv.find(descr.front()) != ""sv.npos) {
+        big_endian = descr.front() == '>';
+        descr.remove_prefix(1);
+    }
+    constexpr std::array<std::pair<std::string_view, NumberType>, 11> types{{
+        {"i1", NumberType::i8},
+        {"u1", NumberType::u8},
+        {"i2", NumberType::i16},
+        {"u2", NumberType::u16},
+        {"i4", NumberType::i32},
+        {"u4", NumberType::u32},
+        {"i8", NumberType::i64},
+        {"u8", NumberType::u64},
+        {"f2", NumberType::f16},
+        {"f4", NumberType::f32},
+        {"f8", NumberType::f64},
+    }};
+    for (const auto& [name, type] : types) {
+        if (name == descr) {
+            return std::pair(type, big_endian);
+        }
+    }
+    return std::nullopt;
+}
+
+// Text for a one-line message.
+std::string printable(std::string_view text) {
+    std::string copy(text.substr(0, 20));
+    std::replace_if(
+        copy.begin(), copy.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return copy;
+}
+
+// The axis that counts the channels of a matrix.
+std::size_t channel_axis(const std::vector<std::int64_t>& shape) {
+    return shape[0] > 0 && shape[0] < shape[1] ? 0 : 1;
+}
+
+bool size_fits(const std::vector<std::int64_t>& shape) {
+    // Limits the size, so that products with the size of a number do not overflow.
+    std::int64_t room = std::numeric_limits<std::int64_t>::max() / 16;
+    for (const std::int64_t length : shape) {
+        if (length > room) {
+            return false;
+        }
+        room /= std::max<std::int64_t>(length, 1);
+    }
+    return true;
+}
+
+}  // namespace
+
+Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                           const JobControl& /*job*/) {
     const auto bytes = file_part(file, 0, file->size());
     const auto array = TRY(read_npy_header(*file, *bytes, "NPY"));
     const auto channels = static_cast<int>(array.channels());
@@ -25,6 +216,94 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
                                  npy_column(array, bytes, options.channel_d - 1));
     found.frames = found.source->frames();
     return complete_recording(*file, std::move(found), options);
+}
+
+bool is_npy(std::string_view head) {
+    return head.starts_with(magic);
+}
+
+std::int64_t NpyArray::channels() const {
+    return shape.size() == 2 ? shape[channel_axis(shape)] : 1;
+}
+
+std::int64_t NpyArray::frames() const {
+    return shape.empty() ? 1 : shape.size() == 1 ? shape[0] : shape[1 - channel_axis(shape)];
+}
+
+Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
+                                 const std::string& name) {
+    const auto damaged = [&](const char* text) {
+        return file.error(ErrorCode::format_damaged, {name, words(text)});
+    };
+    const auto unsupported = [&](const char* text, std::vector<MessageArg> args = {}) {
+        return file.error(ErrorCode::format_unsupported, {name, words(text, std::move(args))});
+    };
+    std::array<char, 12> start{};
+    const auto start_size = std::min<std::int64_t>(bytes.size(), start.size());
+    if (const Status status =
+            bytes.read(0, std::span(start).first(static_cast<std::size_t>(start_size)));
+        !status) {
+        return status.error();
+    }
+    if (start_size < 10 || !is_npy({start.data(), start.size()})) {
+        return damaged(VYBEG_MESSAGE("Words", "its first bytes are not those of an array"));
+    }
+    const int version = start[6];
+    if (version < 1 || version > 3) {
+        return unsupported(VYBEG_MESSAGE("Words", "the format version %1"), {count_arg(version)});
+    }
+    const std::int64_t text_at = version == 1 ? 10 : 12;
+    const std::int64_t text_size = version == 1 ? load<std::uint16_t>(start.data() + 8, false)
+                                                : load<std::uint32_t>(start.data() + 8, false);
+    if (text_size > longest_npy_header || text_at + text_size > bytes.size()) {
+        return damaged(VYBEG_MESSAGE("Words", "its header is longer than it can be"));
+    }
+    std::string text(static_cast<std::size_t>(text_size), '\0');
+    TRY(bytes.read(text_at, text));
+    const auto header = parse_header(text);
+    if (!header) {
+        return damaged(VYBEG_MESSAGE("Words", "its header cannot be understood"));
+    }
+    if (header->descr->empty()) {
+        return unsupported(VYBEG_MESSAGE("Words", "records of several fields"));
+    }
+    const auto type = parse_type(*header->descr);
+    if (!type) {
+        return unsupported(VYBEG_MESSAGE("Words", "values of the type %1"),
+                           {printable(*header->descr)});
+    }
+    if (header->shape->size() > 2) {
+        return unsupported(VYBEG_MESSAGE("Words", "an array of %1 dimensions"),
+                           {count_arg(std::ssize(*header->shape))});
+    }
+    if (!size_fits(*header->shape)) {
+        return damaged(
+            VYBEG_MESSAGE("Words", "its header promises more samples than any file can hold"));
+    }
+    NpyArray array{type->first, type->second, *header->fortran_order, *header->shape,
+                   text_at + text_size};
+    if (array.channels() > most_channels) {
+        return unsupported(VYBEG_MESSAGE("Words", "%1 channels"), {count_arg(array.channels())});
+    }
+    return array;
+}
+
+SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource> bytes,
+                        std::int64_t channel) {
+    const std::int64_t size = bytes_of(array.type);
+    // Whether the samples of a channel are contiguous, one channel after the other.
+    const bool apart =
+        array.shape.size() < 2 || (channel_axis(array.shape) == 0) != array.fortran_order;
+    StridedRange range;
+    range.stride = apart ? size : array.channels() * size;
+    range.offset = array.data_offset + channel * (apart ? array.frames() * size : size);
+    const std::int64_t room = bytes->size() - range.offset - size;
+    range.count =
+        room < 0 || array.channels() == 0 ? 0 : std::min(array.frames(), room / range.stride + 1);
+    range.per_chunk = std::max<std::int64_t>(range.count, 1);
+    range.chunk_stride = range.per_chunk * range.stride;
+    range.big_endian = array.big_endian;
+    return {std::move(bytes), array.type, {range}};
 }
 
 }  // namespace vybeg

@@ -1,18 +1,55 @@
 #pragma once
 
+#include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/recording/bytes/byte_source.h"
 #include "core/recording/bytes/file_bytes.h"
+#include "core/recording/bytes/number_type.h"
+#include "core/recording/samples/column_source.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
 
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace vybeg {
+
+// Whether the first bytes of a file are those of a NumPy array (NPY).
+bool is_npy(std::string_view head);
+
+// Header of a NumPy array (format 1.0, 2.0 and 3.0). A scalar has no shape, a vector one number, a
+// matrix two. The shorter axis of a matrix counts the channels; for a square or an empty one it is
+// the second.
+struct NpyArray {
+    NumberType type = NumberType::f64;
+    bool big_endian = false;
+    bool fortran_order = false;
+    std::vector<std::int64_t> shape;
+    std::int64_t data_offset = 0;  // bytes from the start of the array's file
+
+    std::int64_t frames() const;
+    std::int64_t channels() const;
+};
+
+// Reads the header. `name`: name of the array in messages, e.g. "NPY". Errors about `file`:
+// format_damaged; format_unsupported for other data types than numbers of NumberType and for more
+// than two dimensions or 4096 channels.
+Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
+                                 const std::string& name);
+
+// Positions of the samples of a channel (from 0) within the bytes, possibly fewer than the header
+// states.
+SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource> bytes,
+                        std::int64_t channel);
 
 // A NumPy array (NPY, is_npy()) of shape (n, channels) or (channels, n), read on demand; the rate
 // is the option's. A file shorter than its header states opens with the diagnostic file_ends_early.
 // Errors: format_damaged, format_unsupported, too_few_channels, channel_out_of_range,
 // too_few_frames, rate_unknown.
-Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options);
+Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                           const JobControl& job);
 
 }  // namespace vybeg

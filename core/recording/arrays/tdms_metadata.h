@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/message_arg.h"
-#include "core/recording/arrays/tdms_values.h"
 #include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +13,27 @@
 #include <vector>
 
 namespace vybeg {
+
+inline constexpr std::uint32_t tdms_string = 0x20;
+inline constexpr std::uint32_t tdms_time = 0x44;
+
+// Number type of a TDMS type, if samples can have it.
+std::optional<NumberType> tdms_number(std::uint32_t type);
+
+// Bytes of one value of a TDMS type; empty for strings and unknown types.
+std::optional<int> tdms_bytes(std::uint32_t type);
+
+// A TDMS time stamp as "2020-03-01T12:34:56.789Z". It counts seconds from 1904 on, and fractions of
+// 2^-64 s. Empty outside the years 1 to 9999.
+std::string tdms_time_text(std::int64_t seconds, std::uint64_t fraction);
+
+// Group and channel of an object's path: /'group'/'channel', a quote within a name written twice;
+// "/" is the file itself, without either. Empty for other texts.
+struct TdmsPath {
+    std::string group;
+    std::string channel;
+};
+std::optional<TdmsPath> tdms_path(const std::string& path);
 
 // Value in place of the length of an object's raw index: no raw data.
 inline constexpr std::uint32_t tdms_no_raw_data = 0xFFFFFFFF;

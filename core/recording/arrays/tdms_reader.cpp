@@ -1,12 +1,10 @@
 #include "core/recording/arrays/tdms_reader.h"
 
-#include "core/recording/arrays/tdms_ranges.h"
 #include "core/recording/arrays/tdms_scale.h"
 #include "core/recording/arrays/tdms_segments.h"
-#include "core/recording/arrays/tdms_values.h"
 #include "core/recording/samples/column_source.h"
-#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/reader_rules.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
 #include <cmath>

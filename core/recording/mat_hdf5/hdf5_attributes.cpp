@@ -1,7 +1,7 @@
 #include "core/recording/mat_hdf5/hdf5_attributes.h"
 
-#include "core/recording/samples/column_words.h"
-#include "core/recording/samples/rate_name.h"
+#include "core/base/plain_text.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
 #include <array>
@@ -86,7 +86,7 @@ Hdf5Attributes read_attributes(hid_t object) {
         }
         const std::string name = name_of(attribute.get());
         const std::string small = lower_text(name);
-        if (small == "unit" || small == "units" || small == "unit_string") {
+        if (meaning_of(name) == Meaning::units) {
             found.unit = text_of(attribute.get());
         } else if (name == "MATLAB_class") {
             found.matlab_class = text_of(attribute.get());

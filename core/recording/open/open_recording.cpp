@@ -1,19 +1,13 @@
 #include "core/recording/open/open_recording.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/arrays/raw_reader.h"
-#include "core/recording/arrays/tdms_reader.h"
-#include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/open/file_kind.h"
+#include "core/recording/open/file_format.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/scaled_source.h"
 #include "core/recording/text/text_recording.h"
-#include "core/recording/text/uff_reader.h"
-#include "core/recording/variables/helper_reader.h"
-#include "core/recording/variables/npz_reader.h"
 
 #include <memory>
 #include <utility>
@@ -30,18 +24,9 @@ Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
         return open_text(file, options, job);
     }
     const auto head = TRY(file_head(*file));
-    switch (file_kind(head, *file)) {
-        case FileKind::audio: return open_audio(file, options, job);
-        case FileKind::npy: return open_npy(file, options);
-        case FileKind::npz: return open_npz(file, options, job);
-        case FileKind::tdms: return open_tdms(file, options, job);
-        case FileKind::mat_or_hdf5:
-            return open_with_library(file, *library_format(head, *file), options, job);
-        case FileKind::uff: return open_uff(file, options, job);
-        case FileKind::text: return open_text(file, options, job);
-        case FileKind::unknown: break;
-    }
-    return file->error(ErrorCode::format_unknown);
+    const FileFormat* const format = find_format(head, *file);
+    return format ? format->open(file, options, job)
+                  : Result<Recording>(file->error(ErrorCode::format_unknown));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/envelope/envelope_builder.h"
 #include "core/recording/envelope/sparse_scan.h"
-#include "core/recording/open/file_kind.h"
+#include "core/recording/open/file_format.h"
 #include "core/recording/samples/scaled_source.h"
 #include "core/recording/text/text_recording.h"
 
@@ -124,7 +124,8 @@ std::optional<QuickOverview> quick_overview(const std::filesystem::path& path,
         return {};
     }
     const auto head = file_head(**file);
-    if (!head || file_kind(*head, **file) != FileKind::text) {
+    const FileFormat* const format = head ? find_format(*head, **file) : nullptr;
+    if (!format || !format->is_text) {
         return {};
     }
     const auto table = choose_table(*file, options, job);

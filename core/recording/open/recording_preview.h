@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/recording/open/file_kind.h"
+#include "core/recording/open/file_format.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
 #include "core/recording/samples/recording_format.h"
@@ -22,16 +22,15 @@ struct PreviewLine {
     std::vector<std::string> cells;  // of a row; otherwise the whole line as one cell
 };
 
-// Beginning of a recording under given options, and guesses from its file.
+// Beginning of a recording under given options, and the guessed format of a text.
 struct RecordingPreview {
-    FileKind kind = FileKind::unknown;   // by content, independent of the options
-    std::optional<TextFormat> guessed;   // of text, by content only
-    std::optional<RawLayout> raw_guess;  // of a file of no other kind
-    std::optional<TextFormat> used;      // of a file read as text
-    RecordingFormat format;              // as Recording::format
-    std::vector<Channel> channels;       // as Recording::channels
-    std::vector<Channel> columns;        // of the cells
-    int time_column = -1;                // among them, from 0; -1: none
+    const FileFormat* file_format = nullptr;  // by content, independent of the options
+    std::optional<TextFormat> guessed;        // of text, by content only
+    std::optional<TextFormat> used;           // of a file read as text
+    RecordingFormat format;                   // as Recording::format
+    std::vector<Channel> channels;            // as Recording::channels
+    std::vector<Channel> columns;             // of the cells
+    int time_column = -1;                     // among them, from 0; -1: none
     int c_column = -1;
     int d_column = -1;
     std::vector<PreviewLine> lines;

@@ -98,6 +98,19 @@ bool are_pairs(const SampleColumn& left, const SampleColumn& right, std::int64_t
            place(next, last) == place(range, last) + width;
 }
 
+Status fetch(const ByteSource& source, ByteRange range, Scratch& bytes) {
+    return source.read(range.begin, bytes.room(static_cast<std::size_t>(range.size())));
+}
+
+// Precondition: the samples lie within one range.
+Status fetch_block(const SampleColumn& column, std::int64_t at, std::span<double> out,
+                   Scratch& bytes) {
+    const ByteRange range = range_of(column, at, static_cast<std::int64_t>(out.size()));
+    TRY(fetch(*column.bytes, range, bytes));
+    decode_block(column, at, bytes.data(), range.begin, out);
+    return {};
+}
+
 class ColumnSource final : public SampleSource {
 public:
     ColumnSource(SampleColumn c, SampleColumn d)
@@ -143,15 +156,8 @@ private:
             }
             return {};
         }
-        TRY(fetch(*c_.bytes, range_c, bytes));
-        decode_block(c_, at, bytes.data(), range_c.begin, c);
-        TRY(fetch(*d_.bytes, range_d, bytes));
-        decode_block(d_, at, bytes.data(), range_d.begin, d);
-        return {};
-    }
-
-    static Status fetch(const ByteSource& source, ByteRange range, Scratch& bytes) {
-        return source.read(range.begin, bytes.room(static_cast<std::size_t>(range.size())));
+        TRY(fetch_block(c_, at, c, bytes));
+        return fetch_block(d_, at, d, bytes);
     }
 
     SampleColumn c_;
@@ -171,6 +177,19 @@ StridedRange even_run(std::int64_t count, std::int64_t offset, std::int64_t stri
     range.chunk_stride = range.per_chunk * stride;
     range.big_endian = big_endian;
     return range;
+}
+
+Status read_column(const SampleColumn& column, std::int64_t first, std::span<double> out) {
+    Scratch bytes;
+    const auto length = static_cast<std::int64_t>(out.size());
+    for (std::int64_t done = 0; done < length;) {
+        const std::int64_t count = std::min(length - done, samples_in_block(column, first + done));
+        TRY(fetch_block(
+            column, first + done,
+            out.subspan(static_cast<std::size_t>(done), static_cast<std::size_t>(count)), bytes));
+        done += count;
+    }
+    return {};
 }
 
 std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d) {

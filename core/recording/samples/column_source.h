@@ -37,6 +37,9 @@ struct SampleColumn {
     std::int64_t frames() const { return ranges.empty() ? 0 : ranges.back().end(); }
 };
 
+// Fills `out` with the samples of a column from the frame `first` on. Precondition: as below.
+Status read_column(const SampleColumn& column, std::int64_t first, std::span<double> out);
+
 // Source of two channels, read on demand, with as many frames as the shorter one. Adjacent columns
 // with the same `bytes` are read together. Precondition: every sample lies inside the bytes, with
 // ascending offsets within a range.

@@ -1,8 +1,8 @@
 #include "core/recording/samples/reader_rules.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/samples/channel_units.h"
-#include "core/recording/samples/column_words.h"
+#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +47,19 @@ bool are_times_or_rows(std::span<const double> samples, double rate_hz) {
     return is_size_known && std::ranges::adjacent_find(samples, [&](double before, double after) {
                                 return !is_close(after - before, step);
                             }) == samples.end();
+}
+
+// Converts channel D to the unit of C if the file has both units, with the diagnostic
+// unit_converted; warns about an unknown ratio (units_differ).
+void match_units(Recording& recording) {
+    const auto channel = [&](int number) -> const Channel& {
+        return recording.channels[static_cast<std::size_t>(number - 1)];
+    };
+    const double factor = note_units(channel(recording.channel_c), channel(recording.channel_d),
+                                     recording.diagnostics);
+    if (factor != 1) {
+        recording.source = scaled_source(std::move(recording.source), 1, factor);
+    }
 }
 
 // Only channels without a name are looked at: the names of others tell times from signals.
@@ -117,6 +130,26 @@ void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& rec
          std::max(samples_c, samples_d) - std::min(samples_c, samples_d)});
 }
 
+double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& diagnostics) {
+    if (c.unit.empty() || d.unit.empty()) {
+        if (c.unit.empty() != d.unit.empty()) {
+            const Channel& with = c.unit.empty() ? d : c;
+            const Channel& without = c.unit.empty() ? c : d;
+            diagnostics.push_back(
+                {DiagnosticKind::unit_of_one, {with.name, with.unit, without.name}, -1, 0});
+        }
+        return 1;
+    }
+    const auto ratio = unit_ratio(d.unit, c.unit);
+    if (!ratio) {
+        diagnostics.push_back(
+            {DiagnosticKind::units_differ, {c.name, c.unit, d.name, d.unit}, -1, 0});
+    } else if (*ratio != 1) {
+        diagnostics.push_back({DiagnosticKind::unit_converted, {d.name, d.unit, c.unit}, -1, 0});
+    }
+    return ratio.value_or(1);
+}
+
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options) {
     constexpr double too_coarse = 0.2;  // of times in whole seconds, for instance
@@ -157,7 +190,7 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     const std::string c = name_of(options.channel_c);
     const std::string d = name_of(options.channel_d);
     const bool is_chosen = !options.variables.empty() || options.channel_c > options.channel_d;
-    if (!is_chosen && channel_letter(c) == 'd' && channel_letter(d) == 'c') {
+    if (!is_chosen && meaning_of(c) == Meaning::channel_d && meaning_of(d) == Meaning::channel_c) {
         recording.diagnostics.push_back({DiagnosticKind::channels_crossed, {c, d}});
     }
     if (recording.source) {

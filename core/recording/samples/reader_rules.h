@@ -31,6 +31,10 @@ std::vector<Channel> numbered_channels(int count);
 // Adds channels_unequal for C's and D's samples. Precondition: source and channels are set.
 void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& recording);
 
+// Factor from the unit of D to that of C, with its diagnostic; 1 if one channel has no unit or the
+// ratio is unknown.
+double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& diagnostics);
+
 struct SampleRate {
     double hz = 0;
     RateOrigin from = RateOrigin::file;
@@ -57,7 +61,7 @@ struct FoundSamples {
 };
 
 // Makes the recording after the checks above. Adds file_ends_early if it has fewer frames than
-// stated, and file_not_closed; converts D to the unit of C (match_units()). Errors: those of
+// stated, and file_not_closed; converts D to the unit of C (note_units()). Errors: those of
 // check_channels(), choose_rate() and check_frames(), in this order; channel_is_time.
 Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
                                      const OpenOptions& options);

@@ -118,6 +118,33 @@ void split_fields(std::string_view line, char delimiter, std::vector<std::string
     }
 }
 
+std::string_view without_comment_mark(std::string_view line) {
+    line = trimmed(line);
+    while (!line.empty() && (line.front() == '#' || line.front() == '%' || line.front() == ';')) {
+        line.remove_prefix(1);
+    }
+    while (line.starts_with("//")) {
+        line.remove_prefix(2);
+    }
+    return trimmed(line);
+}
+
+std::vector<std::string> header_fields(std::string_view line, char delimiter) {
+    std::vector<std::string_view> parts;
+    split_fields(is_comment(line, delimiter) ? without_comment_mark(line) : line, delimiter, parts);
+    std::vector<std::string> fields;
+    for (const std::string_view part : parts) {
+        // "S_C [V]", "t, ms" between blanks
+        if (delimiter == ' ' && !fields.empty() &&
+            (part.starts_with('[') || part.starts_with('(') || fields.back().ends_with(','))) {
+            fields.back().append(" ").append(part);
+        } else {
+            fields.emplace_back(part);
+        }
+    }
+    return fields;
+}
+
 std::string usual_number(std::string_view field, bool groups) {
     // A blank, or a point, before three digits and no fourth, behind another digit; without a
     // break, also of Windows-1251.

@@ -18,6 +18,12 @@ bool is_comment(std::string_view line, char delimiter);
 // after the last field, or a '|' at both ends, adds no field.
 void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
 
+// The fields of a line above a table. A name with its unit in brackets or behind a comma is one
+// field even if blanks separate fields: "S_C [V]", "t, ms".
+std::vector<std::string> header_fields(std::string_view line, char delimiter);
+
+std::string_view without_comment_mark(std::string_view line);
+
 // Number of a whole field: NaN for an empty field or a mark of a missing value ("nan", "NA"),
 // infinite for an overload ("inf", U+221E, "OVLD", 9.9E37 to 3.5E38); empty for other texts.
 // Independent of the locale. Fortran's D is read as E, the sign U+2212 as a minus; with a decimal

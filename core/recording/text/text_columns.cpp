@@ -1,8 +1,8 @@
 #include "core/recording/text/text_columns.h"
 
 #include "core/numerics/median.h"
-#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_blocks.h"
 #include "core/recording/text/text_clock.h"
 
@@ -196,7 +196,7 @@ private:
             can_be_time(first)) {
             const bool counts = is_whole(at(first).values) && time_unit(name(first)).empty() &&
                                 (said || !unit_said);
-            if (counts && is_counter_name(name(first).name)) {
+            if (counts && meaning_of(name(first).name) == Meaning::counter) {
                 format_.counter_column = first;
             } else if (!counts && candidate < 0 && !said && !counts_other(first)) {
                 candidate = first;
@@ -285,6 +285,17 @@ private:
 };
 
 }  // namespace
+
+std::vector<int> channel_columns(const TextFormat& format) {
+    std::vector<int> columns;
+    for (int column = 0; column < format.columns; ++column) {
+        if (column != format.time_column && column != format.counter_column &&
+            std::ranges::find(format.no_channels, column) == format.no_channels.end()) {
+            columns.push_back(column);
+        }
+    }
+    return columns;
+}
 
 void find_columns(std::span<const std::string> rows, const std::vector<Channel>& columns,
                   const TextChoice& choice, std::vector<int> words, TextFormat& format) {

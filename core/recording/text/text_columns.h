@@ -2,13 +2,42 @@
 
 #include "core/recording/samples/recording.h"
 #include "core/recording/samples/text_choice.h"
-#include "core/recording/text/text_layout.h"
+#include "core/recording/text/text_rate.h"
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace vybeg {
+
+// How a text file writes its table of numbers: what find_table() needs to know, whether it was
+// guessed or said in a dialog.
+struct TextFormat {
+    char delimiter = ',';  // ',' ';' '\t' '|' or ' ', which stands for any blanks
+    bool decimal_comma = false;
+    std::int64_t lines_to_skip = 0;  // lines above the first row of numbers
+    int columns = 0;
+    int time_column = -1;       // from 0; -1: none
+    int counter_column = -1;    // from 0: numbers of the rows, neither time nor channel; -1: none
+    double time_unit_s = 1;     // seconds per unit of the time column
+    int header_lines_used = 0;  // of the skipped lines, those that the names and units came from
+    std::vector<std::string> names;  // one per column, empty where the file does not tell
+    std::vector<std::string> units;
+    std::vector<int> no_channels{};    // columns beside these that hold no samples, from 0
+    std::vector<std::string> words{};  // names, or else numbers from 1, of columns that hold words
+    std::vector<int> own_times{};      // the time column of each column, where they are not all one
+    std::optional<std::int64_t> clock_from_s{};  // times of day count from this second of the day
+    std::vector<WrittenRate> rates{};  // of each column; empty where the lines above name none
+    bool has_remarks = false;          // what stands behind the last column is a comment
+    std::string unknown_time_unit{};   // of the time column, which is read as seconds
+
+    friend bool operator==(const TextFormat&, const TextFormat&) = default;
+};
+
+// The columns that are channels, from 0: all but the time, the counter and no_channels.
+std::vector<int> channel_columns(const TextFormat& format);
 
 // More are no channels: the samples stand in rows.
 inline constexpr int most_columns = 4096;

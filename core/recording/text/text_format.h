@@ -3,7 +3,7 @@
 #include "core/recording/samples/recording.h"
 #include "core/recording/samples/recording_format.h"
 #include "core/recording/samples/text_choice.h"
-#include "core/recording/text/text_layout.h"
+#include "core/recording/text/text_columns.h"
 
 #include <optional>
 #include <span>

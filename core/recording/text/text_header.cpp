@@ -1,9 +1,9 @@
 #include "core/recording/text/text_header.h"
 
+#include "core/base/plain_text.h"
 #include "core/recording/bytes/text_encoding.h"
-#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/samples/unit_ratio.h"
+#include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_rate.h"
 
@@ -14,38 +14,10 @@
 namespace vybeg {
 namespace {
 
-constexpr std::array<std::string_view, 13> other_units = {
-    "v", "mv", "uv", "в", "мв", "мкв", "volt", "volts", "a", "ma", "counts", "lsb", "g"};
-
-// First fields of lines that hold the names, and the units, of the columns below them.
-constexpr std::array<std::string_view, 10> name_labels = {
-    "tracename", "channelname", "channelnames", "source", "label",
-    "labels",    "signalname",  "kanalname",    "name",   "channel"};
-constexpr std::array<std::string_view, 9> unit_labels = {"vunit", "verticalunit", "verticalunits",
-                                                         "yunit", "yunits",       "yunitlabel",
-                                                         "unit",  "units",        "einheit"};
-
-// Of lines that hold neither, one value for each column.
-constexpr std::array<std::string_view, 5> other_labels = {"hunit", "horizontalunit",
-                                                          "horizontalunits", "xunit", "xunits"};
-
-template <std::size_t count>
-bool among(const std::array<std::string_view, count>& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::string_view without_brackets(std::string_view text) {
-    const bool bracketed = text.size() >= 2 && ((text.front() == '[' && text.back() == ']') ||
-                                                (text.front() == '(' && text.back() == ')'));
-    return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
-}
-
 bool is_unit(std::string_view raw) {
     const std::string field = to_utf8(raw);
     const std::string_view bare = without_brackets(field);
-    const std::string name = lower_text(bare);
-    return bare.size() < field.size() || field.empty() || seconds_per(bare) ||
-           among(other_units, name) || is_known_unit(bare);
+    return bare.size() < field.size() || field.empty() || is_unit_below_name(bare);
 }
 
 bool is_unit_line(std::span<const std::string> fields) {
@@ -55,21 +27,10 @@ bool is_unit_line(std::span<const std::string> fields) {
 
 // "Sequence,Volt,Volt" and "Time,Volt,Volt": units but for the first column.
 bool is_unit_line_behind_axis(std::span<const std::string> fields) {
-    const std::string first = lower_text(fields[0]);
     return fields.size() > 1 && !fields[0].empty() &&
-           (is_time_name(first) || is_counter_name(first)) && is_unit_line(fields.subspan(1)) &&
+           (is_time_name(lower_text(fields[0])) || meaning_of(fields[0]) == Meaning::counter) &&
+           is_unit_line(fields.subspan(1)) &&
            std::ranges::none_of(fields.subspan(1), [](const auto& f) { return f.empty(); });
-}
-
-// Small letters and digits of a field, without the rest: "Vertical Units :" is verticalunits.
-std::string label_of(std::string_view field) {
-    std::string label;
-    for (const char c : lower_text(field)) {
-        if (std::string_view(" \t_-.:=").find(c) == std::string_view::npos) {
-            label += c;
-        }
-    }
-    return label;
 }
 
 // "CH1:V": what stands behind the channel's name. A name keeps it.
@@ -86,8 +47,7 @@ bool is_rule(std::string_view line) {
 // A field that can be nothing else than a name with its unit, or that of the time.
 bool is_clear_name(const std::string& field) {
     const Channel named = name_and_unit(field);
-    return is_time_name(named.name) ||
-           (!named.name.empty() && (is_known_unit(named.unit) || seconds_per(named.unit)));
+    return is_time_name(named.name) || (!named.name.empty() && is_any_unit(named.unit));
 }
 
 // "C(MV)" among capitals alone is in millivolts.
@@ -146,8 +106,9 @@ private:
         std::vector<std::string> fields = header_fields(line, delimiter);
         const std::size_t columns = header_.columns.size();
         const auto is_extra = [](const std::string& field) {
-            return field.empty() || is_remark_name(field) || is_rate_key(field) ||
-                   label_of(field) == "start" || has_equals_sign(field) ||
+            const Meaning meaning = meaning_of(field);
+            return field.empty() || meaning == Meaning::remark || meaning == Meaning::start ||
+                   is_rate_key(field) || has_equals_sign(field) ||
                    parse_field(field, false).has_value();
         };
         const auto behind =
@@ -167,7 +128,8 @@ private:
             is_label(fields) || std::all_of(fields.begin(), fields.end(), has_equals_sign)) {
             return true;
         }
-        if (fields[0].empty() || is_time_name(fields[0]) || is_counter_name(fields[0])) {
+        if (fields[0].empty() || is_time_name(fields[0]) ||
+            meaning_of(fields[0]) == Meaning::counter) {
             return fields.size() > 1 && std::all_of(fields.begin() + 1, fields.end(), is_clock);
         }
         const auto is_value = [](const std::string& field) {
@@ -185,9 +147,9 @@ private:
     static bool is_clock(const std::string& field) { return parse_clock(field).has_value(); }
 
     static bool is_label(const std::vector<std::string>& fields) {
-        const std::string label = label_of(fields[0]);
-        return fields.size() > 2 && (among(name_labels, label) || among(unit_labels, label) ||
-                                     among(other_labels, label));
+        const Meaning meaning = meaning_of(fields[0]);
+        return fields.size() > 2 && (meaning == Meaning::names || meaning == Meaning::units ||
+                                     meaning == Meaning::axis_unit);
     }
 
     void find_last_lines() {
@@ -237,7 +199,7 @@ private:
 
     bool ends_with_remark(const std::string& line) const {
         const std::vector<std::string> fields = header_fields(line, delimiter_);
-        return fields.size() > table_columns_ && is_remark_name(fields.back());
+        return fields.size() > table_columns_ && meaning_of(fields.back()) == Meaning::remark;
     }
 
     bool named_above(std::size_t line) const {
@@ -252,9 +214,9 @@ private:
         if (fields.empty()) {
             return;
         }
-        const std::string label = label_of(fields[0]);
-        std::vector<std::string>* values = among(name_labels, label)   ? &names_
-                                           : among(unit_labels, label) ? &labelled_
+        const Meaning meaning = meaning_of(fields[0]);
+        std::vector<std::string>* values = meaning == Meaning::names   ? &names_
+                                           : meaning == Meaning::units ? &labelled_
                                                                        : nullptr;
         if (!values || !values->empty()) {
             return;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/recording.h"
 
 #include <span>

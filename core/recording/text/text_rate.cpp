@@ -2,9 +2,8 @@
 
 #include "core/base/plain_text.h"
 #include "core/recording/bytes/text_encoding.h"
-#include "core/recording/samples/column_words.h"
-#include "core/recording/samples/rate_name.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
 #include <array>
@@ -15,74 +14,12 @@
 namespace vybeg {
 namespace {
 
-constexpr std::array<std::string_view, 24> rate_keys{"fs",
-                                                     "sr",
-                                                     "rate",
-                                                     "samplerate",
-                                                     "samplingrate",
-                                                     "samplingfreq",
-                                                     "samplefreq",
-                                                     "fsample",
-                                                     "scanrate",
-                                                     "samplefrequency",
-                                                     "updaterate",
-                                                     "acquisitionrate",
-                                                     "messrate",
-                                                     "samplingfrequency",
-                                                     "abtastrate",
-                                                     "abtastfrequenz",
-                                                     "sampling",
-                                                     "samplespersecond",
-                                                     "frequencyofsampling",
-                                                     "частотадискретизации",
-                                                     "частотасбора",
-                                                     "частотаопроса",
-                                                     "частотаоцифровки",
-                                                     "частотавыборки"};
-constexpr std::array<std::string_view, 24> step_keys{"dt",
-                                                     "increment",
-                                                     "wfincrement",
-                                                     "sampleinterval",
-                                                     "samplinginterval",
-                                                     "sampleperiod",
-                                                     "samplingperiod",
-                                                     "tinc",
-                                                     "xinc",
-                                                     "xincr",
-                                                     "xincrement",
-                                                     "timeincrement",
-                                                     "timeinterval",
-                                                     "deltax",
-                                                     "deltat",
-                                                     "delta",
-                                                     "timestep",
-                                                     "hresolution",
-                                                     "hinc",
-                                                     "abtastintervall",
-                                                     "шагповремени",
-                                                     "шагдискретизации",
-                                                     "периоддискретизации",
-                                                     "интервалдискретизации"};
-
 constexpr std::size_t longest_line_with_rate = 4096;  // bytes; what is longer is no header
 constexpr double agreement = 1e-6;                    // relative, besides what the digits explain
 
-// Small letters without what separates words.
-std::string plain_key(std::string_view text) {
-    std::string key;
-    for (const char c : lower_text(text)) {
-        if (std::string_view(" \t_-.\"'").find(c) == std::string_view::npos) {
-            key += c;
-        }
-    }
-    return key;
-}
-
-enum class KeyKind { none, rate, step };
-
 struct Key {
-    KeyKind kind = KeyKind::none;
-    std::string unit;  // in brackets or behind a comma
+    Meaning meaning = Meaning::other;  // or rate, or step
+    std::string unit;                  // in brackets or behind a comma
 };
 
 Key key_of(std::string_view text) {
@@ -90,17 +27,11 @@ Key key_of(std::string_view text) {
     while (!text.empty() && (text.back() == ':' || text.back() == '=')) {
         text = trimmed(text.substr(0, text.size() - 1));
     }
-    const auto known = [](const auto& keys, const std::string& key) {
-        return std::ranges::find(keys, std::string_view(key)) != keys.end();
-    };
-    Channel named = name_and_unit(text);
-    for (const std::string& name : {plain_key(text), plain_key(named.name)}) {
-        const std::string unit = name == plain_key(text) ? std::string() : named.unit;
-        if (known(rate_keys, name)) {
-            return {KeyKind::rate, unit};
-        }
-        if (known(step_keys, name)) {
-            return {KeyKind::step, unit};
+    const Channel named = name_and_unit(text);
+    for (const Channel& key : {Channel{std::string(text), ""}, named}) {
+        const Meaning meaning = meaning_of(key.name, NamedIn::text);
+        if (meaning == Meaning::rate || meaning == Meaning::step) {
+            return {meaning, key.unit};
         }
     }
     return {};
@@ -134,7 +65,7 @@ void drop_groups(std::string& number, char group) {
 struct NumberText {
     std::string number;
     double value = 0;
-    std::string unit;  // directly behind it, in small letters
+    std::string unit;  // directly behind it
 };
 
 // `group`: the sign between thousands, 0 where there is none.
@@ -173,7 +104,7 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
     if (unit.starts_with('(') || unit.starts_with('[')) {
         unit.remove_prefix(1);
     }
-    found.unit = lower_text(unit.substr(0, unit.find_first_of(" \t,;|()[]\"")));
+    found.unit = unit.substr(0, unit.find_first_of(" \t,;|()[]\""));
     while (found.unit.ends_with('.')) {
         found.unit.pop_back();
     }
@@ -181,31 +112,20 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
 }
 
 // Seconds or hertz per unit; nothing where the unit is none of its kind.
-std::optional<double> factor_of(KeyKind kind, const std::string& unit) {
-    if (kind == KeyKind::step) {
-        return seconds_per(unit);
-    }
-    return hertz_per(unit);
+std::optional<double> rate_factor(Meaning meaning, const std::string& unit) {
+    return meaning == Meaning::step ? seconds_per(unit) : hertz_per(unit);
 }
 
-// Lines that name the unit of the times: "HUnit,ms", "X_Unit<tab>ms".
-constexpr std::array<std::string_view, 6> axis_unit_keys{
-    "hunit", "horizontalunit", "horizontalunits", "xunit", "xunits", "timeunit"};
-
-// The unit of a step that has none itself; empty where no line names one of time.
+// The unit of a step that has none itself, from a line like "HUnit,ms"; empty where no line names
+// one of time.
 std::string axis_unit(std::span<const std::string> lines, char delimiter) {
     for (const std::string& line : lines) {
         const std::vector<std::string> fields = header_fields(line, delimiter);
         if (fields.size() < 2) {
             continue;
         }
-        std::string key = plain_key(fields[0]);
-        while (key.ends_with(':')) {
-            key.pop_back();
-        }
         const std::string unit = to_utf8(trimmed(fields[1]));
-        if (std::ranges::find(axis_unit_keys, std::string_view(key)) != axis_unit_keys.end() &&
-            seconds_per(unit)) {
+        if (meaning_of(fields[0]) == Meaning::axis_unit && seconds_per(unit)) {
             return unit;
         }
     }
@@ -217,11 +137,11 @@ std::optional<WrittenRate> written(const Key& key, const NumberText& number,
                                    const std::string& unit_of_axis) {
     double factor = 1;
     for (const std::string& unit : {number.unit, key.unit, unit_behind,
-                                    key.kind == KeyKind::step ? unit_of_axis : std::string()}) {
+                                    key.meaning == Meaning::step ? unit_of_axis : std::string()}) {
         if (unit.empty()) {
             continue;
         }
-        const auto known = factor_of(key.kind, unit);
+        const auto known = rate_factor(key.meaning, unit);
         if (!known) {
             return std::nullopt;  // counts something else
         }
@@ -229,7 +149,7 @@ std::optional<WrittenRate> written(const Key& key, const NumberText& number,
         break;
     }
     const double value = number.value * factor;
-    const double hz = key.kind == KeyKind::rate ? value : 1 / value;
+    const double hz = key.meaning == Meaning::rate ? value : 1 / value;
     if (!std::isfinite(hz) || !(hz > 0)) {
         return std::nullopt;
     }
@@ -261,7 +181,7 @@ private:
         const std::vector<std::string> fields = header_fields(lines_[line], delimiter_);
         for (std::size_t i = 0; i < fields.size(); ++i) {
             const Key key = key_of(fields[i]);
-            if (key.kind == KeyKind::none) {
+            if (key.meaning == Meaning::other) {
                 continue;
             }
             std::vector<WrittenRate> rates(columns_);
@@ -271,7 +191,7 @@ private:
                 if (!number && !fields[j].empty()) {
                     break;
                 }
-                const std::string behind = unit_behind(fields, j + 1, key.kind);
+                const std::string behind = unit_behind(fields, j + 1, key.meaning);
                 const auto rate = number ? written(key, *number, behind, axis_unit_) : std::nullopt;
                 if (rate) {
                     rates[std::min(j, columns_ - 1)] = *rate;
@@ -301,10 +221,10 @@ private:
              at = text.find_first_of(":=", at + 1)) {
             const std::string_view before = std::string_view(text).substr(0, at);
             Key key = key_of(behind_last(before, {"\t", ";", "|", "  ", "\""}));
-            if (key.kind == KeyKind::none) {
+            if (key.meaning == Meaning::other) {
                 key = key_of(behind_last(before, {"\t", ";", "|", "  ", "\"", ",", ". "}));
             }
-            if (key.kind == KeyKind::none) {
+            if (key.meaning == Meaning::other) {
                 continue;
             }
             std::string_view value = std::string_view(text).substr(at + 1);
@@ -317,7 +237,7 @@ private:
     }
 
     // Steps are small: "1.333 ms" holds no thousands.
-    char group(const Key& key) const { return key.kind == KeyKind::rate ? group_ : '\0'; }
+    char group(const Key& key) const { return key.meaning == Meaning::rate ? group_ : '\0'; }
 
     static std::string_view behind_last(std::string_view text,
                                         std::initializer_list<std::string_view> separators) {
@@ -330,8 +250,8 @@ private:
     }
 
     static std::string unit_behind(const std::vector<std::string>& fields, std::size_t at,
-                                   KeyKind kind) {
-        return at < fields.size() && factor_of(kind, fields[at]) ? fields[at] : std::string();
+                                   Meaning meaning) {
+        return at < fields.size() && rate_factor(meaning, fields[at]) ? fields[at] : std::string();
     }
 
     // Takes what a line says of the columns; the rest of them have the rate of the first that has
@@ -371,7 +291,7 @@ std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char d
 }
 
 bool is_rate_key(std::string_view text) {
-    return key_of(text).kind != KeyKind::none;
+    return key_of(text).meaning != Meaning::other;
 }
 
 double written_relative_sd(std::string_view number, double value) {

@@ -1,12 +1,10 @@
 #include "core/recording/text/text_recording.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/samples/channel_units.h"
-#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/scaled_source.h"
-#include "core/recording/samples/unit_ratio.h"
+#include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_head.h"
 #include "core/recording/text/text_scan.h"
 #include "core/recording/text/text_source.h"
@@ -15,31 +13,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
 namespace {
-
-std::vector<TimeGap> gaps_of(const EvenTimes& even) {
-    std::vector<TimeGap> gaps;
-    for (std::size_t s = 1; s < even.segments.size(); ++s) {
-        const RowSegment& before = even.segments[s - 1];
-        const TimeGap gap{before.first_frame + before.rows - 1, even.segments[s].first_frame};
-        if (gap.after > gap.before + 1) {
-            gaps.push_back(gap);
-        }
-    }
-    return gaps;
-}
-
-std::int64_t frame_of(const EvenTimes& even, std::int64_t row) {
-    const auto behind = std::ranges::upper_bound(even.segments, row, {}, &RowSegment::first_row);
-    const RowSegment& segment = *std::prev(behind);
-    return segment.first_frame + row - segment.first_row;
-}
 
 // Samples whose time or place tells their frame, and what is known of them.
 struct Samples {
@@ -55,9 +34,9 @@ Samples streamed(TextTable table, TextScan scan) {
     if (scan.even) {
         samples.rate =
             SampleRate{scan.even->rate_hz, RateOrigin::time_column, scan.even->rate_relative_sd};
-        report_gaps(gaps_of(*scan.even), scan.even->rate_hz, samples.diagnostics);
+        report_gaps(scan.even->gaps(), scan.even->rate_hz, samples.diagnostics);
         if (samples.first_missing >= 0) {
-            samples.first_missing = frame_of(*scan.even, samples.first_missing);
+            samples.first_missing = scan.even->frame_of(samples.first_missing);
         }
     }
     samples.source = text_source(std::move(table), std::move(scan));

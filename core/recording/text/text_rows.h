@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_blocks.h"
-#include "core/recording/text/text_layout.h"
+#include "core/recording/text/text_columns.h"
 
 #include <cstdint>
 #include <optional>

@@ -245,17 +245,17 @@ Result<UniformTimeDetector> empty_line(const TextTable& table) {
     TextBlock block;
     for (std::int64_t index = 0; table.columns.time >= 0 && index < table.blocks.count(); ++index) {
         TRY(table.blocks.read(index, block));
-        TimedSamples samples;
+        std::vector<double> times_s;
         FinestDigits digits;
         TextRows rows(table.format, table.columns, block, SampleUse::check);
         while (rows.next()) {
-            samples.time_s.push_back(rows.time() * table.format.time_unit_s);
+            times_s.push_back(rows.time() * table.format.time_unit_s);
             digits.add(rows.time_digits(), rows.time());
         }
-        samples.resolution = digits.of_singles(table.format.time_unit_s);
-        const double step_s = samples.time_s.size() > 1 ? typical_step(samples) : 0;
+        const TimeResolution resolution = digits.of_singles(table.format.time_unit_s);
+        const double step_s = times_s.size() > 1 ? typical_step(times_s, resolution) : 0;
         if (step_s > 0) {
-            return UniformTimeDetector(step_s, samples.resolution);
+            return UniformTimeDetector(step_s, resolution);
         }
     }
     return UniformTimeDetector(0);

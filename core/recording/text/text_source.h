@@ -4,6 +4,7 @@
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/text/text_scan.h"
 #include "core/recording/text/text_table.h"
+#include "core/recording/times/time_grid.h"
 
 #include <memory>
 

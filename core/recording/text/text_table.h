@@ -2,7 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/recording/text/text_blocks.h"
-#include "core/recording/text/text_layout.h"
+#include "core/recording/text/text_columns.h"
 #include "core/recording/text/text_rows.h"
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "core/recording/text/uff_dataset.h"
 
 #include "core/recording/bytes/text_encoding.h"
-#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <fast_float/fast_float.h>
 

@@ -5,20 +5,108 @@
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_lines.h"
 #include "core/recording/text/uff_dataset.h"
-#include "core/recording/text/uff_lines.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
 namespace {
+
+// The lines of a Universal File one after the other, without their ends (LF, CRLF, CR). What is
+// binary between them is skipped by its length. Holds one chunk of the file in memory.
+class UffLines {
+public:
+    explicit UffLines(std::shared_ptr<const FileBytes> file) : file_(std::move(file)) {}
+
+    // The next line, valid until the next call; nothing after the last one. Errors:
+    // file_read_failed; format_limit where a line is longer than 1 MiB.
+    Result<std::optional<std::string_view>> next();
+
+    // Precondition: `bytes` is not negative.
+    void skip(std::int64_t bytes);
+
+    std::int64_t number() const { return number_; }  // of the line last returned, from 1
+    bool ended() const { return ended_; }            // whether that line had a line end
+    // Of what follows that line, bytes from the start of the file.
+    std::int64_t position() const { return offset_ - static_cast<std::int64_t>(rest().size()); }
+
+private:
+    std::string_view rest() const { return std::string_view(buffer_).substr(begin_); }
+    Result<bool> fill();
+
+    std::shared_ptr<const FileBytes> file_;
+    std::string buffer_;  // bytes before offset_; from begin_ on they are not yet returned
+    std::size_t begin_ = 0;
+    std::int64_t offset_ = 0;  // in the file
+    std::int64_t number_ = 0;
+    bool ended_ = true;
+};
+
+constexpr std::size_t uff_chunk_bytes = std::size_t{1} << 16;
+
+Result<std::optional<std::string_view>> UffLines::next() {
+    std::size_t looked = 0;  // without a line end so far
+    for (;;) {
+        const std::size_t end = rest().find_first_of("\r\n", looked);
+        // A CR at the end of the chunk may be half of a CRLF.
+        if (end != std::string_view::npos && (rest()[end] == '\n' || end + 1 < rest().size())) {
+            const std::string_view line = rest().substr(0, end);
+            begin_ += end + (rest().substr(end, 2) == "\r\n" ? 2 : 1);
+            ++number_;
+            ended_ = true;
+            return std::optional(line);
+        }
+        looked = std::min(end, rest().size());
+        if (looked > longest_line) {
+            return line_too_long(*file_, "UFF", number_ + 1);
+        }
+        const auto more = TRY(fill());
+        if (!more) {
+            break;
+        }
+    }
+    if (rest().empty()) {
+        return std::optional<std::string_view>();
+    }
+    ended_ = rest().back() == '\r';
+    const std::string_view line = rest().substr(0, rest().size() - (ended_ ? 1 : 0));
+    begin_ = buffer_.size();
+    ++number_;
+    return std::optional(line);
+}
+
+void UffLines::skip(std::int64_t bytes) {
+    const auto held = static_cast<std::int64_t>(rest().size());
+    begin_ += static_cast<std::size_t>(std::min(bytes, held));
+    offset_ += std::min(std::max<std::int64_t>(bytes - held, 0), file_->size() - offset_);
+}
+
+// False at the end of the file.
+Result<bool> UffLines::fill() {
+    buffer_.erase(0, begin_);
+    begin_ = 0;
+    const std::size_t held = buffer_.size();
+    buffer_.resize(held + uff_chunk_bytes);
+    const auto got = file_->read(offset_, std::span(buffer_).subspan(held));
+    if (!got) {
+        return got.error();
+    }
+    buffer_.resize(held + static_cast<std::size_t>(*got));
+    offset_ += *got;
+    return *got > 0;
+}
 
 constexpr std::string_view separator = "-1";  // before and behind each dataset
 constexpr std::string_view time_history = "58";

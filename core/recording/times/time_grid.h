@@ -2,33 +2,13 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/result.h"
+#include "core/recording/times/uniform_times.h"
 
-#include <cmath>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace vybeg {
-
-// How finely a column of times is written: no time is known better than to the coarser of decimals
-// and digits. Times that were 32 bit floats before have been rounded twice.
-struct TimeResolution {
-    double absolute_s = 0;        // one unit of the last decimal that any of them has
-    int significant_digits = 17;  // the most that any of them has
-    double single_unit_s = 0;     // unit (s) in which all of them were 32 bit floats; 0: in none
-
-    double at(double time_s) const;  // seconds
-};
-
-// Whether a 32 bit float lies within `half_digit` of the number, which is a float's where the digit
-// is 0.
-inline bool is_single(double number, double half_digit) {
-    constexpr double ties = 1 + 1e-6;  // a float halfway between two texts, and its parsing
-    constexpr double parsing = 1.2e-16;
-    const double apart = std::abs(number - static_cast<double>(static_cast<float>(number)));
-    return apart <= half_digit * ties + parsing * std::abs(number);
-}
 
 // Samples with a time for each, strictly rising but for what its digits leave open.
 struct TimedSamples {
@@ -46,29 +26,17 @@ struct UniformSamples {
     std::vector<Diagnostic> diagnostics;  // time_uneven, time_gap
 };
 
-// How far a time may lie from a grid of the given step and still be even, s: a thousandth of a step
-// plus what its digits leave open.
-double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s);
-
-// The longest step from one time to the next that rounding may make of the given step, s.
-double longest_rounded_step(double step_s, const TimeResolution& resolution, double time_s);
-
-// False where the gaps between so many rows are so long that a grid of so many frames would be
-// absurdly larger than the file.
-bool is_plausible_grid(double frames, double rows);
-
-// The slope of times (s) between their gaps, s per row. Precondition: two times or more.
-double typical_step(const TimedSamples& samples);
-
-// The frames between `before` and `after` are missing.
-struct TimeGap {
-    std::int64_t before;
-    std::int64_t after;
-};
-
 // One time_gap for each; from the 20th gap on, one for all.
 void report_gaps(std::span<const TimeGap> gaps, double rate_hz,
                  std::vector<Diagnostic>& diagnostics);
+
+// out[i] = value at start + i step of the polynomial through the (up to) 4 points (nodes, values)
+// round it, two on either side; at the ends, through the 4 outermost. The nodes rise and may be
+// uneven; between even nodes h apart the error of a sinusoid of amplitude 1 is at most
+// 3/128 (2 pi f h)^4. A NaN value makes NaN of every point that it takes part in.
+// Precondition: one node or more.
+void interpolate_cubic(std::span<const double> nodes, std::span<const double> values, double start,
+                       double step, std::span<double> out);
 
 // The samples on a uniform grid from the first time on (METHOD section 3). The rate is that of the
 // straight line of least squares through the times between gaps. Where no time lies further from

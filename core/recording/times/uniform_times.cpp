@@ -1,15 +1,22 @@
 #include "core/recording/times/uniform_times.h"
 
+#include "core/numerics/median.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 namespace vybeg {
 namespace {
 
-// Up to where a step counts for one, and from where for more; between them only all times together
-// tell.
+constexpr double even_tolerance = 1e-3;     // of a sample period
+constexpr double most_frames_per_row = 20;  // a grid beyond this and the next is no recording
+
+constexpr double gap_steps = 1.5;  // a longer step has lost samples
+// Up to where a step of about that length counts for one, and from where for more; between them
+// only all times together tell.
 constexpr double longest_single_step = 1.4;
 constexpr double shortest_gap = 1.6;
 constexpr double doubt = 0.2;  // the same for steps that rounding makes longer than that
@@ -20,12 +27,83 @@ constexpr double rows_left_out = 16;  // at most, behind a point of a hull
 constexpr std::size_t most_bounds = 1000;   // on each side, for the interval of the slope
 constexpr double arithmetic_error = 1e-15;  // of a time, relative to the largest
 
+// The longest step from one time to the next that rounding may make of the given step, s.
+double longest_rounded_step(double step_s, const TimeResolution& resolution, double time_s) {
+    // Each of the two times is rounded by up to half of its last digit.
+    return step_s + 1.25 * resolution.at(time_s);
+}
+
+double median_step(std::span<const double> times_s) {
+    std::vector<double> steps(times_s.size() - 1);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        steps[i] = times_s[i + 1] - times_s[i];
+    }
+    return median(std::move(steps));
+}
+
 // Sum of the squares of n whole numbers round their mean.
 double spread(double n) {
     return n * (n * n - 1) / 12;
 }
 
 }  // namespace
+
+double TimeResolution::at(double time_s) const {
+    const double magnitude = std::abs(time_s);
+    const double relative =
+        magnitude > 0 ? std::pow(10.0, std::floor(std::log10(magnitude)) + 1 - significant_digits)
+                      : 0;
+    const double single =
+        magnitude > 0 && single_unit_s > 0
+            ? std::ldexp(single_unit_s, std::ilogb(magnitude / single_unit_s) + 1 -
+                                            std::numeric_limits<float>::digits)
+            : 0;
+    return std::max(absolute_s, relative) + single;
+}
+
+double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s) {
+    // Half of the last digit from rounding, and half of that again for what it does to the line.
+    return even_tolerance * step_s + 0.75 * resolution.at(time_s);
+}
+
+bool is_plausible_grid(double frames, double rows, double always) {
+    return frames < most_frames_per_row * rows + always;
+}
+
+double typical_step(std::span<const double> times_s, const TimeResolution& resolution) {
+    const UniformTimeDetector judge(times_s, median_step(times_s), resolution);
+    double products = 0;
+    double squares = 0;
+    for (const std::int64_t rows : judge.rows_between_gaps()) {
+        const double centre = 0.5 * static_cast<double>(rows - 1);
+        const auto times = times_s.first(static_cast<std::size_t>(rows));
+        times_s = times_s.subspan(times.size());
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            const double k = static_cast<double>(i) - centre;
+            products += k * (times[i] - times[0]);
+            squares += k * k;
+        }
+    }
+    return products / squares;
+}
+
+std::int64_t EvenTimes::frame_of(std::int64_t row) const {
+    const auto behind = std::ranges::upper_bound(segments, row, {}, &RowSegment::first_row);
+    const RowSegment& segment = *std::prev(behind);
+    return segment.first_frame + row - segment.first_row;
+}
+
+std::vector<TimeGap> EvenTimes::gaps() const {
+    std::vector<TimeGap> gaps;
+    for (std::size_t s = 1; s < segments.size(); ++s) {
+        const RowSegment& before = segments[s - 1];
+        const TimeGap gap{before.first_frame + before.rows - 1, segments[s].first_frame};
+        if (gap.after > gap.before + 1) {
+            gaps.push_back(gap);
+        }
+    }
+    return gaps;
+}
 
 // late_s against frame, both against the first time and multiples of step_s_:
 // mean_late_s + slope (frame - mean_frame).
@@ -37,6 +115,14 @@ struct UniformTimeDetector::Line {
     double squares = 0;           // sum of (frame - mean_frame)^2
     std::vector<double> offsets;  // late_s of the first row of each segment
 };
+
+UniformTimeDetector::UniformTimeDetector(std::span<const double> times_s, double step_s,
+                                         const TimeResolution& resolution)
+    : step_s_(step_s), expected_(resolution), has_all_(true) {
+    for (const double time_s : times_s) {
+        add(time_s);
+    }
+}
 
 void UniformTimeDetector::Chain::add(const Point& point) {
     const auto bends_inwards = [&] {
@@ -121,7 +207,14 @@ bool UniformTimeDetector::continues(double time_s) {
     if (segments_.empty()) {
         return false;
     }
-    const double steps = (time_s - segments_.back().last_s) / step_s_;
+    const double last_s = segments_.back().last_s;
+    if (has_all_) {
+        // Not in steps: more than half of the times may be the one before again.
+        const double coarser_s = std::max(std::abs(time_s), std::abs(last_s));
+        return !(time_s - last_s > std::max(gap_steps * step_s_,
+                                            longest_rounded_step(step_s_, expected_, coarser_s)));
+    }
+    const double steps = (time_s - last_s) / step_s_;
     const double longest = std::max(longest_single_step, decade_.rounding);
     const double shortest = std::max(shortest_gap, decade_.rounding + doubt);
     doubtful_ = doubtful_ || !(steps <= longest || steps >= shortest);
@@ -132,7 +225,7 @@ void UniformTimeDetector::add(double time_s) {
     const double decade = decade_of(time_s);
     if (!continues(time_s)) {
         segments_.emplace_back().first_s = time_s;
-        doubtful_ = doubtful_ || segments_.size() > most_segments;
+        doubtful_ = doubtful_ || (!has_all_ && segments_.size() > most_segments);
     }
     if (doubtful_) {
         return;
@@ -303,7 +396,7 @@ bool UniformTimeDetector::pass_all(const Bounds& bounds, Line& line) const {
     return true;
 }
 
-// Whether no time lies further from the line than to_uniform_grid() allows. The largest deviation
+// Whether no time lies further from the line than allowed_deviation(). The largest deviation
 // then stands for that of each time in the slope's standard deviation.
 bool UniformTimeDetector::pass_nearly(const std::vector<RowSegment>& segments,
                                       const TimeResolution& resolution, Line& line) const {
@@ -328,6 +421,21 @@ bool UniformTimeDetector::pass_nearly(const std::vector<RowSegment>& segments,
     }
     line.slope_sd = largest_s / std::sqrt(line.squares);
     return true;
+}
+
+std::vector<std::int64_t> UniformTimeDetector::rows_between_gaps() const {
+    std::vector<std::int64_t> rows;
+    std::ranges::transform(segments_, std::back_inserter(rows), &Segment::rows);
+    return rows;
+}
+
+TimeLine UniformTimeDetector::line() const {
+    TimeLine found{.segments = number_rows(step_s_)};
+    const Line line = fit_line(found.segments);
+    found.start_s = segments_[0].first_s + line.mean_late_s - line.slope * line.mean_frame;
+    found.step_s = step_s_ + line.slope;
+    found.squares = line.squares;
+    return found;
 }
 
 std::optional<EvenTimes> UniformTimeDetector::judge(const TimeResolution& resolution) const {

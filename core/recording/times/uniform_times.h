@@ -1,18 +1,55 @@
 #pragma once
 
-#include "core/recording/times/time_grid.h"
-
+#include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace vybeg {
+
+// How finely a column of times is written: no time is known better than to the coarser of decimals
+// and digits. Times that were 32 bit floats before have been rounded twice.
+struct TimeResolution {
+    double absolute_s = 0;        // one unit of the last decimal that any of them has
+    int significant_digits = 17;  // the most that any of them has
+    double single_unit_s = 0;     // unit (s) in which all of them were 32 bit floats; 0: in none
+
+    double at(double time_s) const;  // seconds
+};
+
+// Whether a 32 bit float lies within `half_digit` of the number, which is a float's where the digit
+// is 0.
+inline bool is_single(double number, double half_digit) {
+    constexpr double ties = 1 + 1e-6;  // a float halfway between two texts, and its parsing
+    constexpr double parsing = 1.2e-16;
+    const double apart = std::abs(number - static_cast<double>(static_cast<float>(number)));
+    return apart <= half_digit * ties + parsing * std::abs(number);
+}
+
+// How far a time may lie from a grid of the given step and still be even, s: a thousandth of a step
+// plus what its digits leave open.
+double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s);
+
+// False where the gaps between so many rows are so long that a grid of so many frames would be
+// absurdly larger than the file. `always`: frames that it may have in any case.
+bool is_plausible_grid(double frames, double rows, double always = 1e7);
+
+// The slope of least squares of times (s), the same between all gaps, s per row. Precondition: two
+// times or more.
+double typical_step(std::span<const double> times_s, const TimeResolution& resolution);
 
 // Rows whose frames on the grid follow each other.
 struct RowSegment {
     std::int64_t first_row = 0;
     std::int64_t first_frame = 0;
     std::int64_t rows = 0;
+};
+
+// The frames between `before` and `after` are missing.
+struct TimeGap {
+    std::int64_t before;
+    std::int64_t after;
 };
 
 // Times that lie on a uniform grid.
@@ -22,10 +59,20 @@ struct EvenTimes {
     std::vector<RowSegment> segments;  // one after the other, gaps between them
 
     std::int64_t frames() const { return segments.back().first_frame + segments.back().rows; }
+    std::int64_t frame_of(std::int64_t row) const;
+    std::vector<TimeGap> gaps() const;
 };
 
-// Judges a column of times while it is read, piece by piece, without keeping it: finds what
-// to_uniform_grid() finds of times that are even. Memory grows with the gaps alone.
+// The straight line of least squares through times against their frames, even or not.
+struct TimeLine {
+    std::vector<RowSegment> segments;
+    double start_s = 0;  // at the frame 0
+    double step_s = 0;
+    double squares = 0;  // of the frames round their mean
+};
+
+// Judges a column of times, the only judge of whether they are even: while it is read, piece by
+// piece, without keeping it. Memory grows with the gaps alone.
 class UniformTimeDetector {
 public:
     // `step_s`: about the time from row to row, typical_step() of some of them; `resolution`: about
@@ -33,16 +80,25 @@ public:
     explicit UniformTimeDetector(double step_s, const TimeResolution& resolution = {})
         : step_s_(step_s), expected_(resolution) {}
 
+    // All times of a column, with the step and resolution of all of them: no step is doubtful.
+    UniformTimeDetector(std::span<const double> times_s, double step_s,
+                        const TimeResolution& resolution);
+
     // The next time (s), not below the one before.
     void add(double time_s);
 
     // Takes on the times of the rows that follow. Precondition: the same step.
     void append(const UniformTimeDetector& next);
 
-    // The grid, where no time lies further from it than to_uniform_grid() allows. Nothing where the
+    // The grid, where no time lies further from it than allowed_deviation(). Nothing where the
     // times are uneven, where that is not certain (steps halfway between one and two), and where
     // there are more gaps than are kept.
     std::optional<EvenTimes> judge(const TimeResolution& resolution) const;
+
+    std::vector<std::int64_t> rows_between_gaps() const;
+
+    // Precondition: all times of a column, two or more, over a plausible number of steps.
+    TimeLine line() const;
 
 private:
     // A row by its number and by how late it is against multiples of step_s_, both from the start
@@ -119,6 +175,7 @@ private:
 
     double step_s_;
     TimeResolution expected_;
+    bool has_all_ = false;
     bool doubtful_ = false;
     std::vector<Segment> segments_;
     Decade decade_;

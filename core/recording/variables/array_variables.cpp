@@ -23,13 +23,12 @@ public:
     Status read(const ChannelPlace& place, std::int64_t first,
                 std::span<double> out) const override {
         const auto opened = opened_.hold();
-        auto& source = (*opened)[{place.variable, place.channel}];
-        if (!source) {
-            const auto column = TRY(column_of(array(place), place.channel));
-            source = column_source(column, column);
+        auto& column = (*opened)[{place.variable, place.channel}];
+        if (!column.bytes) {
+            auto found = TRY(column_of(array(place), place.channel));
+            column = std::move(found);
         }
-        std::vector<double> again(out.size());
-        return source->read(first, out, again);
+        return read_column(column, first, out);
     }
 
     // Errors: those of the contents.
@@ -54,9 +53,7 @@ private:
 
     std::vector<StoredArray> arrays_;  // as in the catalogue
     // One per channel that was read, to be read on: no more than the times, C and D.
-    using ByChannel =
-        std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const SampleSource>>;
-    Guarded<ByChannel> opened_;
+    Guarded<std::map<std::pair<std::int64_t, std::int64_t>, SampleColumn>> opened_;
 };
 
 // The value of an array that is a single number.
@@ -67,9 +64,8 @@ Result<std::optional<double>> value_of(const StoredArray& stored) {
     }
     const auto column = TRY(column_of(stored, 0));
     double value = 0;
-    double again = 0;
-    const Status status = column_source(column, column)->read(0, {&value, 1}, {&again, 1});
-    return status ? Result(std::optional(value)) : status.error();
+    TRY(read_column(column, 0, {&value, 1}));
+    return std::optional(value);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/recording/arrays/npy_array.h"
+#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/bytes/byte_source.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/samples/open_options.h"

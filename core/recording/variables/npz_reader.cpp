@@ -1,6 +1,6 @@
 #include "core/recording/variables/npz_reader.h"
 
-#include "core/recording/arrays/npy_array.h"
+#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/bytes/zip_directory.h"
 #include "core/recording/variables/array_variables.h"
 

@@ -1,8 +1,7 @@
 #include "core/recording/variables/variable_choice.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/samples/column_words.h"
-#include "core/recording/samples/rate_name.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
 #include <array>
@@ -165,9 +164,9 @@ private:
     void put_named_first() {
         std::array<std::optional<ChannelPlace>, 2> named;
         for (const ChannelPlace& place : choice_.channels) {
-            const char letter = channel_letter(last_name(variable(place.variable).name));
-            if (letter != 0) {
-                auto& of = named[letter == 'c' ? 0 : 1];
+            const Meaning meaning = meaning_of(last_name(variable(place.variable).name));
+            if (meaning == Meaning::channel_c || meaning == Meaning::channel_d) {
+                auto& of = named[meaning == Meaning::channel_c ? 0 : 1];
                 if (of) {
                     return;  // ambiguous names
                 }

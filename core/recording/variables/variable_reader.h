@@ -14,8 +14,8 @@ namespace vybeg {
 
 // A file of MATLAB's or HDF5's, or audio; vybeg-reader knows the kinds "mat73", "hdf5" and "audio".
 struct LibraryFormat {
-    std::string kind;  // "mat", "mat73", "hdf5", "audio"
-    std::string name;  // "MAT 5", ...
+    std::string kind;  // "mat73", "hdf5", "audio"
+    std::string name;  // "MAT 7.3", ...
 };
 
 // Samples of the variables that a file's catalogue lists, on demand. For several threads at once.

@@ -78,6 +78,19 @@ private slots:
         }
     }
 
+    void letters_of_western_europe_and_cyrillic_ones_become_small() {
+        for (const auto& [first, last] : {std::pair(0x20, 0xFF), std::pair(0x400, 0x45F)}) {
+            for (int code = first; code <= last; ++code) {
+                const QString letter{QChar(code)};
+                QCOMPARE(QString::fromStdString(lower_text(letter.toStdString())),
+                         letter.toLower());
+            }
+        }
+        for (const char* no_letters : {"\xD0", "\xC3z", "\xFF\xC0", "\xE2\x82\xAC"}) {
+            QCOMPARE(lower_text(no_letters), std::string(no_letters));
+        }
+    }
+
     void a_message_shows_what_its_arguments_hide() {
         const Error error{ErrorCode::format_unsupported, "a\x1b[2J.mat", {"MAT 5", "x (\n\xff)"}};
         QCOMPARE(english(error),

@@ -180,14 +180,14 @@ private slots:
         QCOMPARE(the<QCustomPlot>().graph(0)->data()->at(0)->value, 2.0);
     }
 
-    void raw_samples_are_proposed_with_their_layout() {
+    void a_file_of_no_format_is_proposed_as_raw_samples() {
         show(raw("board.bin"));
         QTRY_VERIFY(samples() > 0);
         QCOMPARE(the<QComboBox>("read_as").currentText(), QString("raw samples"));
         QCOMPARE(the<QComboBox>("raw_type").currentText(), QString("16 bit integer"));
-        QCOMPARE(the<QComboBox>("raw_order").currentText(), QString("big endian"));
-        QCOMPARE(the<NumberField>("raw_skip").text(), QString("64"));
         QVERIFY(the<QComboBox>("delimiter").isHidden());
+        choose("raw_order", "big endian");
+        type("raw_skip", "64");
         type("rate", "33333");
         QTRY_VERIFY(openButton().isEnabled());
         the<QSpinBox>("raw_channels").setValue(3);
@@ -196,12 +196,15 @@ private slots:
         QTRY_VERIFY(told().contains("64 bit float"));
     }
 
-    void a_text_read_as_raw_gets_a_layout_when_it_is_first_chosen() {
+    void a_text_read_as_raw_gets_the_layout_of_the_last_one() {
+        OpenOptions options;
+        options.rate_hz = 1000;
+        options.raw = RawLayout{.type = RawType::f64, .skip_bytes = 80};
+        rememberImport(importKind("/a/b.wav", {}, true), options);
         show(home_.recording("wave.wav"));
         QTRY_VERIFY(openButton().isEnabled());
         QVERIFY(the<QComboBox>("raw_type").isHidden());
         choose("read_as", "raw samples");
-        // 64 bit floating point behind the header of a WAV file.
         QTRY_COMPARE(the<QComboBox>("raw_type").currentText(), QString("64 bit float"));
         QVERIFY(!the<QComboBox>("raw_type").isHidden());
     }

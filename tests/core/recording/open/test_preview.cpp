@@ -1,11 +1,9 @@
 // The beginning of a file as the import dialog shows it: what open_recording() reads, told before
 // the file is read.
 #include "core/recording/bytes/byte_order.h"
-#include "core/recording/open/file_kind.h"
+#include "core/recording/open/file_format.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/open/recording_preview.h"
-#include "core/simulation/free_decay.h"
-#include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/test_registry.h"
@@ -204,22 +202,12 @@ private slots:
                  (std::vector<std::string>{"3", "3.5", "4", "4.5", "5", "5.5"}));
         QCOMPARE(preview.c_column, 4);
         QCOMPARE(preview.d_column, 1);
-        QCOMPARE(preview.kind, FileKind::unknown);
+        QVERIFY(!preview.file_format);
     }
 
-    void a_file_of_no_kind_suggests_a_layout() {
-        FreeDecay settings = demo_decay();
-        settings.seconds = 1;
-        const auto decay = simulate(settings, {});
-        QVERIFY(bool(decay));
-        std::string bytes;
-        for (std::size_t i = 0; i < decay->c.size(); ++i) {
-            bytes += store(static_cast<float>(decay->c[i]), true);
-            bytes += store(static_cast<float>(decay->d[i]), true);
-        }
-        const RecordingPreview preview = shown(folder_.write("f32.bin", bytes));
-        QVERIFY(preview.raw_guess);
-        QCOMPARE(*preview.raw_guess, (RawLayout{.type = RawType::f32, .big_endian = true}));
+    void a_file_of_no_format_is_told() {
+        const RecordingPreview preview = shown(folder_.write("f32.bin", std::string(4000, '\1')));
+        QVERIFY(!preview.file_format);
         QCOMPARE(preview.problem->code, ErrorCode::format_unknown);
     }
 

@@ -1,6 +1,6 @@
 // Text files of many blocks: read piece by piece they are what they are as a whole.
 #include "core/base/number_text.h"
-#include "core/recording/times/uniform_times.h"
+#include "core/recording/times/time_grid.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/test_registry.h"
@@ -75,7 +75,7 @@ TimedSamples timed(const std::vector<double>& times) {
 
 // The judgement of a UniformTimeDetector that was put together from pieces of random length.
 std::optional<EvenTimes> judged(const std::vector<double>& times, std::mt19937_64& random) {
-    const double step = typical_step(timed(times));
+    const double step = typical_step(times, {});
     UniformTimeDetector whole(step);
     for (std::size_t i = 0; i < times.size();) {
         UniformTimeDetector piece(step);

@@ -1,5 +1,5 @@
 // What the digits of a time column leave open.
-#include "core/recording/times/local_cubic.h"
+#include "core/recording/times/time_grid.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/times/timed_signal.h"
 #include "tests/test_registry.h"
@@ -15,6 +15,7 @@ class TestTimeDigits : public QObject {
     Q_OBJECT
 
 private slots:
+    void times_that_stand_still_for_most_rows_have_a_step();
     void rounded_times_are_even_and_give_the_rate_as_well_as_their_digits_allow_data();
     void rounded_times_are_even_and_give_the_rate_as_well_as_their_digits_allow();
     void times_of_few_digits_give_the_rate_within_two_of_its_deviations_data();
@@ -226,6 +227,24 @@ void TestTimeDigits::equal_times_are_an_error_where_their_digits_do_not_explain_
     QVERIFY(!wrong);
     QCOMPARE(wrong.error().code, ErrorCode::text_time_backwards);
     QCOMPARE(wrong.error().args.at(0), std::string("502"));
+}
+
+void TestTimeDigits::times_that_stand_still_for_most_rows_have_a_step() {
+    // Whole milliseconds at 33.333 kHz: the median step is 0.
+    std::vector<double> times;
+    for (int i = 0; i < 5000; ++i) {
+        times.push_back(std::floor(i / 33.333) / 1000);
+    }
+    const TimeResolution whole{.absolute_s = 1e-3};
+    VYBEG_CLOSE_RATIO(typical_step(times, whole), 1 / 33333.0, 1e-3);
+    const auto even = UniformTimeDetector(times, typical_step(times, whole), whole).judge(whole);
+    QVERIFY(even && even->segments.size() == 1);
+    VYBEG_CLOSE_RATIO(even->rate_hz, 33333, 1e-2);
+    // Nor is it looked for in times that no step leads to.
+    for (const double end : {1e300, 1.7e308}) {
+        times.back() = end;
+        QVERIFY(!to_uniform_grid({times, times, times, whole}, "times"));
+    }
 }
 
 VYBEG_TEST(TestTimeDigits)

@@ -1,4 +1,4 @@
-#include "core/recording/times/local_cubic.h"
+#include "core/recording/times/time_grid.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/times/timed_signal.h"
 #include "tests/largest_of.h"

@@ -1,7 +1,6 @@
-#include "core/recording/variables/helper_reader.h"
+#include "core/recording/variables/hdf5_reader.h"
 
-#include "core/recording/variables/mat_format.h"
-#include "core/recording/variables/mat_reader.h"
+#include "core/recording/variables/variable_reader.h"
 #include "core/recording/variables/variable_recording.h"
 
 #include <array>
@@ -10,10 +9,15 @@
 namespace vybeg {
 namespace {
 
-constexpr const char* mat_kind = "mat";  // of level 4 and 5
 constexpr std::string_view hdf5_signature("\x89HDF\r\n\x1a\n", 8);
+constexpr std::string_view matlab_signature = "MATLAB 7.3 MAT-file";
 
-bool is_hdf5(const FileBytes& file) {
+}  // namespace
+
+bool is_hdf5(std::string_view head, const FileBytes& file) {
+    if (head.starts_with(matlab_signature)) {
+        return true;
+    }
     std::array<char, hdf5_signature.size()> bytes{};
     for (std::int64_t at = 0; at < file.size(); at = at == 0 ? 512 : 2 * at) {
         const auto got = file.read(at, bytes);
@@ -24,30 +28,13 @@ bool is_hdf5(const FileBytes& file) {
     return false;
 }
 
-}  // namespace
-
-std::optional<LibraryFormat> library_format(std::string_view head, const FileBytes& file) {
-    if (is_mat5(head)) {
-        return LibraryFormat{mat_kind, "MAT 5"};
-    }
-    if (head.starts_with("MATLAB 7.3 MAT-file")) {
-        return LibraryFormat{"mat73", "MAT 7.3"};
-    }
-    if (is_hdf5(file)) {
-        return LibraryFormat{"hdf5", "HDF5"};
-    }
-    if (is_mat4(head, file.size())) {
-        return LibraryFormat{mat_kind, "MAT 4"};
-    }
-    return {};
-}
-
-Result<Recording> open_with_library(std::shared_ptr<const FileBytes> file,
-                                    const LibraryFormat& format, const OpenOptions& options,
-                                    const JobControl& job) {
-    if (format.kind == mat_kind) {
-        return open_mat(std::move(file), options, job);
-    }
+Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                            const JobControl& job) {
+    std::array<char, matlab_signature.size()> head{};
+    TRY(file->read(0, head));
+    const bool matlab = std::string_view(head.data(), head.size()) == matlab_signature;
+    const LibraryFormat format =
+        matlab ? LibraryFormat{"mat73", "MAT 7.3"} : LibraryFormat{"hdf5", "HDF5"};
     auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
     VariableFile variables;
     variables.file = file;
