@@ -14,7 +14,7 @@ namespace vybeg::ui {
 namespace {
 
 // Heights, pixels.
-constexpr int least_plot = 50;  // all five are seen in 1280 x 720
+constexpr int least_plot = 50;    // all five are seen in 1280 x 720
 constexpr int plot_head = 22;     // its name and values
 constexpr int around_plots = 66;  // names of the analyses, time axis
 
