@@ -49,7 +49,7 @@ struct RecordingRef {
     Conditions conditions{};
     std::vector<std::pair<std::string, std::string>> others{};  // unknown columns and their fields
     std::string sha256{};
-    std::string start{};  // date and time that the file tells, or empty
+    std::string start{};  // date and time from the file, or empty
     double seconds = 0;
     double rate_hz = 0;
     double f0_hz = 0;

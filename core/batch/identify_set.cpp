@@ -11,6 +11,7 @@
 #include "core/recording/samples/file_changes.h"
 
 #include <list>
+#include <map>
 #include <utility>
 
 namespace vybeg {
@@ -87,19 +88,18 @@ Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
 
 Status read_contents(OpenSet& open, std::stop_token stop) {
     TRY(hash_all(open, std::move(stop)));
+    std::map<std::vector<std::string>, const Recording*> known;
     for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         const Recording& recording = open.recordings[k];
         RecordingRef& told = open.set.recordings[k];
         told.start = recording.start;
         told.seconds = recording.seconds();
         told.rate_hz = recording.rate_hz;
-        for (std::size_t earlier = 0; earlier < k; ++earlier) {
-            if (signals_of(open.set.recordings[earlier], open.recordings[earlier]) ==
-                signals_of(told, recording)) {
-                return Error{ErrorCode::same_recording,
-                             recording_name(open.recordings[earlier]),
-                             {recording_name(recording)}};
-            }
+        const auto [same, is_new] = known.emplace(signals_of(told, recording), &recording);
+        if (!is_new) {
+            return Error{ErrorCode::same_recording,
+                         recording_name(*same->second),
+                         {recording_name(recording)}};
         }
     }
     return {};

@@ -58,7 +58,7 @@ struct StoredResult {
     std::string json;  // as identify writes it
 };
 
-// The first date that the list tells, otherwise the first start that a recording tells as ISO 8601.
+// The first date in the list, otherwise the first start of a recording that is ISO 8601.
 StoredDate date_of(const MeasurementSet& set);
 
 // A result as it is to be stored; `json` of identify_json(). The key depends on the content of the

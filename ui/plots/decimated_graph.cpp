@@ -1,5 +1,6 @@
 #include "ui/plots/decimated_graph.h"
 
+#include "core/numerics/median.h"
 #include "ui/plots/value_range.h"
 
 #include <algorithm>
@@ -111,13 +112,6 @@ void forPieces(const std::vector<CurveColumn>& columns, Draw draw) {
         }
         begin = end;
     }
-}
-
-// The upper one in the middle; 0 without values.
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return values.empty() ? 0 : *middle;
 }
 
 }  // namespace
@@ -321,7 +315,8 @@ std::vector<CurveColumn> DecimatedGraph::noiseColumns() const {
         }
     }
     const double height = median(std::move(heights));
-    const bool noise = height > least_noise_height && 2 * median(std::move(steps)) < height;
+    // Without a step between two columns there is nothing against it: its median is NaN.
+    const bool noise = height > least_noise_height && !(2 * median(std::move(steps)) >= height);
     return noise ? joined : std::vector<CurveColumn>();
 }
 

@@ -33,7 +33,7 @@ public:
     // Copies of programs that are not running any more, oldest first.
     static QStringList abandoned();
     static void discard(const QString& path);
-    // A copy that nobody wants: it stays under another name, and is no longer among the abandoned.
+    // Renames a declined copy, so that it stays and is not offered again.
     static void setAside(const QString& path);
 
 private:
