@@ -2389,6 +2389,10 @@
         <translation>Гц на кв. единицу</translation>
     </message>
     <message>
+        <source>deg/h</source>
+        <translation>град/ч</translation>
+    </message>
+    <message>
         <source>deg</source>
         <translation>град</translation>
     </message>

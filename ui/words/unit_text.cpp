@@ -12,13 +12,14 @@ QString resonatorText(const char* text) {
 
 QString unitText(const char* unit) {
     // Those that core/ gives with its parameters and in its warnings.
-    static constexpr std::array<const char*, 8> known{
+    static constexpr std::array<const char*, 9> known{
         QT_TRANSLATE_NOOP("Resonator", "Hz"),
         QT_TRANSLATE_NOOP("Resonator", "s"),
         QT_TRANSLATE_NOOP("Resonator", "1/s"),
         QT_TRANSLATE_NOOP("Resonator", "Hz per squared unit"),
         QT_TRANSLATE_NOOP("Resonator", "rad"),
         QT_TRANSLATE_NOOP("Resonator", "deg"),
+        QT_TRANSLATE_NOOP("Resonator", "deg/h"),
         QT_TRANSLATE_NOOP("Resonator", "ns"),
         QT_TRANSLATE_NOOP("Resonator", "ppm")};
     for (const char* each : known) {

@@ -37,14 +37,26 @@ const Diagnostic* warning_of(const ResonatorFit& fit, DiagnosticKind kind) {
     return found == fit.warnings.end() ? nullptr : &*found;
 }
 
-// D with a phase of its own and a share of C in quadrature.
-void spoil(std::vector<PhasorRun>& runs, double phase_rad, double crosstalk) {
+// D with errors of these sizes.
+void spoil(std::vector<PhasorRun>& runs, const ChannelTolerance& size) {
     for (PhasorRun& run : runs) {
         for (std::size_t k = 0; k < run.d.size(); ++k) {
-            run.d[k] =
-                run.d[k] * std::polar(1.0, phase_rad) + std::complex(0.0, crosstalk) * run.c[k];
+            const double share = run.time_s[k] / run.time_s.back();
+            const double gain = (1 + size.gain_drift * share) / (1 + size.kappa);
+            run.d[k] = run.d[k] * std::polar(gain, size.phase_rad + size.phase_drift * share) +
+                       std::complex(std::sin(size.skew_rad), size.crosstalk) * run.c[k];
         }
     }
+}
+
+// Errors drawn from tolerances, normal.
+ChannelTolerance drawn_from(const ChannelTolerance& tolerance, std::uint64_t seed) {
+    GaussianNoise random(seed);
+    ChannelTolerance size;
+    for (const ChannelError& error : channel_errors) {
+        size.*error.tolerance = tolerance.*error.tolerance * random.next().first;
+    }
+    return size;
 }
 
 constexpr std::array kinds{DiagnosticKind::prior_left, DiagnosticKind::quadrature_by_channel,
@@ -111,7 +123,8 @@ private slots:
         QFETCH(QString, named);
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
             std::vector<PhasorRun> runs = set_of(resonator(), four_angles, window, seed);
-            spoil(runs, -2 * pi * 5300 * delay_s, crosstalk);
+            spoil(runs,
+                  {.kappa = 0, .phase_rad = -2 * pi * 5300 * delay_s, .crosstalk = crosstalk});
             FitOptions options = assuming;
             options.model = FitOptions::Model::structured;
             const ResonatorFit fit = fitted(runs, options);
@@ -121,6 +134,44 @@ private slots:
             const QString text = told != nullptr ? QString::fromStdString(english(*told)) : "";
             QVERIFY2(named.isEmpty() ? text.isEmpty() : text.contains(named), qPrintable(text));
         }
+    }
+
+    // Of a base that turns, and of one that stands still before a D that comes late.
+    void a_rotation_that_an_untold_delay_looks_like_is_told() {
+        for (const double turn_rad_s : {-1e-3, 0.0, 1e-3}) {
+            FreeDecay decay = resonator();
+            decay.omega_rad_s = -turn_rad_s / decay.bryan;
+            const std::vector<PhasorRun> runs = set_of(decay, four_angles, window, 8);
+            const ResonatorFit fit = fitted(runs, assuming);
+            const Diagnostic* found = warning_of(fit, DiagnosticKind::rotation_or_channel);
+            QCOMPARE(found != nullptr, turn_rad_s != 0);
+            if (found != nullptr) {
+                const QString text = QString::fromStdString(english(*found));
+                QVERIFY2(text.contains("206 deg/h"), qPrintable(text));
+                QVERIFY2(text.contains("delay of about"), qPrintable(text));
+            }
+            FitOptions told = assuming;
+            told.tolerance.phase_rad = told.assumed.phase_rad;
+            QVERIFY(!warns(fitted(runs, told), DiagnosticKind::rotation_or_channel));
+        }
+    }
+
+    // Where the noise is low, errors within the assumed tolerances leave more than noise.
+    void channels_within_the_assumed_tolerances_say_nothing() {
+        int within = 0;
+        constexpr int sets = 24;
+        for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+            FreeDecay decay = resonator();
+            decay.noise = 1e-4;
+            std::vector<PhasorRun> runs = set_of(decay, {3, 29, 48, 71}, window, seed);
+            spoil(runs, drawn_from(assuming.assumed, seed));
+            const ResonatorFit fit = fitted(runs, assuming);
+            for (const Diagnostic& warning : fit.warnings) {
+                QVERIFY2(severity(warning.kind) == Severity::note, english(warning).c_str());
+            }
+            within += fault(fit.resonator.split_hz, decay.split_hz, 2, 1e-3).isEmpty() ? 1 : 0;
+        }
+        VYBEG_AT_LEAST(within, 20);
     }
 
     // A residual that is noise by its chi^2 still shows an error of many tolerances.
