@@ -1061,10 +1061,6 @@
         <translation>%1, строка %2: время %3 не следует за %4. Столбец времени должен возрастать.</translation>
     </message>
     <message>
-        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.</source>
-        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D.</translation>
-    </message>
-    <message>
         <source>%1: there is no channel %2; the file has %3. Choose other channels with --channels.</source>
         <translation>%1: канала %2 нет, в файле их %3. Выберите другие каналы (--channels).</translation>
     </message>
@@ -1251,10 +1247,6 @@
     <message>
         <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit with --time-unit, or their rate with --time-column none and --rate.</source>
         <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу (--time-unit) или частоту дискретизации (--time-column none и --rate).</translation>
-    </message>
-    <message>
-        <source>The file states a sample rate of %1 Hz, and its times give %2 Hz, which counts. Check the unit of the times (--time-unit).</source>
-        <translation>В файле указана частота дискретизации %1 Гц, а по столбцу времени она равна %2 Гц; принята вторая. Проверьте единицу времени (--time-unit).</translation>
     </message>
     <message>
         <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit with --channels, or give the gain ratio with --kappa.</source>
@@ -1453,10 +1445,6 @@
         <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу или откройте файл без столбца времени и задайте частоту дискретизации.</translation>
     </message>
     <message>
-        <source>The file states a sample rate of %1 Hz, and its times give %2 Hz, which counts. Check the unit of the times.</source>
-        <translation>В файле указана частота дискретизации %1 Гц, а по столбцу времени она равна %2 Гц; принята вторая. Проверьте единицу времени.</translation>
-    </message>
-    <message>
         <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out.</source>
         <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка.</translation>
     </message>
@@ -1643,6 +1631,50 @@
     <message>
         <source>Columns that hold words are no channels and were passed over: %1.</source>
         <translation>Столбцы со словами — не каналы и пропущены: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is a pipe or a device, and a recording is read more than once. Save it to a file first, as in cat %1 &gt; run.wav, and name that file.</source>
+        <translation>%1 — канал или устройство, а запись читается не один раз. Сначала сохраните её в файл, например cat %1 &gt; run.wav, и укажите этот файл.</translation>
+    </message>
+    <message>
+        <source>%1 states a sample rate of %2 Hz, and its times give %3 Hz. Say which holds: --time-unit for the unit of the times, or --rate with one of both.</source>
+        <translation>%1: указана частота дискретизации %2 Гц, а по столбцу времени она равна %3 Гц. Скажите, что верно: единица времени (--time-unit) или одна из двух частот (--rate).</translation>
+    </message>
+    <message>
+        <source>%1 states a sample rate of %2 Hz, and its times give %3 Hz. Choose the unit of the times, or give the one that holds as the sample rate.</source>
+        <translation>%1: указана частота дискретизации %2 Гц, а по столбцу времени она равна %3 Гц. Выберите единицу времени или задайте верную из двух частот.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, name it: --channel-d %4.</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, укажите его: --channel-d %4.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, drop both files into the window together, or choose it under Import (%4).</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, перетащите в окно оба файла вместе или выберите его в окне «Импорт» (%4).</translation>
+    </message>
+    <message>
+        <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or give --raw f32 --raw-channels 1 --rate HZ.</source>
+        <translation>%1: только отсчёты, а ни %2.anp, ни %2.xml рядом не сообщают частоту дискретизации. Скопируйте и этот файл или задайте --raw f32 --raw-channels 1 --rate ГЦ.</translation>
+    </message>
+    <message>
+        <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or read it as raw samples under Import.</source>
+        <translation>%1: только отсчёты, а ни %2.anp, ни %2.xml рядом не сообщают частоту дискретизации. Скопируйте и этот файл или прочитайте как отсчёты без заголовка в окне «Импорт».</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are no parts of one recording: the %3 do not fit (%4 and %5). Choose files that were recorded together.</source>
+        <translation>%1 и %2 не составляют одну запись: не согласуются %3 (%4 и %5). Выберите файлы, записанные вместе.</translation>
+    </message>
+    <message>
+        <source>The times of channel D begin %1 s (%2 samples) after those of channel C; D was interpolated to C&apos;s times. What its times are wrong by is a phase between the channels (--delay).</source>
+        <translation>Отсчёты времени канала D начинаются на %1 с (%2 отсчёта) позже, чем у канала C; канал D интерполирован на моменты канала C. Погрешность этого сдвига — фаза между каналами (--delay).</translation>
+    </message>
+    <message>
+        <source>The times of channel D begin %1 s (%2 samples) after those of channel C; D was interpolated to C&apos;s times. What its times are wrong by is a phase between the channels (delay of D).</source>
+        <translation>Отсчёты времени канала D начинаются на %1 с (%2 отсчёта) позже, чем у канала C; канал D интерполирован на моменты канала C. Погрешность этого сдвига — фаза между каналами (задержка D).</translation>
+    </message>
+    <message>
+        <source>The %1 pieces do not tell when they begin: they are taken to follow each other without a gap.</source>
+        <translation>Части записи (%1) не сообщают время начала: принято, что они следуют одна за другой без пропуска.</translation>
     </message>
 </context>
 <context>
@@ -3344,10 +3376,6 @@
         <translation>файл стал короче во время чтения</translation>
     </message>
     <message>
-        <source>it is not a regular file</source>
-        <translation>это не обычный файл</translation>
-    </message>
-    <message>
         <source>its packed data are wrong or end early</source>
         <translation>сжатые данные неверны или обрываются</translation>
     </message>
@@ -3494,10 +3522,6 @@
     <message>
         <source>line %1 is longer than 1 MiB</source>
         <translation>строка %1 длиннее 1 МиБ</translation>
-    </message>
-    <message>
-        <source>columns %1 and %2 of different times</source>
-        <translation>столбцы %1 и %2 с разным временем</translation>
     </message>
     <message>
         <source>no time response (dataset 58)</source>
@@ -4022,6 +4046,50 @@
     <message>
         <source>it holds a number beyond all ranges</source>
         <translation>в нём есть число вне всяких пределов</translation>
+    </message>
+    <message>
+        <source>sample rates</source>
+        <translation>частоты дискретизации</translation>
+    </message>
+    <message>
+        <source>starts</source>
+        <translation>времена начала</translation>
+    </message>
+    <message>
+        <source>first times</source>
+        <translation>времена первых отсчётов</translation>
+    </message>
+    <message>
+        <source>numbers of channels</source>
+        <translation>числа каналов</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>единицы измерения</translation>
+    </message>
+    <message>
+        <source>end of the one and beginning of the other</source>
+        <translation>конец одной и начало другой</translation>
+    </message>
+    <message>
+        <source>it begins %1 s after the piece before it</source>
+        <translation>она начинается через %1 с после предыдущей части</translation>
+    </message>
+    <message>
+        <source>Analyse it as a recording of its own</source>
+        <translation>Обработайте её как отдельную запись</translation>
+    </message>
+    <message>
+        <source>it is for files with both channels, not for a file for each channel</source>
+        <translation>она для файлов с обоими каналами, а не для отдельного файла на каждый канал</translation>
+    </message>
+    <message>
+        <source>C and D at different times (%1 to %2 s and %3 to %4 s)</source>
+        <translation>C и D с разным временем (от %1 до %2 с и от %3 до %4 с)</translation>
+    </message>
+    <message>
+        <source>C and D from different times, %1 and %2</source>
+        <translation>C и D с разным временем начала, %1 и %2</translation>
     </message>
 </context>
 <context>
@@ -5641,6 +5709,18 @@
     <message>
         <source>µs</source>
         <translation>мкс</translation>
+    </message>
+    <message>
+        <source>File of channel D</source>
+        <translation>Файл канала D</translation>
+    </message>
+    <message>
+        <source>Where each channel has a file of its own: its name, or its path</source>
+        <translation>Если у каждого канала свой файл: его имя или путь</translation>
+    </message>
+    <message>
+        <source>the same file</source>
+        <translation>тот же файл</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "ui/window/file_commands.h"
 
+#include "core/analysis/measurement_list.h"
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
 #include "ui/import/import_dialog.h"
@@ -69,7 +70,7 @@ FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView
 }
 
 void FileCommands::askForRecordings() {
-    ask_.recordings([this](const QStringList& files) { open(files); });
+    ask_.recordings([this](const QStringList& files) { openTogether(files); });
 }
 
 void FileCommands::open(const QStringList& paths, const OpenOptions& options) {
@@ -79,6 +80,30 @@ void FileCommands::open(const QStringList& paths, const OpenOptions& options) {
     } else {
         act();
     }
+}
+
+void FileCommands::openTogether(const QStringList& paths) {
+    const bool two =
+        paths.size() == 2 && std::ranges::none_of(paths, [](const QString& path) {
+            return SessionKeeper::isSession(path) || is_measurement_list(path.toStdU16String());
+        });
+    if (!two) {
+        open(paths);
+        return;
+    }
+    constexpr int key = 1;  // the import dialog's previews have another one
+    // By name: C before D, the first number before the second.
+    QStringList sorted = paths;
+    sorted.sort();
+    imports_.preview(key, sorted[0], {}, [this, paths, sorted](const auto& preview) {
+        if (preview && preview->problem && preview->problem->code == ErrorCode::too_few_channels) {
+            OpenOptions pair;
+            pair.channel_d_file = sorted[1].toStdString();
+            openImport(sorted[0], pair);
+        } else {
+            open(paths);
+        }
+    });
 }
 
 void FileCommands::openDemonstration() {

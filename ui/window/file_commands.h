@@ -32,6 +32,9 @@ public:
     // Recordings, measurement lists and sessions. Before a session takes the place of one with
     // changes, it asks.
     void open(const QStringList& paths, const OpenOptions& options = {});
+    // Two files of which the first has one channel are one recording, which the import dialog
+    // shows.
+    void openTogether(const QStringList& paths);
     // A simulated recording.
     void openDemonstration();
     void saveSession(const std::function<void()>& then = [] {});

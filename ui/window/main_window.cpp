@@ -356,7 +356,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    files_->open(localFiles(*event->mimeData()));
+    files_->openTogether(localFiles(*event->mimeData()));
     event->acceptProposedAction();
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vybeg {
@@ -38,6 +39,14 @@ struct TextFormat {
 
 // The columns that are channels, from 0: all but the time, the counter and no_channels.
 std::vector<int> channel_columns(const TextFormat& format);
+
+// Whether the first column of a table rises evenly, as numbers of rows and times do, and needs no
+// name of its own.
+bool may_be_unnamed(std::span<const std::string> rows, char delimiter, bool decimal_comma);
+
+// Whether a line at the end of a file stands behind its table: a comment, or one that begins with a
+// word where the rows begin with a number ("Total;12,5;3,1", "End of data").
+bool is_behind_table(std::string_view line, const TextFormat& format);
 
 // More are no channels: the samples stand in rows.
 inline constexpr int most_columns = 4096;
