@@ -304,7 +304,7 @@ std::vector<int> channel_columns(const TextFormat& format) {
     return columns;
 }
 
-bool may_be_unnamed(std::span<const std::string> rows, char delimiter, bool decimal_comma) {
+FirstColumn first_column(std::span<const std::string> rows, char delimiter, bool decimal_comma) {
     std::vector<double> values;
     std::vector<std::string_view> fields;
     for (const std::string& row : rows) {
@@ -314,7 +314,9 @@ bool may_be_unnamed(std::span<const std::string> rows, char delimiter, bool deci
             values.push_back(*value);
         }
     }
-    return rises_evenly(values);
+    return !rises_evenly(values)   ? FirstColumn::other
+           : counts_by_one(values) ? FirstColumn::counter
+                                   : FirstColumn::time;
 }
 
 bool is_behind_table(std::string_view line, const TextFormat& format) {

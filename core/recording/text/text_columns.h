@@ -40,9 +40,10 @@ struct TextFormat {
 // The columns that are channels, from 0: all but the time, the counter and no_channels.
 std::vector<int> channel_columns(const TextFormat& format);
 
-// Whether the first column of a table rises evenly, as numbers of rows and times do, and needs no
-// name of its own.
-bool may_be_unnamed(std::span<const std::string> rows, char delimiter, bool decimal_comma);
+// What the first column of a table is by its numbers; the rows that it counts, and the time that
+// rises evenly, need no name.
+enum class FirstColumn : std::uint8_t { other, counter, time };
+FirstColumn first_column(std::span<const std::string> rows, char delimiter, bool decimal_comma);
 
 // Whether a line at the end of a file stands behind its table: a comment, or one that begins with a
 // word where the rows begin with a number ("Total;12,5;3,1", "End of data").

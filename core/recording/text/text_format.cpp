@@ -356,8 +356,8 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     }
     format.no_channels.clear();
     const Extent extent = extent_of(rows, *table);
-    const bool first_unnamed =
-        table->holds_words(0) || may_be_unnamed(rows, format.delimiter, format.decimal_comma);
+    const FirstColumn first = first_column(rows, format.delimiter, format.decimal_comma);
+    const bool first_unnamed = table->holds_words(0) || first != FirstColumn::other;
     TextHeader header = read_header({.lines = above,
                                      .names_from = names_from,
                                      .delimiter = format.delimiter,
@@ -365,7 +365,8 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
                                      .behind = extent.longest - format.columns,
                                      .used = extent.used,
                                      .named = extent.named,
-                                     .first_unnamed = first_unnamed});
+                                     .first_unnamed = first_unnamed,
+                                     .first_is_time = first == FirstColumn::time});
     if (first_unnamed && header.columns[0].name.empty() && header.columns[0].unit.empty()) {
         header.columns[0].unit = axis_unit(above, format.delimiter);
     }

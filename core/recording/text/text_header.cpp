@@ -72,7 +72,8 @@ public:
           table_columns_(static_cast<std::size_t>(above.columns)),
           used_(static_cast<std::size_t>(above.used)),
           named_(static_cast<std::size_t>(above.named)),
-          first_unnamed_(above.first_unnamed) {
+          first_unnamed_(above.first_unnamed),
+          first_is_time_(above.first_is_time) {
         header_.columns.resize(static_cast<std::size_t>(above.columns + above.behind));
     }
 
@@ -108,8 +109,11 @@ private:
         const std::size_t columns = header_.columns.size();
         const bool may_lack_first =
             first_unnamed_ && (delimiter != ',' || trimmed(line).starts_with('"'));
-        if (may_lack_first && fields.size() + 1 == used_ &&
-            std::ranges::none_of(fields, is_number)) {
+        const auto is_time = [this](const std::string& field) {
+            return first_is_time_ && is_time_name(name_and_unit(field).name);
+        };
+        if (may_lack_first && fields.size() + 1 == named_ &&
+            std::ranges::none_of(fields, is_number) && std::ranges::none_of(fields, is_time)) {
             fields.insert(fields.begin(), "");
         }
         const auto is_extra = [](const std::string& field) {
@@ -290,6 +294,7 @@ private:
     std::size_t used_;
     std::size_t named_;
     bool first_unnamed_;
+    bool first_is_time_;
     TextHeader header_;
     std::vector<std::string> units_;
     std::vector<std::string> names_;     // of lines that say so

@@ -24,7 +24,8 @@ struct LinesAbove {
     int behind = 0;              // more columns that some rows have
     int used = 0;                // columns but for those at the end that are empty in all rows
     int named = 0;               // of these, but for those at the end that hold words
-    bool first_unnamed = false;  // the first one counts the rows or rises as a time does
+    bool first_unnamed = false;  // the first one counts the rows, rises as a time or holds words
+    bool first_is_time = false;  // it rises and counts no rows: no other one is the time
 };
 
 // Names and units from the lines above the first row of numbers, of which the last ones count:
