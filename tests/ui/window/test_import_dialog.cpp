@@ -307,6 +307,8 @@ private slots:
         options.scale = -0.125;
         options.unit = "мкВ";
         options.variables = {"XY", "", "fs"};
+        options.channel_d_file = "/данные/d.ana";
+        options.join = {"/data/2.wav", "/data/3.wav"};
         QCOMPARE(optionsFromJson(optionsToJson(options)), options);
         OpenOptions raw;
         raw.raw = RawLayout{RawType::i32, true, 5, std::int64_t{1} << 40};

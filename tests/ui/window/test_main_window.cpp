@@ -2,6 +2,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
+#include "ui/import/import_dialog.h"
 #include "ui/panels/analysis_list.h"
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/events_panel.h"
@@ -17,6 +18,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -26,6 +28,8 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <qcustomplot.h>
+
+#include <cmath>
 
 namespace test_main_window {
 
@@ -77,6 +81,39 @@ private slots:
         QVERIFY(idle(2));
         QCOMPARE(the<TrackView>().analyses().size(), std::size_t(2));
         QCOMPARE(the<TrackView>().shownVariables().size(), std::size_t(5));
+    }
+
+    void two_files_of_one_channel_dropped_together_are_one_recording() {
+        const QTemporaryDir folder;
+        QMimeData data;
+        QList<QUrl> urls;
+        for (const char* name : {"run_D.csv", "run_C.csv"}) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("t,U\n");
+            for (int i = 0; i < 4000; ++i) {
+                const double shift = QByteArray(name) == "run_C.csv" ? 0 : 0.2;
+                file.write(QByteArray::number(1e-4 * i, 'f', 6) + ',' +
+                           QByteArray::number(std::cos(0.9 * i + shift), 'f', 6) + '\n');
+            }
+            urls << QUrl::fromLocalFile(folder.filePath(name));
+        }
+        data.setUrls(urls);
+        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &drop);
+        QTRY_VERIFY(window_->findChild<ImportDialog*>());
+        auto& dialog = the<ImportDialog>();
+        auto* open = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
+        QTRY_VERIFY(open->isEnabled());
+        open->click();
+        QVERIFY(idle(1));
+        const auto& recordings = document().recordings();
+        QCOMPARE(recordings.size(), std::size_t(1));
+        QCOMPARE(recordings[0].name, QString("run_C.csv"));
+        QCOMPARE(recordings[0].options.channel_d_file, folder.filePath("run_D.csv").toStdString());
     }
 
     void leakage_that_limits_the_mean_stands_in_the_row_with_its_cure() {
