@@ -8,20 +8,24 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace vybeg::ui {
 namespace {
 
-constexpr int least_left_margin = 60;
+constexpr int least_left_margin = 60;  // of paper
+constexpr int left_margin = 56;        // of the screen, wider where texts need it
 constexpr double unit_gap = 8;
+constexpr double edge = 3;  // from the window's edge to a text in the margin
 constexpr double least_mark_spacing = 4;
 
 }  // namespace
 
-PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
+PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable, PlotHead head)
     : QCPAxisRect(plot, false),
       variable_(variable),
+      head_(head),
       time_ticker_(new PanelTicker(Qt::Horizontal)),
       value_ticker_(new PanelTicker(Qt::Vertical)) {
     addFrame(*this, time_ticker_, value_ticker_);
@@ -29,8 +33,23 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
     valueAxis()->setTickLabelPadding(4);
     // The labels under the lowest panel have a separate row, so that all panels are equally high.
     setAutoMargins(QCP::msLeft);
-    setMinimumMargins({least_left_margin, 0, 0, 0});
-    setMargins({least_left_margin, head_height, right_margin, foot});
+    const int left = head == PlotHead::line ? least_left_margin : left_margin;
+    setMinimumMargins({left, 0, 0, 0});
+    setMargins({left, headHeight(), rightMargin(head), foot()});
+    if (head == PlotHead::margin) {
+        value_ticker_->setShared(
+            [this](const AxisTicks& ticks) {
+                std::vector<double> widths;
+                for (const MarginLine& line : marginLines(ticks)) {
+                    widths.push_back(line.width + edge);
+                }
+                return widths;
+            },
+            left_margin - 4);
+        time_ticker_->setShared([this](const AxisTicks& ticks) {
+            return std::vector<double>{indexTextWidth(timeAxisName(ticks), font_)};
+        });
+    }
 }
 
 void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
@@ -129,17 +148,16 @@ AxisRange PlotPanel::automaticValues() const {
     return range.range(logarithmic).value_or(logarithmic ? AxisRange{0.1, 1} : AxisRange{0, 1});
 }
 
-QString PlotPanel::headSymbol() const {
-    const AxisTicks& ticks = value_ticker_->ticks();
-    QString text = displaySymbol(variable_, units_);
-    if (ticks.offset != 0) {
-        text += ticks.offsetText();
-        const QString unit = displayUnit(variable_, units_);
-        if (!unit.isEmpty()) {
-            text += unit == QStringLiteral("°") ? unit : ' ' + unit;
-        }
+QString PlotPanel::offsetText(const AxisTicks& ticks) const {
+    if (ticks.offset == 0) {
+        return {};
     }
-    return text;
+    const QString unit = displayUnit(variable_, units_);
+    return ticks.offsetText() + (unit.isEmpty() || unit == QStringLiteral("°") ? unit : ' ' + unit);
+}
+
+QString PlotPanel::headSymbol() const {
+    return displaySymbol(variable_, units_) + offsetText(value_ticker_->ticks());
 }
 
 QString PlotPanel::headUnit() const {
@@ -147,19 +165,10 @@ QString PlotPanel::headUnit() const {
                       value_ticker_->ticks().exponent);
 }
 
-QRectF PlotPanel::readoutArea() const {
-    const QString unit = headUnit();
-    const double used = indexTextWidth(headSymbol(), font_) +
-                        (unit.isEmpty() ? 0 : unit_gap + indexTextWidth(unit, font_));
-    const double from = rect().left() + used + 2 * unit_gap;
-    return {from, double(rect().top() - head_height), std::max(0., rect().right() - from),
-            double(head_height)};
-}
-
 void PlotPanel::update(UpdatePhase phase) {
     if (phase == upPreparation) {
         value_ticker_->setRoom(expected_.height(), tick_font_);
-        time_ticker_->setRoom(expected_.width(), tick_font_, right_margin - 2);
+        time_ticker_->setRoom(expected_.width(), tick_font_, rightMargin(head_) - 2);
     }
     QCPAxisRect::update(phase);
 }
@@ -186,7 +195,11 @@ QString PlotPanel::emptyReason() const {
 void PlotPanel::draw(QCPPainter* painter) {
     QCPAxisRect::draw(painter);
     drawMarks(*painter);
-    drawHead(*painter);
+    if (head_ == PlotHead::line) {
+        drawHead(*painter);
+    } else {
+        drawMarginLines(*painter);
+    }
     if (const QString reason = emptyReason(); !reason.isEmpty()) {
         painter->setPen(theme_.mutedText);
         painter->setFont(font_);
@@ -222,8 +235,49 @@ void PlotPanel::drawHead(QCPPainter& painter) const {
         painter.setFont(italic);
         painter.setPen(theme_.text);
         painter.drawText(
-            QRectF(rect().left(), rect().top() - head_height, rect().width(), head_height - 3),
+            QRectF(rect().left(), rect().top() - headHeight(), rect().width(), headHeight() - 3),
             int(Qt::AlignRight | Qt::AlignVCenter), letter_);
+    }
+}
+
+std::vector<PlotPanel::MarginLine> PlotPanel::marginLines(const AxisTicks& ticks) const {
+    const auto line = [this](const QString& text, bool muted) {
+        return MarginLine{text, muted, indexTextWidth(text, muted ? tick_font_ : font_)};
+    };
+    std::vector<MarginLine> lines{line(displaySymbol(variable_, units_), false)};
+    const QString unit =
+        scaledUnit(displayUnit(variable_, units_), takesPrefix(variable_, units_), ticks.exponent);
+    if (const QString offset = offsetText(ticks); !offset.isEmpty()) {
+        lines.push_back(line(offset.trimmed(), true));
+    } else if (const MarginLine both =
+                   line(lines.front().text + QStringLiteral(", ") + unit, false);
+               !unit.isEmpty() && both.width + edge < left_margin) {
+        return {both};
+    }
+    if (!unit.isEmpty()) {
+        lines.push_back(line(unit, true));
+    }
+    return lines;
+}
+
+int PlotPanel::calculateAutoMargin(QCP::MarginSide side) {
+    int margin = QCPAxisRect::calculateAutoMargin(side);
+    if (head_ == PlotHead::margin && side == QCP::msLeft) {
+        for (const MarginLine& line : marginLines(value_ticker_->ticks())) {
+            margin = std::max(margin, static_cast<int>(std::ceil(line.width + 2 * edge)));
+        }
+    }
+    return margin;
+}
+
+void PlotPanel::drawMarginLines(QCPPainter& painter) const {
+    const QFontMetricsF metrics(tick_font_);
+    double base = rect().top() + metrics.ascent();
+    for (const MarginLine& line : marginLines(value_ticker_->ticks())) {
+        painter.setPen(line.muted ? theme_.mutedText : theme_.text);
+        drawIndexText(painter, {outerRect().left() + edge, base}, line.text,
+                      line.muted ? tick_font_ : font_);
+        base += metrics.height();
     }
 }
 

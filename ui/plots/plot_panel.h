@@ -11,13 +11,15 @@ namespace vybeg::ui {
 
 class DecimatedGraph;
 
-// One plot: the curves of one slow variable of all visible analyses, and above them a line with its
-// symbol and unit. The right end of that line is free for the readout (readoutArea()).
+// Where symbol and unit of a plot stand: on the screen in the left margin, on paper above it.
+enum class PlotHead { margin, line };
+
+// One plot: the curves of one slow variable of all visible analyses, with its symbol and unit.
 class PlotPanel : public QCPAxisRect {
     Q_OBJECT
 
 public:
-    PlotPanel(QCustomPlot* plot, SlowVariable variable);
+    PlotPanel(QCustomPlot* plot, SlowVariable variable, PlotHead head);
 
     SlowVariable variable() const { return variable_; }
     const std::vector<DecimatedGraph*>& graphs() const { return graphs_; }
@@ -28,7 +30,7 @@ public:
     void setMarks(const std::vector<double>& times_s) { marks_s_ = times_s; }
     // Only the lowest panel has labels of the time axis.
     void setTimeLabels(bool shown);
-    // A letter at the right end of the head line, for figures.
+    // A letter at the right end of the line above the plot, for figures.
     void setLetter(const QString& letter) { letter_ = letter; }
     // Size of the axis rectangle after the next layout, without exact left margin.
     void setExpectedSize(QSize size) { expected_ = size; }
@@ -45,29 +47,43 @@ public:
     QCPAxis* valueAxis() const { return axis(QCPAxis::atLeft); }
     const AxisTicks& timeTicks() const { return time_ticker_->ticks(); }
 
-    // Symbol and unit in the head line, e.g. "ω_cp/2π − 5300 Hz" and "mHz".
+    // Symbol and unit above the plot, e.g. "ω_cp/2π − 5300 Hz" and "mHz".
     QString headSymbol() const;
     QString headUnit() const;
-    // Area for a readout: right of symbol and unit.
-    QRectF readoutArea() const;
     const QFont& headFont() const { return font_; }
 
-    static constexpr int head_height = 21;
-    static constexpr int right_margin = 16;
-    static constexpr int foot = 3;
+    // Heights of what stands above and below the frame.
+    // The first plot of the screen has room for a label at its top.
+    void setAtTop() { setMargins({margins().left(), 5, margins().right(), margins().bottom()}); }
+    int headHeight() const { return head_ == PlotHead::line ? 21 : 0; }
+    int foot() const { return head_ == PlotHead::line ? 3 : 4; }
+    static int rightMargin(PlotHead head) { return head == PlotHead::line ? 16 : 8; }
 
     void update(UpdatePhase phase) override;
 
 protected:
     void draw(QCPPainter* painter) override;
+    int calculateAutoMargin(QCP::MarginSide side) override;
 
 private:
+    struct MarginLine {
+        QString text;
+        bool muted = false;
+        double width = 0;
+    };
+
     void setLook(const Theme& theme);
     void drawMarks(QCPPainter& painter) const;
     void drawHead(QCPPainter& painter) const;
+    // Symbol, offset and unit as lines in the left margin, for ticks.
+    std::vector<MarginLine> marginLines(const AxisTicks& ticks) const;
+    void drawMarginLines(QCPPainter& painter) const;
     QString emptyReason() const;
+    // "−5300 Hz" of an axis that counts from an offset; empty without one.
+    QString offsetText(const AxisTicks& ticks) const;
 
     SlowVariable variable_;
+    PlotHead head_;
     QSharedPointer<PanelTicker> time_ticker_;
     QSharedPointer<PanelTicker> value_ticker_;
     std::vector<DecimatedGraph*> graphs_;

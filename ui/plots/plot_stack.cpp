@@ -11,6 +11,7 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int time_strip_height = 42;
+constexpr int time_row_height = 20;  // ticks and name in one row
 constexpr int head_strip_height = 24;
 // From the foot of the lowest panel to the name of the time axis: ticks and their labels.
 constexpr int tick_label_room = 20;
@@ -66,18 +67,8 @@ void PlotStack::setContent(const PlotContent& content) {
                 }
             }
         }
-        if (content.unlike > 0) {
-            entries.push_back(
-                {QCoreApplication::translate("PlotStack", "%n not drawn: other length or unit",
-                                             nullptr, content.unlike),
-                 false,
-                 false,
-                 {},
-                 Qt::SolidLine});
-        }
         // A single curve needs no legend, nor does its trend.
-        const bool shown =
-            content.unlike > 0 || std::ranges::count(entries, true, &StripEntry::literal) > 1;
+        const bool shown = std::ranges::count(entries, true, &StripEntry::literal) > 1;
         head_strip_->setMinimumSize(10, shown ? head_strip_height : 4);
         head_strip_->setMaximumSize(QWIDGETSIZE_MAX, shown ? head_strip_height : 4);
         head_strip_->setEntries(shown ? std::move(entries) : std::vector<StripEntry>(),
@@ -117,24 +108,35 @@ void PlotStack::build(const PlotContent& content) {
     int row = 0;
     if (head_ != Head::none) {
         head_strip_ = new PlotStrip(&plot_, head_strip_height);
-        head_strip_->setInset(8, PlotPanel::right_margin, 0);
+        head_strip_->setInset(8, PlotPanel::rightMargin(plotHead()), 0);
         grid.addElement(row++, column_, head_strip_);
     }
     for (const SlowVariable variable : content.variables) {
-        auto* panel = new PlotPanel(&plot_, variable);
+        auto* panel = new PlotPanel(&plot_, variable, plotHead());
         panel->setMarginGroup(QCP::msLeft, margins_);
         panel->setTimeLabels(variable == content.variables.back());
         grid.addElement(row++, column_, panel);
         panels_.push_back(panel);
     }
-    time_strip_ = new PlotStrip(&plot_, time_strip_height);
-    time_strip_->setInset(0, PlotPanel::right_margin, tick_label_room);
+    if (head_ == Head::none && !panels_.empty()) {
+        panels_.front()->setAtTop();
+    }
+    time_strip_ = new PlotStrip(&plot_, timeHeight());
     grid.addElement(row, column_, time_strip_);
+}
+
+PlotHead PlotStack::plotHead() const {
+    return head_ == Head::none ? PlotHead::margin : PlotHead::line;
+}
+
+int PlotStack::timeHeight() const {
+    return head_ == Head::none ? time_row_height : time_strip_height;
 }
 
 void PlotStack::setTitle(const QString& title) {
     head_strip_->setEntries({StripEntry{title, false, false, {}, Qt::SolidLine}}, Qt::AlignHCenter);
-    head_strip_->setInset(PlotPanel::right_margin + 44, PlotPanel::right_margin, 0);
+    head_strip_->setInset(PlotPanel::rightMargin(plotHead()) + 44,
+                          PlotPanel::rightMargin(plotHead()), 0);
 }
 
 void PlotStack::setZoom(const ZoomState& zoom) {
@@ -148,12 +150,12 @@ void PlotStack::setZoom(const ZoomState& zoom) {
 
 void PlotStack::prepare(QSize size) {
     const int rows = static_cast<int>(panels_.size());
-    const int strips = time_strip_height + (head_strip_ ? head_strip_->height() : 0);
+    const int strips = timeHeight() + (head_strip_ ? head_strip_->height() : 0);
     const int each = rows > 0 ? (size.height() - strips) / rows : 0;
     for (PlotPanel* panel : panels_) {
-        panel->setExpectedSize(
-            {std::max(2, size.width() - panel->margins().left() - PlotPanel::right_margin),
-             std::max(1, each - PlotPanel::head_height - PlotPanel::foot)});
+        panel->setExpectedSize({std::max(2, size.width() - panel->margins().left() -
+                                                PlotPanel::rightMargin(plotHead())),
+                                std::max(1, each - panel->headHeight() - panel->foot())});
     }
 }
 
@@ -183,10 +185,11 @@ void PlotStack::nameTime() {
         return;
     }
     const QRect area = panels_.back()->rect();
-    time_strip_->setInset(area.left() - time_strip_->rect().left(), PlotPanel::right_margin,
-                          tick_label_room);
+    const bool beside = head_ == Head::none;
+    time_strip_->setInset(area.left() - time_strip_->rect().left(),
+                          PlotPanel::rightMargin(plotHead()), beside ? 0 : tick_label_room);
     time_strip_->setEntries({StripEntry{timeName(), false, false, {}, Qt::SolidLine}},
-                            Qt::AlignHCenter);
+                            beside ? Qt::AlignRight : Qt::AlignHCenter);
 }
 
 }  // namespace vybeg::ui

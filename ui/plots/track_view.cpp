@@ -4,7 +4,9 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 
-#include <QEvent>
+#include <QCoreApplication>
+#include <QHelpEvent>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -14,9 +16,8 @@ namespace vybeg::ui {
 namespace {
 
 // Heights, pixels.
-constexpr int least_plot = 50;    // all five are seen in 1280 x 720
-constexpr int plot_head = 22;     // its name and values
-constexpr int around_plots = 66;  // names of the analyses, time axis
+constexpr int least_plot = 50;    // with the gap below it
+constexpr int around_plots = 20;  // time axis
 
 bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
     return displayScale(variable, a, 1) == displayScale(variable, b, 1);
@@ -49,7 +50,7 @@ TrackView::TrackView(QWidget* parent)
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));
     preparePlot(*plot_, content_.theme);
-    stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::analysis_names);
+    stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::none);
     overlay_ = new PlotOverlay(plot_, stack_.get());
     connect(plot_, &QCustomPlot::afterLayout, this, &TrackView::followLayout);
     connect(&zoom_, &ZoomNavigator::moved, this, [this] {
@@ -171,7 +172,7 @@ std::optional<SlowVariable> TrackView::variableAt(const QPoint& position) const 
 
 QSize TrackView::minimumSizeHint() const {
     const int rows = std::max(1, static_cast<int>(content_.variables.size()));
-    return {320, around_plots + rows * (plot_head + least_plot)};
+    return {320, around_plots + rows * least_plot};
 }
 
 void TrackView::rebuild() {
@@ -183,6 +184,10 @@ void TrackView::rebuild() {
     overlay_->setHint(coveredTime(content_.analyses)
                           ? QString()
                           : tr("No analysis yet.\nOpen a recording and press Analyse."));
+    overlay_->setNote(content_.unlike > 0 ? QCoreApplication::translate(
+                                                "PlotStack", "%n not drawn: other length or unit",
+                                                nullptr, content_.unlike)
+                                          : QString());
     const bool has_analyses = coveredTime(content_.analyses).has_value();
     for (const char* name : {"background", "grid", "main", "axes"}) {
         plot_->layer(QString::fromLatin1(name))->setVisible(has_analyses);
@@ -231,6 +236,19 @@ void TrackView::resizeEvent(QResizeEvent* event) {
 void TrackView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     redraw();
+}
+
+// The meaning of a plot's symbol, at the margin where it stands.
+bool TrackView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto& help = static_cast<const QHelpEvent&>(*event);
+        const PlotPanel* panel = stack_->panelAt(help.pos());
+        if (panel && help.pos().x() < panel->rect().left()) {
+            QToolTip::showText(help.globalPos(), displayMeaning(panel->variable()), this);
+            return true;
+        }
+    }
+    return QWidget::event(event);
 }
 
 void TrackView::changeEvent(QEvent* event) {

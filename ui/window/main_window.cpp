@@ -33,6 +33,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSplitter>
@@ -49,6 +50,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     : QMainWindow(parent), document_(document) {
     setObjectName(QStringLiteral("main_window"));
     setAcceptDrops(true);
+    menu_bar_ = new QMenuBar(this);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
@@ -68,12 +70,12 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
         this);
-    menus_ =
-        new WindowMenus(*commands_, *tracks_, panels_, static_cast<int>(storedThemeMode()), this);
+    menus_ = new WindowMenus(*commands_, *tracks_, panels_, static_cast<int>(storedThemeMode()),
+                             menu_bar_);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
     action(Command::quit)->setMenuRole(QAction::QuitRole);
     action(Command::about)->setMenuRole(QAction::AboutRole);
-    buildToolBar();
+    buildTopRow();
     connectDocument();
     connectSession();
     connectPanels();
@@ -96,9 +98,9 @@ void MainWindow::buildPages() {
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
     pages_->add(signals_, QT_TRANSLATE_NOOP("Pages", "Signals"));
-    pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
     pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
     pages_->add(sweep_, QT_TRANSLATE_NOOP("Pages", "Windows"));
+    pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
     pages_->add(history_, QT_TRANSLATE_NOOP("Pages", "History"));
 
     messages_ = new MessageBar(this);
@@ -147,20 +149,25 @@ void MainWindow::buildDocks() {
     resizeDocks({analyses}, {130}, Qt::Vertical);
 }
 
-void MainWindow::buildToolBar() {
-    tools_ = new QToolBar(this);
+// Menus, pages and the commands of the mouse in one row: the plots have the height of the others.
+void MainWindow::buildTopRow() {
+    tools_ = new QToolBar;
     tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     tools_->setIconSize({16, 16});
-    for (const Command command :
-         {Command::open, Command::analyse, Command::export_plots, Command::report}) {
+    for (const Command command : {Command::open, Command::export_plots, Command::report}) {
         tools_->addAction(action(command));
     }
-    tools_->addSeparator();
-    for (QAction* language : menus_->languages()) {
-        tools_->addAction(language);
-    }
-    // In the row of the menus, whose rest is free: the plots have its height.
-    menuBar()->setCornerWidget(tools_);
+    auto* row = new QWidget(this);
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(0);
+    menu_bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    line->addWidget(menu_bar_);
+    line->addStretch(1);
+    line->addWidget(pages_->tabs());
+    line->addStretch(1);
+    line->addWidget(tools_);
+    setMenuWidget(row);
 }
 
 void MainWindow::connectDocument() {
@@ -223,7 +230,7 @@ void MainWindow::connectSession() {
 
 void MainWindow::connectPanels() {
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
-    connect(pages_, &PageStack::pageShown, this, [this] { panels_.showThoseOf(pages_->page()); });
+    connect(pages_, &PageStack::pageShown, this, &MainWindow::showPanels);
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
     connect(welcome_, &WelcomePage::recentChosen, this,
             [this](const QString& path) { files_->open({path}); });
@@ -297,6 +304,11 @@ void MainWindow::showCurrentRecording() {
     pages_->setWelcome(empty);
     showTitle();
     commands_->refresh();
+}
+
+// The welcome has the window for itself.
+void MainWindow::showPanels() {
+    panels_.showThoseOf(pages_->welcomes() ? std::nullopt : std::optional(pages_->page()));
 }
 
 void MainWindow::showTitle() {

@@ -12,6 +12,7 @@
 #include <QMainWindow>
 #include <QPointer>
 
+class QMenuBar;
 class QTabWidget;
 class QToolBar;
 
@@ -68,11 +69,12 @@ private:
     // main_window.cpp
     void buildPages();
     void buildDocks();
-    void buildToolBar();
+    void buildTopRow();
     void connectDocument();
     void connectSession();
     void connectPanels();
     void showTitle();
+    void showPanels();
     void showCurrentRecording();
     void showAnalyses();
     void showAnalysis(AnalysisId id);
@@ -101,6 +103,7 @@ private:
     BatchCommands* batch_ = nullptr;
     bool leaving_ = false;  // changes are saved or given up
     PagePanels panels_{*this};
+    QMenuBar* menu_bar_ = nullptr;
     QToolBar* tools_ = nullptr;
 
     PageStack* pages_ = nullptr;

@@ -74,6 +74,7 @@ void MainWindow::restoreState() {
     resize(QSize(1400, 900).boundedTo(screen()->availableSize() - frame));
     restoreGeometry(settings.value(geometry_key).toByteArray());
     QMainWindow::restoreState(settings.value(state_key).toByteArray(), state_version);
+    showPanels();
 }
 
 void MainWindow::saveState() {

@@ -31,10 +31,10 @@ void PagePanels::showAll() {
     window_.resizeDocks(back, heights, Qt::Vertical);
 }
 
-void PagePanels::showThoseOf(Page page) {
+void PagePanels::showThoseOf(std::optional<Page> page) {
     showAll();
     for (const Panel& panel : panels_) {
-        if (!panel.pages.contains(page) && !panel.dock->isHidden()) {
+        if (!(page && panel.pages.contains(*page)) && !panel.dock->isHidden()) {
             without_use_.emplace_back(panel.dock, panel.dock->size());
         }
     }

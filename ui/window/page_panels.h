@@ -5,6 +5,7 @@
 #include <QList>
 #include <QSize>
 
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ public:
     // `title`: a text of context "vybeg::ui::MainWindow"; `pages`: those that it acts on.
     QDockWidget* add(QWidget* panel, const char* name, const char* title, Qt::DockWidgetArea area,
                      const std::set<Page>& pages);
-    void showThoseOf(Page page);
+    void showThoseOf(std::optional<Page> page);  // nothing: none of them
     // As the user has arranged them, on whatever page.
     void showAll();
     // They show and hide the panels.

@@ -15,8 +15,8 @@ namespace vybeg::ui {
 namespace {
 
 // As Page.
-constexpr std::array page_words{"tracks",    "signals", "resonator",
-                                "residuals", "windows", "history"};
+constexpr std::array page_words{"tracks",  "signals",   "residuals",
+                                "windows", "resonator", "history"};
 static_assert(page_words.size() == static_cast<std::size_t>(Page::history) + 1);
 
 }  // namespace
@@ -38,11 +38,11 @@ PageStack::PageStack(QWidget* welcome, QWidget* parent)
     tabs_->setDocumentMode(true);
     tabs_->setExpanding(false);
     tabs_->setDrawBase(false);
+    tabs_->setUsesScrollButtons(false);
     stack_->addWidget(welcome);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(tabs_);
     column->addWidget(stack_, 1);
     connect(tabs_, &QTabBar::currentChanged, this, &PageStack::showTab);
     showTab();
@@ -70,12 +70,14 @@ Page PageStack::page() const {
     return static_cast<Page>(tabs_->currentIndex());
 }
 
+bool PageStack::welcomes() const {
+    return welcome_ && page() != Page::history;
+}
+
 // Page 0 of the stack is the welcome.
 void PageStack::showTab() {
-    const int tab = tabs_->currentIndex();
-    const bool welcome = welcome_ && tab != static_cast<int>(Page::history);
-    tabs_->setVisible(!welcome);
-    stack_->setCurrentIndex(welcome ? 0 : tab + 1);
+    tabs_->setVisible(!welcomes());
+    stack_->setCurrentIndex(welcomes() ? 0 : tabs_->currentIndex() + 1);
     emit pageShown();
 }
 

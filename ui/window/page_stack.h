@@ -10,14 +10,14 @@ class QTabBar;
 namespace vybeg::ui {
 
 // The pages in the order of their tabs. All but the last are about the open recordings.
-enum class Page { tracks, samples, resonator, residuals, windows, history };
+enum class Page { tracks, samples, residuals, windows, resonator, history };
 
 // The word of a page in a session, and the page of a word; nothing for another word.
 QString pageWord(Page page);
 std::optional<Page> pageOfWord(const QString& word);
 
-// The middle of the window: pages under a bar of tabs. While no recording is open, the welcome
-// stands in the place of those about recordings.
+// The middle of the window: pages, and their tabs, which stand elsewhere. While no recording is
+// open, the welcome stands in the place of those about recordings.
 class PageStack : public QWidget {
     Q_OBJECT
 
@@ -29,6 +29,9 @@ public:
     void setWelcome(bool shown);
     void showPage(Page page);
     Page page() const;
+    // The welcome stands in the page's place.
+    bool welcomes() const;
+    QTabBar* tabs() const { return tabs_; }
 
 signals:
     void pageShown();

@@ -171,7 +171,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .text = QT_TRANSLATE_NOOP("Command", "Reso&nator"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with the resonator of a set: parameters, rim, drift"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_3)},
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_5)},
          .enabled = any,
          .act = [to] { to.show_page(Page::resonator); }},
         {.id = Command::page_residuals,
@@ -179,7 +179,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with spectrum, distribution and autocorrelation of "
                                   "what the waves leave of the samples"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_4)},
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_3)},
          .enabled = any,
          .act = [to] { to.show_page(Page::residuals); }},
         {.id = Command::page_windows,
@@ -187,7 +187,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with scatter, bound and leakage against the length of "
                                   "the window, and the window this recording deserves"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_5)},
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_4)},
          .enabled = any,
          .act = [to] { to.show_page(Page::windows); }},
         {.id = Command::page_history,

@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QMainWindow>
 #include <QMenuBar>
 
 #include <algorithm>
@@ -13,12 +12,12 @@
 namespace vybeg::ui {
 
 WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, const PagePanels& panels,
-                         int theme, QMainWindow* window)
-    : QObject(window),
+                         int theme, QMenuBar* bar)
+    : QObject(bar),
       commands_(commands),
       tracks_(tracks),
-      window_(window),
-      recent_(new RecentFiles(window)),
+      bar_(bar),
+      recent_(new RecentFiles(bar)),
       languages_(new QActionGroup(this)) {
     connect(recent_, &RecentFiles::chosen, this, &WindowMenus::recentChosen);
     addFile();
@@ -39,7 +38,7 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, const Page
 }
 
 QMenu* WindowMenus::top(const char* title) {
-    QMenu* menu = window_->menuBar()->addMenu(QString());
+    QMenu* menu = bar_->addMenu(QString());
     menu->setToolTipsVisible(true);
     titles_[menu] = title;
     return menu;
@@ -92,8 +91,8 @@ void WindowMenus::addFile() {
 
 void WindowMenus::addView(const PagePanels& panels, int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
-    add(view, {Command::page_tracks, Command::page_signals, Command::page_resonator,
-               Command::page_residuals, Command::page_windows, Command::page_history});
+    add(view, {Command::page_tracks, Command::page_signals, Command::page_residuals,
+               Command::page_windows, Command::page_resonator, Command::page_history});
     view->addSeparator();
     add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
                Command::zoom_forward});
@@ -177,10 +176,6 @@ void WindowMenus::addLanguages(QMenu* view) {
         connect(entry, &QAction::triggered, this,
                 [this, entry] { emit languageChosen(entry->data().toString()); });
     }
-}
-
-QList<QAction*> WindowMenus::languages() const {
-    return languages_->actions();
 }
 
 void WindowMenus::setLanguage(const QString& code) {

@@ -11,8 +11,8 @@
 #include <vector>
 
 class QActionGroup;
-class QMainWindow;
 class QMenu;
+class QMenuBar;
 
 namespace vybeg::ui {
 
@@ -26,10 +26,9 @@ class WindowMenus : public QObject {
 public:
     // `theme`: the choice in effect, as ThemeMode.
     WindowMenus(const Commands& commands, TrackView& tracks, const PagePanels& panels, int theme,
-                QMainWindow* window);
+                QMenuBar* bar);
 
     RecentFiles* recentFiles() const { return recent_; }
-    QList<QAction*> languages() const;
     void setLanguage(const QString& code);
     void retranslate();
 
@@ -58,7 +57,7 @@ private:
 
     const Commands& commands_;
     TrackView& tracks_;
-    QMainWindow* window_;
+    QMenuBar* bar_;
     RecentFiles* recent_;
     QActionGroup* languages_;
     std::map<QMenu*, const char*> titles_;

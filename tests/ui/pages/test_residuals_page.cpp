@@ -75,7 +75,7 @@ class TestResidualsPage : public QObject {
     }
 
     void goToResiduals() {
-        QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
+        QTest::keyClick(window_.get(), Qt::Key_3, Qt::ControlModifier);
         QVERIFY(page().isVisible());
     }
 
@@ -116,11 +116,11 @@ private slots:
         QVERIFY(tabs.isVisible());
         QCOMPARE(tabs.count(), 6);
         goToResiduals();
-        QCOMPARE(tabs.currentIndex(), 3);
+        QCOMPARE(tabs.currentIndex(), 2);
         QVERIFY(!the<TrackView>().isVisible());
         QTest::keyClick(window_.get(), Qt::Key_1, Qt::ControlModifier);
         QVERIFY(the<TrackView>().isVisible() && !page().isVisible());
-        QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(3).center());
+        QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(2).center());
         QVERIFY(page().isVisible());
         document().closeRecording(document().currentRecording()->id);
         QVERIFY(!tabs.isVisible() && !page().isVisible());
@@ -296,7 +296,7 @@ private slots:
         window_->setLanguage("ru");
         QTRY_VERIFY2(sentence().contains("Гц"), qPrintable(sentence()));
         QCOMPARE(page().residuals()->lines.size(), lines.size());
-        QTRY_COMPARE(the<QTabBar>("pages").tabText(3), QString("Невязки"));
+        QTRY_COMPARE(the<QTabBar>("pages").tabText(2), QString("Невязки"));
         window_->setLanguage("en");
         QTRY_VERIFY(sentence().contains("Hz"));
     }

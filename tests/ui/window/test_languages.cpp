@@ -220,10 +220,10 @@ private slots:
         QFETCH(QString, first);
         TestWindow window;
         window.setLanguage(language);
-        QVERIFY(
-            QTest::qWaitFor([&] { return window.menuBar()->actions().first()->text() == first; }));
-        QList<const QWidget*> menus{window.menuBar()};
-        for (const QMenu* menu : window.menuBar()->findChildren<QMenu*>()) {
+        QVERIFY(QTest::qWaitFor(
+            [&] { return childOf<QMenuBar>(window).actions().first()->text() == first; }));
+        QList<const QWidget*> menus{&childOf<QMenuBar>(window)};
+        for (const QMenu* menu : childOf<QMenuBar>(window).findChildren<QMenu*>()) {
             menus << menu;
         }
         VYBEG_MORE(menus.size(), 10);
