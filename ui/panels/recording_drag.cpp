@@ -33,36 +33,6 @@ std::vector<RecordingId> recordingsOf(const QList<QListWidgetItem*>& items) {
     return ids;
 }
 
-RecordingDragList::RecordingDragList(QWidget* parent) : QListWidget(parent) {
-    setDragEnabled(true);
-    setDragDropMode(QAbstractItemView::DragOnly);
-}
-
-void RecordingDragList::setRecordings(const std::vector<RecordingEntry>& recordings) {
-    for (int row = count() - 1; row >= 0; --row) {
-        const RecordingId id = recordingOf(*item(row));
-        if (std::ranges::find(recordings, id, &RecordingEntry::id) == recordings.end()) {
-            delete takeItem(row);
-        }
-    }
-    // New recordings are always at the end.
-    for (std::size_t k = static_cast<std::size_t>(count()); k < recordings.size(); ++k) {
-        (new QListWidgetItem(this))->setData(Qt::UserRole, number(recordings[k].id));
-    }
-}
-
-std::vector<RecordingId> RecordingDragList::selectedRecordings() const {
-    return recordingsOf(selectedItems());
-}
-
-QStringList RecordingDragList::mimeTypes() const {
-    return {recordingType()};
-}
-
-QMimeData* RecordingDragList::mimeData(const QList<QListWidgetItem*>& items) const {
-    return recordingMimeData(recordingsOf(items));
-}
-
 QMimeData* recordingMimeData(const std::vector<RecordingId>& recording_ids) {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);

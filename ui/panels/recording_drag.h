@@ -15,22 +15,6 @@ namespace vybeg::ui {
 RecordingId recordingOf(const QListWidgetItem& item);
 std::vector<RecordingId> recordingsOf(const QList<QListWidgetItem*>& items);
 
-// The open recordings as a list whose items can be dragged into a set of recordings.
-class RecordingDragList : public QListWidget {
-    Q_OBJECT
-
-public:
-    explicit RecordingDragList(QWidget* parent = nullptr);
-
-    // One item per recording; existing items remain.
-    void setRecordings(const std::vector<RecordingEntry>& recordings);
-    std::vector<RecordingId> selectedRecordings() const;
-
-protected:
-    QStringList mimeTypes() const override;
-    QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
-};
-
 // Data of a drag: recordings of this window, or files.
 QMimeData* recordingMimeData(const std::vector<RecordingId>& recording_ids);
 std::vector<RecordingId> draggedRecordings(const QMimeData& data);

@@ -1,23 +1,18 @@
 #include "ui/plots/plot_panel.h"
 
 #include "ui/plots/decimated_graph.h"
-#include "ui/plots/panel_frame.h"
 #include "ui/plots/value_range.h"
 #include "ui/words/index_text.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace vybeg::ui {
 namespace {
 
-constexpr int least_left_margin = 60;  // of paper
-constexpr int left_margin = 56;        // of the screen, wider where texts need it
 constexpr double unit_gap = 8;
-constexpr double edge = 3;  // from the window's edge to a text in the margin
 constexpr double least_mark_spacing = 4;
 
 }  // namespace
@@ -33,19 +28,11 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable, PlotHead head)
     valueAxis()->setTickLabelPadding(4);
     // The labels under the lowest panel have a separate row, so that all panels are equally high.
     setAutoMargins(QCP::msLeft);
-    const int left = head == PlotHead::line ? least_left_margin : left_margin;
-    setMinimumMargins({left, 0, 0, 0});
-    setMargins({left, headHeight(), rightMargin(head), foot()});
+    const FrameRoom room = frameRoom(head);
+    setMinimumMargins({room.left, 0, 0, 0});
+    setMargins({room.left, room.head, room.right, room.foot});
     if (head == PlotHead::margin) {
-        value_ticker_->setShared(
-            [this](const AxisTicks& ticks) {
-                std::vector<double> widths;
-                for (const MarginLine& line : marginLines(ticks)) {
-                    widths.push_back(line.width + edge);
-                }
-                return widths;
-            },
-            left_margin - 4);
+        shareMargin(*value_ticker_, [this](const AxisTicks& ticks) { return marginTexts(ticks); });
         time_ticker_->setShared([this](const AxisTicks& ticks) {
             return std::vector<double>{indexTextWidth(timeAxisName(ticks), font_)};
         });
@@ -168,7 +155,7 @@ QString PlotPanel::headUnit() const {
 void PlotPanel::update(UpdatePhase phase) {
     if (phase == upPreparation) {
         value_ticker_->setRoom(expected_.height(), tick_font_);
-        time_ticker_->setRoom(expected_.width(), tick_font_, rightMargin(head_) - 2);
+        time_ticker_->setRoom(expected_.width(), tick_font_, room().right - 2);
     }
     QCPAxisRect::update(phase);
 }
@@ -198,7 +185,7 @@ void PlotPanel::draw(QCPPainter* painter) {
     if (head_ == PlotHead::line) {
         drawHead(*painter);
     } else {
-        drawMarginLines(*painter);
+        drawMarginLines(*painter, *this, marginTexts(value_ticker_->ticks()), theme_, font_);
     }
     if (const QString reason = emptyReason(); !reason.isEmpty()) {
         painter->setPen(theme_.mutedText);
@@ -235,50 +222,23 @@ void PlotPanel::drawHead(QCPPainter& painter) const {
         painter.setFont(italic);
         painter.setPen(theme_.text);
         painter.drawText(
-            QRectF(rect().left(), rect().top() - headHeight(), rect().width(), headHeight() - 3),
+            QRectF(rect().left(), rect().top() - room().head, rect().width(), room().head - 3),
             int(Qt::AlignRight | Qt::AlignVCenter), letter_);
     }
 }
 
-std::vector<PlotPanel::MarginLine> PlotPanel::marginLines(const AxisTicks& ticks) const {
-    const auto line = [this](const QString& text, bool muted) {
-        return MarginLine{text, muted, indexTextWidth(text, muted ? tick_font_ : font_)};
-    };
-    std::vector<MarginLine> lines{line(displaySymbol(variable_, units_), false)};
-    const QString unit =
-        scaledUnit(displayUnit(variable_, units_), takesPrefix(variable_, units_), ticks.exponent);
-    if (const QString offset = offsetText(ticks); !offset.isEmpty()) {
-        lines.push_back(line(offset.trimmed(), true));
-    } else if (const MarginLine both =
-                   line(lines.front().text + QStringLiteral(", ") + unit, false);
-               !unit.isEmpty() && both.width + edge < left_margin) {
-        return {both};
-    }
-    if (!unit.isEmpty()) {
-        lines.push_back(line(unit, true));
-    }
-    return lines;
+std::vector<MarginLine> PlotPanel::marginTexts(const AxisTicks& ticks) const {
+    return marginLines(
+        displaySymbol(variable_, units_), offsetText(ticks),
+        scaledUnit(displayUnit(variable_, units_), takesPrefix(variable_, units_), ticks.exponent),
+        font_);
 }
 
 int PlotPanel::calculateAutoMargin(QCP::MarginSide side) {
-    int margin = QCPAxisRect::calculateAutoMargin(side);
-    if (head_ == PlotHead::margin && side == QCP::msLeft) {
-        for (const MarginLine& line : marginLines(value_ticker_->ticks())) {
-            margin = std::max(margin, static_cast<int>(std::ceil(line.width + 2 * edge)));
-        }
-    }
-    return margin;
-}
-
-void PlotPanel::drawMarginLines(QCPPainter& painter) const {
-    const QFontMetricsF metrics(tick_font_);
-    double base = rect().top() + metrics.ascent();
-    for (const MarginLine& line : marginLines(value_ticker_->ticks())) {
-        painter.setPen(line.muted ? theme_.mutedText : theme_.text);
-        drawIndexText(painter, {outerRect().left() + edge, base}, line.text,
-                      line.muted ? tick_font_ : font_);
-        base += metrics.height();
-    }
+    const int margin = QCPAxisRect::calculateAutoMargin(side);
+    return head_ == PlotHead::margin && side == QCP::msLeft
+               ? std::max(margin, marginOf(marginTexts(value_ticker_->ticks())))
+               : margin;
 }
 
 }  // namespace vybeg::ui

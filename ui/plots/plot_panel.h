@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/plots/panel_ticker.h"
+#include "ui/plots/panel_frame.h"
 #include "ui/plots/plot_content.h"
 
 #include <qcustomplot.h>
@@ -10,9 +10,6 @@
 namespace vybeg::ui {
 
 class DecimatedGraph;
-
-// Where symbol and unit of a plot stand: on the screen in the left margin, on paper above it.
-enum class PlotHead { margin, line };
 
 // One plot: the curves of one slow variable of all visible analyses, with its symbol and unit.
 class PlotPanel : public QCPAxisRect {
@@ -52,12 +49,9 @@ public:
     QString headUnit() const;
     const QFont& headFont() const { return font_; }
 
-    // Heights of what stands above and below the frame.
     // The first plot of the screen has room for a label at its top.
     void setAtTop() { setMargins({margins().left(), 5, margins().right(), margins().bottom()}); }
-    int headHeight() const { return head_ == PlotHead::line ? 21 : 0; }
-    int foot() const { return head_ == PlotHead::line ? 3 : 4; }
-    static int rightMargin(PlotHead head) { return head == PlotHead::line ? 16 : 8; }
+    FrameRoom room() const { return frameRoom(head_); }
 
     void update(UpdatePhase phase) override;
 
@@ -66,18 +60,10 @@ protected:
     int calculateAutoMargin(QCP::MarginSide side) override;
 
 private:
-    struct MarginLine {
-        QString text;
-        bool muted = false;
-        double width = 0;
-    };
-
     void setLook(const Theme& theme);
     void drawMarks(QCPPainter& painter) const;
     void drawHead(QCPPainter& painter) const;
-    // Symbol, offset and unit as lines in the left margin, for ticks.
-    std::vector<MarginLine> marginLines(const AxisTicks& ticks) const;
-    void drawMarginLines(QCPPainter& painter) const;
+    std::vector<MarginLine> marginTexts(const AxisTicks& ticks) const;
     QString emptyReason() const;
     // "−5300 Hz" of an axis that counts from an offset; empty without one.
     QString offsetText(const AxisTicks& ticks) const;

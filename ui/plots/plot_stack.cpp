@@ -108,7 +108,7 @@ void PlotStack::build(const PlotContent& content) {
     int row = 0;
     if (head_ != Head::none) {
         head_strip_ = new PlotStrip(&plot_, head_strip_height);
-        head_strip_->setInset(8, PlotPanel::rightMargin(plotHead()), 0);
+        head_strip_->setInset(8, frameRoom(plotHead()).right, 0);
         grid.addElement(row++, column_, head_strip_);
     }
     for (const SlowVariable variable : content.variables) {
@@ -135,8 +135,7 @@ int PlotStack::timeHeight() const {
 
 void PlotStack::setTitle(const QString& title) {
     head_strip_->setEntries({StripEntry{title, false, false, {}, Qt::SolidLine}}, Qt::AlignHCenter);
-    head_strip_->setInset(PlotPanel::rightMargin(plotHead()) + 44,
-                          PlotPanel::rightMargin(plotHead()), 0);
+    head_strip_->setInset(frameRoom(plotHead()).right + 44, frameRoom(plotHead()).right, 0);
 }
 
 void PlotStack::setZoom(const ZoomState& zoom) {
@@ -153,9 +152,9 @@ void PlotStack::prepare(QSize size) {
     const int strips = timeHeight() + (head_strip_ ? head_strip_->height() : 0);
     const int each = rows > 0 ? (size.height() - strips) / rows : 0;
     for (PlotPanel* panel : panels_) {
-        panel->setExpectedSize({std::max(2, size.width() - panel->margins().left() -
-                                                PlotPanel::rightMargin(plotHead())),
-                                std::max(1, each - panel->headHeight() - panel->foot())});
+        panel->setExpectedSize(
+            {std::max(2, size.width() - panel->margins().left() - frameRoom(plotHead()).right),
+             std::max(1, each - panel->room().head - panel->room().foot)});
     }
 }
 
@@ -186,8 +185,8 @@ void PlotStack::nameTime() {
     }
     const QRect area = panels_.back()->rect();
     const bool beside = head_ == Head::none;
-    time_strip_->setInset(area.left() - time_strip_->rect().left(),
-                          PlotPanel::rightMargin(plotHead()), beside ? 0 : tick_label_room);
+    time_strip_->setInset(area.left() - time_strip_->rect().left(), frameRoom(plotHead()).right,
+                          beside ? 0 : tick_label_room);
     time_strip_->setEntries({StripEntry{timeName(), false, false, {}, Qt::SolidLine}},
                             beside ? Qt::AlignRight : Qt::AlignHCenter);
 }

@@ -16,7 +16,7 @@ namespace vybeg::ui {
 namespace {
 
 // Heights, pixels.
-constexpr int least_plot = 50;    // with the gap below it
+constexpr int least_plot = 70;    // with the gap below it
 constexpr int around_plots = 20;  // time axis
 
 bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
@@ -92,6 +92,7 @@ void TrackView::setRecorded(const RecordedTime& recorded) {
 void TrackView::setShownVariables(std::vector<SlowVariable> variables) {
     content_.variables = std::move(variables);
     rebuild();
+    emit variablesChanged();
 }
 
 void TrackView::setUnits(const DisplayUnits& units) {

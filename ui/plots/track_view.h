@@ -106,6 +106,7 @@ signals:
     // The user moved, placed or removed a cursor.
     void cursorsChanged();
     void zoomHistoryChanged();
+    void variablesChanged();
     // Margins of the time axes, pixels from both edges.
     void timeAxisPlaced(int left, int right);
 

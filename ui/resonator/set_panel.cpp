@@ -126,17 +126,15 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     auto* choices = new QHBoxLayout;
     choices->addWidget(model_label_);
     choices->addWidget(model_, 1);
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(choose_, 1);
-    buttons->addWidget(identify_, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 2);
     layout->setSpacing(3);
     layout->addLayout(names);
     layout->addWidget(members_);
+    layout->addWidget(choose_);
     layout->addWidget(listed_);
     layout->addLayout(choices);
-    layout->addLayout(buttons);
+    layout->addWidget(identify_);
 
     connect(sets_, &QComboBox::activated, this, [this](int row) {
         document_.sets().setCurrent(static_cast<SetId>(sets_->itemData(row).toInt()));

@@ -35,7 +35,7 @@ SignalsView::SignalsView(TrackView& tracks, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     preparePlot(*plot_, lightTheme());
     stack_ = std::make_unique<SignalStack>(
-        *plot_, std::vector(all_signal_parts.begin(), all_signal_parts.end()));
+        *plot_, std::vector(all_signal_parts.begin(), all_signal_parts.end()), PlotHead::margin);
     overlay_ = new SignalOverlay(plot_, *stack_, tracks_);
 }
 

@@ -14,7 +14,7 @@ class QWidget;
 
 namespace vybeg::ui {
 
-// What the menus, the tool bar and the keyboard offer.
+// What the menus, the row of the window and the keyboard offer.
 enum class Command {
     open,
     import_file,
@@ -43,6 +43,9 @@ enum class Command {
     zoom_fit,
     zoom_back,
     zoom_forward,
+    sidebar,
+    wave,
+    fitted_wave,
     sigma_bands,
     log_a_A,
     analyse,

@@ -3,7 +3,7 @@
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
 #include "ui/import/import_dialog.h"
-#include "ui/panels/analysis_list.h"
+#include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/compare_dialog.h"
@@ -47,12 +47,12 @@ QString trackName(const ShownAnalysis& shown) {
 }  // namespace
 
 FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView& tracks,
-                           AnalysisList& analyses, QWidget* window)
+                           Ledger& ledger, QWidget* window)
     : QObject(window),
       document_(document),
       session_(session),
       tracks_(tracks),
-      analyses_(analyses),
+      ledger_(ledger),
       ask_(*new FileQuestions(window)),
       window_(window) {
     connect(&session_, &SessionKeeper::fileWanted, this,
@@ -175,7 +175,7 @@ void FileCommands::askForNewDatabase() {
 }
 
 void FileCommands::askWhereToPutTrack() {
-    if (const AnalysisEntry* entry = document_.analysis(analyses_.currentAnalysis())) {
+    if (const AnalysisEntry* entry = document_.analysis(ledger_.currentAnalysis())) {
         ask_.trackTarget(trackName(entry->shown),
                          [this](const QString& path) { exportTrackTo(path); });
     }
@@ -290,7 +290,7 @@ void FileCommands::exportTrackTo(const QString& path) {
         reportSaved(possible, path);
         return;
     }
-    document_.exportTrack(analyses_.currentAnalysis(), path,
+    document_.exportTrack(ledger_.currentAnalysis(), path,
                           [this, path](const Status& status) { reportSaved(status, path); });
 }
 

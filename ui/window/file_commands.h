@@ -16,7 +16,7 @@ namespace vybeg::ui {
 class CompareDialog;
 class FileQuestions;
 class ImportDialog;
-class AnalysisList;
+class Ledger;
 class SessionKeeper;
 class TrackView;
 
@@ -26,8 +26,8 @@ class FileCommands : public QObject {
     Q_OBJECT
 
 public:
-    FileCommands(Document& document, SessionKeeper& session, TrackView& tracks,
-                 AnalysisList& analyses, QWidget* window);
+    FileCommands(Document& document, SessionKeeper& session, TrackView& tracks, Ledger& ledger,
+                 QWidget* window);
 
     // Recordings, measurement lists and sessions. Before a session takes the place of one with
     // changes, it asks.
@@ -82,7 +82,7 @@ private:
     Document& document_;
     SessionKeeper& session_;
     TrackView& tracks_;
-    AnalysisList& analyses_;
+    Ledger& ledger_;
     FileQuestions& ask_;
     QWidget* window_;
     QPointer<CompareDialog> compare_;

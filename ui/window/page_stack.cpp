@@ -14,22 +14,47 @@ namespace vybeg::ui {
 
 namespace {
 
+struct PageRow {
+    const char* word;
+    const char* title;  // of context "Pages"
+    PageNeeds needs;
+};
+
 // As Page.
-constexpr std::array page_words{"tracks",  "signals",   "residuals",
-                                "windows", "resonator", "history"};
-static_assert(page_words.size() == static_cast<std::size_t>(Page::history) + 1);
+constexpr std::array page_rows{
+    PageRow{"tracks",
+            QT_TRANSLATE_NOOP("Pages", "Tracks"),
+            {.sidebar = true, .ledger = true, .overview = true, .wave = true}},
+    PageRow{"signals",
+            QT_TRANSLATE_NOOP("Pages", "Signals"),
+            {.sidebar = true, .ledger = true, .overview = true, .wave = true}},
+    PageRow{
+        "residuals", QT_TRANSLATE_NOOP("Pages", "Residuals"), {.sidebar = true, .ledger = true}},
+    PageRow{"windows", QT_TRANSLATE_NOOP("Pages", "Windows"), {.sidebar = true, .ledger = true}},
+    PageRow{"resonator", QT_TRANSLATE_NOOP("Pages", "Resonator"), {}},
+    PageRow{"history", QT_TRANSLATE_NOOP("Pages", "History"), {}},
+};
+static_assert(page_rows.size() == static_cast<std::size_t>(Page::history) + 1);
+
+const PageRow& rowOf(Page page) {
+    return page_rows.at(static_cast<std::size_t>(page));
+}
 
 }  // namespace
 
+PageNeeds needsOf(Page page) {
+    return rowOf(page).needs;
+}
+
 QString pageWord(Page page) {
-    return QLatin1String(page_words.at(static_cast<std::size_t>(page)));
+    return QLatin1String(rowOf(page).word);
 }
 
 std::optional<Page> pageOfWord(const QString& word) {
     const auto found = std::ranges::find_if(
-        page_words, [&word](const char* each) { return word == QLatin1String(each); });
-    return found == page_words.end() ? std::nullopt
-                                     : std::optional(static_cast<Page>(found - page_words.begin()));
+        page_rows, [&word](const PageRow& row) { return word == QLatin1String(row.word); });
+    return found == page_rows.end() ? std::nullopt
+                                    : std::optional(static_cast<Page>(found - page_rows.begin()));
 }
 
 PageStack::PageStack(QWidget* welcome, QWidget* parent)
@@ -48,8 +73,7 @@ PageStack::PageStack(QWidget* welcome, QWidget* parent)
     showTab();
 }
 
-void PageStack::add(QWidget* page, const char* title) {
-    titles_ << title;
+void PageStack::add(QWidget* page) {
     stack_->addWidget(page);
     tabs_->addTab(QString());
     retranslate();
@@ -74,6 +98,10 @@ bool PageStack::welcomes() const {
     return welcome_ && page() != Page::history;
 }
 
+PageNeeds PageStack::needs() const {
+    return welcomes() ? PageNeeds() : needsOf(page());
+}
+
 // Page 0 of the stack is the welcome.
 void PageStack::showTab() {
     tabs_->setVisible(!welcomes());
@@ -90,7 +118,8 @@ void PageStack::changeEvent(QEvent* event) {
 
 void PageStack::retranslate() {
     for (int tab = 0; tab < tabs_->count(); ++tab) {
-        tabs_->setTabText(tab, QCoreApplication::translate("Pages", titles_[tab]));
+        tabs_->setTabText(
+            tab, QCoreApplication::translate("Pages", rowOf(static_cast<Page>(tab)).title));
         tabs_->setTabToolTip(tab, QKeySequence(QKeyCombination(Qt::CTRL, Qt::Key(Qt::Key_1 + tab)))
                                       .toString(QKeySequence::NativeText));
     }

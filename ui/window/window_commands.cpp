@@ -1,9 +1,7 @@
 #include "ui/window/window_commands.h"
 
 #include "ui/document/document.h"
-#include "ui/panels/analysis_list.h"
-#include "ui/panels/cursor_panel.h"
-#include "ui/panels/measure_panel.h"
+#include "ui/panels/ledger.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
@@ -78,7 +76,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_E)},
          .enabled =
              [to] {
-                 const AnalysisEntry* chosen = to.document.analysis(to.analyses.currentAnalysis());
+                 const AnalysisEntry* chosen = to.document.analysis(to.ledger.currentAnalysis());
                  return chosen && !chosen->partial();
              },
          .act = [to] { to.files.askWhereToPutTrack(); }},
@@ -149,10 +147,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                                   "The values at the cursor to the clipboard, for a spreadsheet"),
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_T)},
          .enabled = plots,
-         .act =
-             [to] {
-                 QApplication::clipboard()->setText(to.cursor.tableText() + to.measure.tableText());
-             }},
+         .act = [to] { QApplication::clipboard()->setText(to.ledger.tableText()); }},
         {.id = Command::page_tracks,
          .text = QT_TRANSLATE_NOOP("Command", "Trac&ks"),
          .tip = QT_TRANSLATE_NOOP("Command", "The page with the slow variables over time"),
@@ -225,6 +220,25 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::ALT, Qt::Key_Right)},
          .enabled = [to] { return to.tracks.canZoomForward(); },
          .act = [to] { to.tracks.zoomForward(); }},
+        {.id = Command::sidebar,
+         .text = QT_TRANSLATE_NOOP("Command", "Settings of the anal&ysis"),
+         .tip = QT_TRANSLATE_NOOP(
+             "Command", "The settings beside the plots; without them the plots are wider"),
+         .keys = {QKeySequence(Qt::Key_F9)},
+         .switched = to.show_sidebar},
+        {.id = Command::wave,
+         .text = QT_TRANSLATE_NOOP("Command", "Wa&ve"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The waves at the mouse beside the plots, as figures: the "
+                                  "amplitude around the rim, D against C"),
+         .keys = {QKeySequence(Qt::Key_W)},
+         .switched = to.show_wave},
+        {.id = Command::fitted_wave,
+         .text = QT_TRANSLATE_NOOP("Command", "Fitted wave"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The wave of the chosen analysis over the samples of the page "
+                                  "Signals: zoomed out its amplitude, zoomed in the wave itself"),
+         .switched = to.show_fitted_wave},
         {.id = Command::sigma_bands,
          .text = QT_TRANSLATE_NOOP("Command", "One-&sigma bands"),
          .switched =

@@ -11,8 +11,7 @@
 
 namespace vybeg::ui {
 
-WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, const PagePanels& panels,
-                         int theme, QMenuBar* bar)
+WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme, QMenuBar* bar)
     : QObject(bar),
       commands_(commands),
       tracks_(tracks),
@@ -25,7 +24,7 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, const Page
     add(edit, {Command::undo, Command::redo});
     edit->addSeparator();
     add(edit, {Command::copy_plot, Command::copy_table});
-    addView(panels, theme);
+    addView(theme);
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
     add(analysis, {Command::analyse, Command::live, Command::cancel, Command::compare});
     QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
@@ -89,7 +88,7 @@ void WindowMenus::addFile() {
     add(file, {Command::quit});
 }
 
-void WindowMenus::addView(const PagePanels& panels, int theme) {
+void WindowMenus::addView(int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
     add(view, {Command::page_tracks, Command::page_signals, Command::page_residuals,
                Command::page_windows, Command::page_resonator, Command::page_history});
@@ -101,7 +100,8 @@ void WindowMenus::addView(const PagePanels& panels, int theme) {
     addUnits(view);
     add(view, {Command::log_a_A, Command::sigma_bands});
     view->addSeparator();
-    sub(view, QT_TR_NOOP("Pan&els"))->addActions(panels.actions());
+    add(view, {Command::sidebar, Command::wave, Command::fitted_wave});
+    view->addSeparator();
     addChoice(
         view, QT_TR_NOOP("&Theme"),
         {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},

@@ -1,9 +1,10 @@
 // Sets of runs, their identification and the passport, through the window's own widgets.
+#include "core/resonator/results/resonator_parameters.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
-#include "ui/panels/measure_panel.h"
+#include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/recording_drag.h"
 #include "ui/plots/xy_plot_view.h"
@@ -134,17 +135,45 @@ private slots:
     // Where no damped sinusoid follows a swing, the split says how it beats.
     void the_beat_between_the_cursors_knows_the_split() {
         showIdentified();
-        auto& panel = the<MeasurePanel>();
-        panel.setTrendKind(TrendKind::beat);
-        panel.setCursors(1, 2);
+        auto& ledger = the<Ledger>();
+        ledger.setTrendKind(TrendKind::beat);
+        ledger.setCursors(1, 2);
         const Estimate& split = outcome()->identification.fit.resonator.split_hz;
         QVERIFY(split.given());
         const QString value = valueText(split.value, split.uncertainty());
-        const auto labels = panel.findChildren<QLabel*>();
-        QVERIFY(std::ranges::any_of(
-            labels, [&](const QLabel* label) { return label->text().contains(value); }));
-        panel.setTrendKind(TrendKind::line);
-        panel.setCursors({}, {});
+        const QString told = ledger.sentences().join('\n');
+        QVERIFY2(told.contains(value), qPrintable(told));
+        const QTreeWidgetItem& row = *ledger.currentItem();
+        QVERIFY2(row.toolTip(Ledger::trend).contains(value),
+                 qPrintable(row.toolTip(Ledger::trend)));
+        ledger.setTrendKind(TrendKind::line);
+        ledger.setCursors({}, {});
+    }
+
+    // In the smallest window, in both languages, with nothing to scroll.
+    void all_parameters_of_a_set_are_seen_at_once() {
+        showIdentified();
+        window_->action(Command::page_resonator)->trigger();
+        window_->resize(1280, 720);
+        for (const char* language : {"en", "ru"}) {
+            window_->setLanguage(language);
+            auto& table = the<QuantityTable>("resonator");
+            QCOMPARE(table.rowCount(), static_cast<int>(resonator_parameters.size()));
+            const auto seen = [&table] {
+                const QRegion visible = table.viewport()->visibleRegion();
+                for (int row = 0; row < table.rowCount(); ++row) {
+                    const QRect whole = table.visualItemRect(table.item(row, 1)) |
+                                        table.visualItemRect(table.item(row, 0));
+                    if (QRegion(whole).subtracted(visible).boundingRect().height() > 0) {
+                        return false;
+                    }
+                }
+                return true;
+            };
+            QTRY_VERIFY2(seen(), language);
+        }
+        window_->setLanguage(QStringLiteral("en"));
+        window_->resize(1400, 900);
     }
 
     void a_set_is_built_by_dropping_recordings_and_files() {
@@ -162,18 +191,19 @@ private slots:
         QCOMPARE(the<SetMembers>().count(), 3);
         QVERIFY(setStore().canIdentify());
         // The list follows the current recording with one row, however many were dragged.
-        QCOMPARE(the<RecordingDragList>().selectedRecordings(),
+        QCOMPARE(the<Ledger>().selectedRecordings(),
                  std::vector<RecordingId>{document().currentRecording()->id});
     }
 
     void a_set_is_edited_by_keyboard_and_menu() {
         openRuns(files_);
-        window_->action(Command::page_resonator)->trigger();
-        auto& list = the<RecordingDragList>();
+        window_->action(Command::page_tracks)->trigger();
+        auto& list = the<Ledger>();
         list.setFocus();
         list.selectAll();
         QTest::keyClick(&list, Qt::Key_Insert);
         QCOMPARE(setStore().current()->recordings, ids());
+        window_->action(Command::page_resonator)->trigger();
         auto& members = the<SetMembers>();
         members.setFocus();
         members.setCurrentRow(1);
@@ -236,8 +266,9 @@ private slots:
         QCOMPARE(split.at(3).toDouble(), found.u);
     }
 
-    // What a recording's wave did stands first, free of the model; sd is never mistaken for all.
-    void waves_stand_first_and_sensitivities_beside_the_parameters() {
+    // Below the parameters stands what each recording's wave did, free of the model; sd is never
+    // mistaken for all.
+    void parameters_stand_first_then_waves_and_sensitivities() {
         showIdentified();
         const Identification& found = outcome()->identification;
         auto& waves = the<QuantityTable>("waves");
@@ -246,8 +277,8 @@ private slots:
         const auto top = [this](QWidget& widget) {
             return widget.mapTo(&the<ResonatorPage>(), QPoint()).y();
         };
-        VYBEG_LESS(top(waves), top(resonator));
-        VYBEG_LESS(top(resonator), top(sensitivities));
+        VYBEG_LESS(top(resonator), top(waves));
+        VYBEG_LESS(top(waves), top(sensitivities));
         QCOMPARE(waves.rowCount(), 4);
         QCOMPARE(waves.columnCount(), 5);
         const Estimate& f = found.runs[2].wave.f_hz;
