@@ -137,7 +137,7 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::Ledger</name>
+        <name>LedgerRows</name>
         <message numerus="yes">
             <source>The frequency of %n window(s) lies at the bound of the search; the mean's deviation allows for them.</source>
             <translation>

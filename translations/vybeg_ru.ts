@@ -317,14 +317,6 @@
         <translation>Остановить идущие расчёты</translation>
     </message>
     <message>
-        <source>Compare &amp;windows…</source>
-        <translation>Сравнить &amp;окна…</translation>
-    </message>
-    <message>
-        <source>The article&apos;s figure: one column per window length</source>
-        <translation>Рисунок из статьи: столбец на каждую длину окна</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Справка</translation>
     </message>
@@ -511,6 +503,14 @@
     <message>
         <source>The wave of the chosen analysis over the samples of the page Signals: zoomed out its amplitude, zoomed in the wave itself</source>
         <translation>Волна выбранного расчёта поверх отсчётов страницы «Сигналы»: издали — её амплитуда, вблизи — сама волна</translation>
+    </message>
+    <message>
+        <source>Article&apos;s &amp;figure…</source>
+        <translation>Рисунок статьи…</translation>
+    </message>
+    <message>
+        <source>The article&apos;s figure: a column for each analysis that is shown, with the scatter of its windows</source>
+        <translation>Рисунок статьи: столбец на каждый показанный расчёт, с разбросом его окон</translation>
     </message>
 </context>
 <context>
@@ -1032,6 +1032,60 @@
     <message>
         <source>Database: %1; %2, %3</source>
         <translation>База данных: %1; %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>LedgerCells</name>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>1/с</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/с</translation>
+    </message>
+    <message>
+        <source>no windows there</source>
+        <translation>окон здесь нет</translation>
+    </message>
+</context>
+<context>
+    <name>LedgerRows</name>
+    <message>
+        <source>%1 of %2 windows</source>
+        <translation>%1 из %2 окон</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n window(s), %1 flagged, in %2 ms</source>
+        <translation>
+            <numerusform>%n окно, помечено %1, за %2 мс</numerusform>
+            <numerusform>%n окна, помечено %1, за %2 мс</numerusform>
+            <numerusform>%n окон, помечено %1, за %2 мс</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Follows the settings while Live is on; Keep keeps an analysis as it is</source>
+        <translation>Следует за настройками, пока включён «Автопересчёт»; «Закрепить» оставляет расчёт как есть</translation>
+    </message>
+    <message>
+        <source>%1 (opening)</source>
+        <translation>%1 (открывается)</translation>
+    </message>
+    <message>
+        <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
+        <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The frequency of %n window(s) lies at the bound of the search; the mean&apos;s deviation allows for them.</source>
+        <translation>
+            <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4707,37 +4761,6 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::CompareDialog</name>
-    <message>
-        <source>Compare windows</source>
-        <translation>Сравнение окон</translation>
-    </message>
-    <message>
-        <source>Window lengths, samples</source>
-        <translation>Длины окон, отсчётов</translation>
-    </message>
-    <message>
-        <source>Whole numbers from 5, separated by commas. The article compares 6 and 60 and varies 6, 12, ... 60.</source>
-        <translation>Целые числа от 5 через запятую. В статье сравниваются 6 и 60, а перебираются 6, 12, ... 60.</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Сравнить</translation>
-    </message>
-    <message>
-        <source>Export figure…</source>
-        <translation>Экспорт рисунка…</translation>
-    </message>
-    <message>
-        <source>The figure of the article: the slow variables over time, one column per window length, with the algorithm and the other settings of the analysis panel.</source>
-        <translation>Рисунок из статьи: медленные переменные во времени, столбец на каждую длину окна, с алгоритмом и остальными настройками панели обработки.</translation>
-    </message>
-    <message>
-        <source>Slow variables for each window length</source>
-        <translation>Медленные переменные для каждой длины окна</translation>
-    </message>
-</context>
-<context>
     <name>vybeg::ui::ComparisonView</name>
     <message>
         <source>Compared with %1. Changed: by %2 uncertainties u of the difference or more; by chance in one comparison of 370.</source>
@@ -5063,10 +5086,6 @@
     <message>
         <source>Save passport</source>
         <translation>Сохранение паспорта</translation>
-    </message>
-    <message>
-        <source>Export figure</source>
-        <translation>Экспорт рисунка</translation>
     </message>
     <message>
         <source>PNG image (*.png)</source>
@@ -5704,40 +5723,8 @@
 <context>
     <name>vybeg::ui::Ledger</name>
     <message>
-        <source>%1 (opening)</source>
-        <translation>%1 (открывается)</translation>
-    </message>
-    <message>
         <source>%1 Hz at %2 s</source>
         <translation>%1 Гц в момент %2 с</translation>
-    </message>
-    <message>
-        <source>%1 of %2 windows</source>
-        <translation>%1 из %2 окон</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n window(s), %1 flagged, in %2 ms</source>
-        <translation>
-            <numerusform>%n окно, помечено %1, за %2 мс</numerusform>
-            <numerusform>%n окна, помечено %1, за %2 мс</numerusform>
-            <numerusform>%n окон, помечено %1, за %2 мс</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Follows the settings while Live is on; Keep keeps an analysis as it is</source>
-        <translation>Следует за настройками, пока включён «Автопересчёт»; «Закрепить» оставляет расчёт как есть</translation>
-    </message>
-    <message>
-        <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
-        <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The frequency of %n window(s) lies at the bound of the search; the mean&apos;s deviation allows for them.</source>
-        <translation>
-            <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Snap</source>
@@ -5746,22 +5733,6 @@
     <message>
         <source>Analyse again with a window of whole half-periods, which leaks least</source>
         <translation>Рассчитать снова с окном из целых полупериодов: утечка в нём наименьшая</translation>
-    </message>
-    <message>
-        <source>Hz</source>
-        <translation>Гц</translation>
-    </message>
-    <message>
-        <source>1/s</source>
-        <translation>1/с</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/с</translation>
-    </message>
-    <message>
-        <source>no windows there</source>
-        <translation>окон здесь нет</translation>
     </message>
     <message>
         <source>Recordings and analyses</source>
@@ -5834,10 +5805,6 @@
     <message>
         <source>Copy the facts of the recording</source>
         <translation>Копировать сведения о записи</translation>
-    </message>
-    <message>
-        <source>Close recording</source>
-        <translation>Закрыть запись</translation>
     </message>
 </context>
 <context>
@@ -6459,22 +6426,6 @@
         <translation>Записи набора</translation>
     </message>
     <message>
-        <source>Drag recordings of one resonator here, best started at four angles</source>
-        <translation>Перетащите сюда записи одного резонатора, лучше всего с четырьмя начальными углами</translation>
-    </message>
-    <message>
-        <source>Remove from the set</source>
-        <translation>Убрать из набора</translation>
-    </message>
-    <message>
-        <source>Recordings</source>
-        <translation>Записи</translation>
-    </message>
-    <message>
-        <source>Which of the open recordings belong to the set</source>
-        <translation>Какие из открытых записей входят в набор</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>Модель</translation>
     </message>
@@ -6515,16 +6466,20 @@
         <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
     </message>
     <message>
-        <source>Recordings of one resonator; Delete removes one from the set</source>
-        <translation>Записи одного резонатора; Delete убирает запись из набора</translation>
-    </message>
-    <message>
         <source>What the fit assumes of the channels</source>
         <translation>Что модель предполагает о каналах</translation>
     </message>
     <message>
         <source>Settings and conditions are those of the measurement list; the panel Analysis does not change them.</source>
         <translation>Настройки и условия взяты из списка измерений; панель «Обработка» их не меняет.</translation>
+    </message>
+    <message>
+        <source>The open recordings; those of one resonator are checked</source>
+        <translation>Открытые записи; записи одного резонатора отмечены</translation>
+    </message>
+    <message>
+        <source>Drop recordings of one resonator here, best started at four angles</source>
+        <translation>Перетащите сюда записи одного резонатора, лучше всего начатые под четырьмя углами</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "ui/panels/cursor_times.h"
 
+#include "ui/panels/measuring.h"
 #include "ui/widgets/number_field.h"
 
 #include <QEvent>
@@ -35,10 +36,14 @@ CursorTimes::CursorTimes(QWidget* parent) : QWidget(parent), difference_(new QLa
     retranslate();
 }
 
-void CursorTimes::setTimes(std::optional<double> a_s, std::optional<double> b_s, bool outside) {
+void CursorTimes::setTimes(std::optional<double> a_s, std::optional<double> b_s,
+                           const Analysis* chosen) {
+    const auto outside = [chosen](const std::optional<double>& time_s) {
+        return chosen && time_s && !isInside(*chosen, time_s);
+    };
     a_s_ = a_s;
     b_s_ = b_s;
-    outside_ = outside;
+    outside_ = outside(a_s) || outside(b_s);
     fields_[0]->setValue(a_s);
     fields_[1]->setValue(b_s);
     showDifference();

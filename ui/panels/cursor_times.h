@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/analysis/analysis.h"
+
 #include <QWidget>
 
 #include <array>
@@ -18,8 +20,8 @@ class CursorTimes : public QWidget {
 public:
     explicit CursorTimes(QWidget* parent = nullptr);
 
-    // `outside`: one of them where the chosen analysis has no windows.
-    void setTimes(std::optional<double> a_s, std::optional<double> b_s, bool outside);
+    // `chosen`: the analysis that they measure; null: none.
+    void setTimes(std::optional<double> a_s, std::optional<double> b_s, const Analysis* chosen);
 
 signals:
     void edited(std::optional<double> a_s, std::optional<double> b_s);
@@ -36,7 +38,7 @@ private:
     QLabel* difference_;
     std::optional<double> a_s_;
     std::optional<double> b_s_;
-    bool outside_ = false;
+    bool outside_ = false;  // one of them where the chosen analysis has no windows
 };
 
 }  // namespace vybeg::ui

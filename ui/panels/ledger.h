@@ -1,6 +1,8 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/panels/ledger_cells.h"
+#include "ui/panels/ledger_rows.h"
 #include "ui/panels/measuring.h"
 #include "ui/values/ids.h"
 #include "ui/values/trend_curve.h"
@@ -22,7 +24,7 @@ class LedgerHead;
 //
 // The current row is the chosen analysis and the current recording. The check box shows an
 // analysis in the plots; F2 renames, Ctrl+R analyses again, Delete removes, Insert adds the
-// recordings of the selected rows to the current set, into which they can be dragged, too.
+// recordings of the selected rows to the current set.
 class Ledger : public QTreeWidget {
     Q_OBJECT
 
@@ -45,14 +47,12 @@ public:
     void setReadAt(ReadAt at);
     // The tables at the mouse and, with both cursors, at the cursors (measuring.h).
     QString tableText() const;
-    // What the trends of the chosen analysis say.
-    QStringList sentences() const;
     // Column of a variable, or of other things by their titles in the header.
     int columnOf(SlowVariable variable) const;
     int noiseColumn() const { return first_variable + static_cast<int>(variables_.size()); }
     int notesColumn() const { return noiseColumn() + 1; }
 
-    enum Column { name, algorithm, window, frequency, trend, first_variable };
+    enum Column { name = name_column, algorithm, window, frequency, trend, first_variable };
 
 signals:
     void currentAnalysisChanged(AnalysisId id);
@@ -63,42 +63,21 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    QStringList mimeTypes() const override;
-    QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override;
 
 private:
-    // One row: an analysis, or a recording without one.
-    struct Row {
-        const RecordingEntry* recording = nullptr;
-        const AnalysisEntry* analysis = nullptr;
-        bool first = false;  // of its recording
-        bool alone = false;  // the recording has no other
-    };
-
     void addActions();
-    std::vector<Row> rows() const;
     void rebuild();
     void retranslate();
-    void follow(const Row& row, QTreeWidgetItem& item);
-    void fillNotes(const Row& row, QTreeWidgetItem& item);
+    void fill(const LedgerRow& row, QTreeWidgetItem& item);
     void chooseRow();
     void whenChosen();
     void measure();
     void fillCells();
+    LedgerReader reader() const { return {document_, read_at_, measuring_, trends_, units_}; }
     void fillVariable(int column, bool concise);
-    void fillTrend(QTreeWidgetItem& item, const AnalysisEntry& entry);
     void layoutColumns();
     void fitHeight();
     void enableActions();
-    const AnalysisEntry* analysisOf(const QTreeWidgetItem& item) const;
-    // Empty where trends of the analysis are not computed.
-    const std::vector<FittedTrend>& trendsOf(const AnalysisEntry& entry) const;
-
-    struct Measured {
-        AnalysisId id = AnalysisId::none;
-        std::shared_ptr<const Analysis> analysis;
-        std::vector<FittedTrend> trends;
-    };
 
     Document& document_;
     LedgerHead* head_;
@@ -108,19 +87,13 @@ private:
     QAction* reopen_;
     QAction* copy_facts_;
     QAction* remove_;
-    QAction* close_;
     DisplayUnits units_;
     std::vector<SlowVariable> variables_{main_slow_variables.begin(), main_slow_variables.end()};
     Measuring measuring_;
-    Measuring measured_;  // that the trends are of
-    AnalysisId measured_chosen_ = AnalysisId::none;
-    std::vector<Measured> trends_;
+    MeasuredTrends trends_;
     std::vector<TrendCurve> drawn_;
     ReadAt read_at_ = ReadAt::mouse;
     bool concise_ = false;  // there is no room for ±
 };
-
-// A sample of an analysis's line: its colour and shade.
-QIcon curveIcon(const ShownAnalysis& shown);
 
 }  // namespace vybeg::ui

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -15,11 +16,8 @@ struct MeasuringWords {
     Q_DECLARE_TR_FUNCTIONS(Measuring)
 };
 
-}  // namespace
-
-bool isInside(const Analysis& analysis, const std::optional<double>& time_s) {
-    return time_s && analysis.track.rows() > 0 && covers(analysis, *time_s);
-}
+// Trends of more windows than that are fitted to the chosen analysis alone.
+constexpr std::size_t quick_rows = 100'000;
 
 std::vector<FittedTrend> trendsBetween(const Analysis& analysis, const Measuring& measuring) {
     std::vector<FittedTrend> trends;
@@ -32,6 +30,41 @@ std::vector<FittedTrend> trendsBetween(const Analysis& analysis, const Measuring
         }
     }
     return trends;
+}
+
+}  // namespace
+
+bool isInside(const Analysis& analysis, const std::optional<double>& time_s) {
+    return time_s && analysis.track.rows() > 0 && covers(analysis, *time_s);
+}
+
+void MeasuredTrends::fit(const Document& document, const Measuring& measuring, AnalysisId chosen) {
+    Measuring wanted = measuring;
+    wanted.mouse_s.reset();
+    const std::vector<Entry> before =
+        wanted == measured_ ? std::exchange(entries_, {}) : std::vector<Entry>();
+    measured_ = wanted;
+    entries_.clear();
+    for (const AnalysisEntry& entry : document.analyses()) {
+        const ShownAnalysis& shown = entry.shown;
+        const bool quick =
+            wanted.kind != TrendKind::beat && shown.analysis->track.rows() <= quick_rows;
+        if (!wanted.both() || !shown.visible || !(shown.id == chosen || quick)) {
+            continue;
+        }
+        const auto known = std::ranges::find_if(before, [&shown](const Entry& each) {
+            return each.id == shown.id && each.analysis == shown.analysis;
+        });
+        entries_.push_back(known != before.end() ? *known
+                                                 : Entry{shown.id, shown.analysis,
+                                                         trendsBetween(*shown.analysis, wanted)});
+    }
+}
+
+const std::vector<FittedTrend>& MeasuredTrends::of(AnalysisId id) const {
+    static const std::vector<FittedTrend> none;
+    const auto found = std::ranges::find(entries_, id, &Entry::id);
+    return found == entries_.end() ? none : found->trends;
 }
 
 Reading readingOf(const Analysis& analysis, SlowVariable variable, ReadAt at,

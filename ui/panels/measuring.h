@@ -29,8 +29,24 @@ struct Measuring {
 // Whether a time lies where the analysis has windows.
 bool isInside(const Analysis& analysis, const std::optional<double>& time_s);
 
-// Trends of the main variables that have one; none without both cursors inside the analysis.
-std::vector<FittedTrend> trendsBetween(const Analysis& analysis, const Measuring& measuring);
+// The trends between the cursors, kept while analysis, cursors and kind stay the same.
+class MeasuredTrends {
+public:
+    // Of the visible analyses; of long ones, and beats, of the chosen one alone.
+    void fit(const Document& document, const Measuring& measuring, AnalysisId chosen);
+    // Of the main variables that have one; none without both cursors inside the analysis.
+    const std::vector<FittedTrend>& of(AnalysisId id) const;
+
+private:
+    struct Entry {
+        AnalysisId id = AnalysisId::none;
+        std::shared_ptr<const Analysis> analysis;
+        std::vector<FittedTrend> trends;
+    };
+
+    Measuring measured_;
+    std::vector<Entry> entries_;
+};
 
 // Empty where the analysis has nothing there.
 Reading readingOf(const Analysis& analysis, SlowVariable variable, ReadAt at,

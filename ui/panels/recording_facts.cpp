@@ -5,7 +5,8 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QLocale>
-#include <QStringList>
+#include <QMimeData>
+#include <QUrl>
 
 #include <algorithm>
 
@@ -78,6 +79,16 @@ bool hasFindings(const RecordingEntry& entry) {
     return entry.faults ? std::ranges::any_of(entry.faults->findings, isWorthAWarning)
                         : entry.recording &&
                               std::ranges::any_of(entry.recording->diagnostics, isWorthAWarning);
+}
+
+QStringList localFiles(const QMimeData& data) {
+    QStringList files;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            files << url.toLocalFile();
+        }
+    }
+    return files;
 }
 
 }  // namespace vybeg::ui

@@ -3,6 +3,9 @@
 #include "ui/document/recording_store.h"
 
 #include <QString>
+#include <QStringList>
+
+class QMimeData;
 
 namespace vybeg::ui {
 
@@ -12,5 +15,8 @@ QString recordingFacts(const RecordingEntry& entry);
 
 // Whether its check or its reading found something worse than a note.
 bool hasFindings(const RecordingEntry& entry);
+
+// The files of what is dragged from elsewhere.
+QStringList localFiles(const QMimeData& data);
 
 }  // namespace vybeg::ui

@@ -6,6 +6,8 @@
 #include "ui/plots/plot_stack.h"
 #include "ui/values/covered_time.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,12 +29,14 @@ void PlotOverlay::draw(QCPPainter* painter) {
         painter->drawText(mParentPlot->viewport(), int(Qt::AlignCenter | Qt::TextWordWrap), hint_);
         return;
     }
-    if (!note_.isEmpty() && !stack_->panels().empty()) {
+    if (unlike_ > 0 && !stack_->panels().empty()) {
         const PlotPanel& first = *stack_->panels().front();
         painter->setPen(theme_.mutedText);
         painter->setFont(first.headFont());
         painter->drawText(QRectF(first.rect()).adjusted(6, 2, -6, -2),
-                          int(Qt::AlignRight | Qt::AlignTop), note_);
+                          int(Qt::AlignRight | Qt::AlignTop),
+                          QCoreApplication::translate(
+                              "PlotStack", "%n not drawn: other length or unit", nullptr, unlike_));
     }
     if (cursors_[0]) {
         drawHair(*painter, *cursors_[0], theme_.cursorA, QStringLiteral("A"));

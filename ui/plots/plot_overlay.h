@@ -26,8 +26,8 @@ public:
     void setRubberBand(std::optional<QRectF> band) { band_ = band; }
     // Text in the middle of an empty view.
     void setHint(const QString& hint) { hint_ = hint; }
-    // Text in the corner of the first plot.
-    void setNote(const QString& note) { note_ = note; }
+    // Number of analyses that are not drawn, told in the corner of the first plot.
+    void setUnlike(int count) { unlike_ = count; }
 
 protected:
     void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
@@ -44,7 +44,7 @@ private:
     std::array<std::optional<double>, 2> cursors_;
     std::optional<QRectF> band_;
     QString hint_;
-    QString note_;
+    int unlike_ = 0;
 };
 
 }  // namespace vybeg::ui

@@ -49,8 +49,6 @@ public:
     QString headUnit() const;
     const QFont& headFont() const { return font_; }
 
-    // The first plot of the screen has room for a label at its top.
-    void setAtTop() { setMargins({margins().left(), 5, margins().right(), margins().bottom()}); }
     FrameRoom room() const { return frameRoom(head_); }
 
     void update(UpdatePhase phase) override;

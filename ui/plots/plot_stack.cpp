@@ -13,6 +13,7 @@ namespace {
 constexpr int time_strip_height = 42;
 constexpr int time_row_height = 20;  // ticks and name in one row
 constexpr int head_strip_height = 24;
+constexpr int top_gap = 5;  // of the screen: a tick label at the first plot's top
 // From the foot of the lowest panel to the name of the time axis: ticks and their labels.
 constexpr int tick_label_room = 20;
 
@@ -51,9 +52,7 @@ void PlotStack::setContent(const PlotContent& content) {
         panel->setContent(content, font);
     }
     time_strip_->setLook(font, content.theme.text);
-    if (head_strip_) {
-        head_strip_->setLook(font, content.theme.text);
-    }
+    head_strip_->setLook(font, content.theme.text);
     if (head_ == Head::analysis_names) {
         std::vector<StripEntry> entries;
         for (const ShownAnalysis& shown : content.analyses) {
@@ -106,20 +105,15 @@ void PlotStack::build(const PlotContent& content) {
     QCPLayoutGrid& grid = *plot_.plotLayout();
     margins_ = new QCPMarginGroup(&plot_);
     int row = 0;
-    if (head_ != Head::none) {
-        head_strip_ = new PlotStrip(&plot_, head_strip_height);
-        head_strip_->setInset(8, frameRoom(plotHead()).right, 0);
-        grid.addElement(row++, column_, head_strip_);
-    }
+    head_strip_ = new PlotStrip(&plot_, head_ == Head::none ? top_gap : head_strip_height);
+    head_strip_->setInset(8, frameRoom(plotHead()).right, 0);
+    grid.addElement(row++, column_, head_strip_);
     for (const SlowVariable variable : content.variables) {
         auto* panel = new PlotPanel(&plot_, variable, plotHead());
         panel->setMarginGroup(QCP::msLeft, margins_);
         panel->setTimeLabels(variable == content.variables.back());
         grid.addElement(row++, column_, panel);
         panels_.push_back(panel);
-    }
-    if (head_ == Head::none && !panels_.empty()) {
-        panels_.front()->setAtTop();
     }
     time_strip_ = new PlotStrip(&plot_, timeHeight());
     grid.addElement(row, column_, time_strip_);
@@ -172,13 +166,6 @@ PlotPanel* PlotStack::panelAt(const QPointF& position) const {
     return found == panels_.end() ? nullptr : *found;
 }
 
-QString PlotStack::timeName() const {
-    if (panels_.empty()) {
-        return {};
-    }
-    return timeAxisName(panels_.back()->timeTicks());
-}
-
 void PlotStack::nameTime() {
     if (!time_strip_ || panels_.empty()) {
         return;
@@ -187,8 +174,9 @@ void PlotStack::nameTime() {
     const bool beside = head_ == Head::none;
     time_strip_->setInset(area.left() - time_strip_->rect().left(), frameRoom(plotHead()).right,
                           beside ? 0 : tick_label_room);
-    time_strip_->setEntries({StripEntry{timeName(), false, false, {}, Qt::SolidLine}},
-                            beside ? Qt::AlignRight : Qt::AlignHCenter);
+    time_strip_->setEntries(
+        {StripEntry{timeAxisName(panels_.back()->timeTicks()), false, false, {}, Qt::SolidLine}},
+        beside ? Qt::AlignRight : Qt::AlignHCenter);
 }
 
 }  // namespace vybeg::ui

@@ -39,9 +39,6 @@ public:
     // Plot at a position, including its head line.
     PlotPanel* panelAt(const QPointF& position) const;
 
-    // Name of the time axis with offset and prefix, as of the latest layout: "t − 13.4 s, ms".
-    QString timeName() const;
-
 private:
     void build(const PlotContent& content);
     PlotHead plotHead() const;

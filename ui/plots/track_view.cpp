@@ -4,9 +4,7 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 
-#include <QCoreApplication>
-#include <QHelpEvent>
-#include <QToolTip>
+#include <QEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -154,6 +152,7 @@ std::optional<AxisRange> TrackView::valueRange(SlowVariable variable) const {
 
 void TrackView::setTracker(std::optional<double> time_s) {
     tracker_ = time_s;
+    overlay_->setTracker(time_s);
     refreshOverlay();
 }
 
@@ -163,6 +162,7 @@ std::optional<double> TrackView::cursor(Cursor which) const {
 
 void TrackView::setCursor(Cursor which, std::optional<double> time_s) {
     cursors_[static_cast<std::size_t>(which)] = time_s;
+    overlay_->setCursors(cursors_);
     refreshOverlay();
 }
 
@@ -185,17 +185,13 @@ void TrackView::rebuild() {
     overlay_->setHint(coveredTime(content_.analyses)
                           ? QString()
                           : tr("No analysis yet.\nOpen a recording and press Analyse."));
-    overlay_->setNote(content_.unlike > 0 ? QCoreApplication::translate(
-                                                "PlotStack", "%n not drawn: other length or unit",
-                                                nullptr, content_.unlike)
-                                          : QString());
+    overlay_->setUnlike(content_.unlike);
     const bool has_analyses = coveredTime(content_.analyses).has_value();
     for (const char* name : {"background", "grid", "main", "axes"}) {
         plot_->layer(QString::fromLatin1(name))->setVisible(has_analyses);
     }
     focus_.match(content_);
     updateGeometry();
-    fillOverlay();
     redraw();
 }
 
@@ -209,13 +205,7 @@ void TrackView::redraw() {
     }
 }
 
-void TrackView::fillOverlay() {
-    overlay_->setTracker(tracker_);
-    overlay_->setCursors(cursors_);
-}
-
 void TrackView::refreshOverlay() {
-    fillOverlay();
     if (isVisible()) {
         plot_->layer(QStringLiteral("overlay"))->replot();
     }
@@ -237,19 +227,6 @@ void TrackView::resizeEvent(QResizeEvent* event) {
 void TrackView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     redraw();
-}
-
-// The meaning of a plot's symbol, at the margin where it stands.
-bool TrackView::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto& help = static_cast<const QHelpEvent&>(*event);
-        const PlotPanel* panel = stack_->panelAt(help.pos());
-        if (panel && help.pos().x() < panel->rect().left()) {
-            QToolTip::showText(help.globalPos(), displayMeaning(panel->variable()), this);
-            return true;
-        }
-    }
-    return QWidget::event(event);
 }
 
 void TrackView::changeEvent(QEvent* event) {

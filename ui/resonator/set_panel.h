@@ -6,7 +6,6 @@
 
 class QComboBox;
 class QLabel;
-class QMenu;
 class QPushButton;
 class QToolButton;
 
@@ -19,7 +18,7 @@ class SetMembers : public QListWidget {
 public:
     explicit SetMembers(Document& document, QWidget* parent = nullptr);
 
-    // Text shown in an empty set.
+    // Text shown without recordings.
     void setHint(const QString& hint);
     QSize sizeHint() const override;
 
@@ -47,7 +46,6 @@ protected:
 private:
     void refresh();
     void refreshMembers(const RecordingSet* set);
-    void fillMenu();
     void retranslate();
 
     Document& document_;
@@ -55,9 +53,6 @@ private:
     QToolButton* add_;
     QToolButton* remove_;
     SetMembers* members_;
-    QAction* remove_member_;
-    QPushButton* choose_;
-    QMenu* choices_;
     QLabel* listed_;  // where the settings are from
     QLabel* model_label_;
     QComboBox* model_;

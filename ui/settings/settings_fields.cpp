@@ -110,13 +110,6 @@ NumberField* SettingsFields::faulty() const {
     return nullptr;
 }
 
-QLabel* SettingsFields::addWidget(QWidget* widget, const Texts& texts) {
-    QLabel* label = makeLabel(widget);
-    entries_.push_back({label, widget, texts});
-    form_->addRow(label, widget);
-    return label;
-}
-
 void SettingsFields::addWide(QWidget* widget) {
     form_->addRow(widget);
 }

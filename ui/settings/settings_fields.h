@@ -54,8 +54,6 @@ protected:
     void addFaults(const std::vector<NumberField*>& fields);
     // Two fields side by side beside the first one's label, which says their unit.
     std::pair<NumberField*, NumberField*> addPair(const Texts& first, const Texts& second);
-    // Any widget with a translated label and tooltip.
-    QLabel* addWidget(QWidget* widget, const Texts& texts);
     void addWide(QWidget* widget);
     // With a translated tooltip, and the label as its accessible name.
     void addWide(QWidget* widget, const Texts& texts);

@@ -169,6 +169,13 @@ void SettingsPanel::refresh() {
     analyse_->setEnabled(state.rate_hz.has_value());
 }
 
+// The panel grows instead of cutting its fields.
+void SettingsPanel::fitWidth() {
+    const int needed = scroll_->widget()->minimumSizeHint().width() +
+                       scroll_->verticalScrollBar()->sizeHint().width();
+    setFixedWidth(std::max(least_width, needed));
+}
+
 void SettingsPanel::showStaleness() {
     const bool coming = document_.live() && document_.busy();
     const QStringList differences = coming ? QStringList() : staleness(document_);
@@ -194,10 +201,8 @@ void SettingsPanel::retranslate() {
     for (const Group& group : groups_) {
         group.section->setTitle(tr(group.title));
     }
-    // The panel grows instead of cutting its fields.
-    scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
-                             scroll_->verticalScrollBar()->sizeHint().width());
-    setFixedWidth(std::max(least_width, scroll_->minimumWidth()));
+    // After the fields, which get the language behind the panel.
+    QMetaObject::invokeMethod(this, &SettingsPanel::fitWidth, Qt::QueuedConnection);
     analyse_->setText(tr("Keep"));
     analyse_->setToolTip(
         tr("Analyse the current recording with these settings and keep the analysis (F5)"));

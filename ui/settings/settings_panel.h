@@ -46,6 +46,7 @@ private:
     void add(SettingsFields* fields, const char* title, bool open);
     void refresh();
     void showStaleness();
+    void fitWidth();
     void retranslate();
 
     Document& document_;

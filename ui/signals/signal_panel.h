@@ -28,7 +28,6 @@ public:
     const AxisTicks& timeTicks() const { return time_ticker_->ticks(); }
     const QFont& headFont() const { return font_; }
     FrameRoom room() const { return frameRoom(head_); }
-    void setAtTop() { setMargins({margins().left(), 5, margins().right(), margins().bottom()}); }
 
     void update(UpdatePhase phase) override;
 

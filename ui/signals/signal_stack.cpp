@@ -12,6 +12,7 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int legend_height = 24;
+constexpr int top_gap = 5;  // of the screen: a tick label at the first plot's top
 constexpr int time_height = 42;
 constexpr int time_row_height = 20;  // of the screen: ticks and name in one row
 // From the foot of the lowest panel to the name of the time axis: ticks and their labels.
@@ -29,24 +30,19 @@ QString signalsText(const char* text) {
 SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head)
     : plot_(plot),
       head_(head),
+      legend_(new PlotStrip(&plot, head == PlotHead::line ? legend_height : top_gap)),
       time_name_(new PlotStrip(&plot, head == PlotHead::line ? time_height : time_row_height)) {
     QCPLayoutGrid& grid = *plot.plotLayout();
     auto* margins = new QCPMarginGroup(&plot);
     int row = 0;
-    if (head == PlotHead::line) {
-        legend_ = new PlotStrip(&plot, legend_height);
-        legend_->setInset(8, frameRoom(head).right, 0);
-        grid.addElement(row++, 0, legend_);
-    }
+    legend_->setInset(8, frameRoom(head).right, 0);
+    grid.addElement(row++, 0, legend_);
     for (const SignalPart part : parts) {
         auto* panel = new SignalPanel(&plot, part, head);
         panel->setMarginGroup(QCP::msLeft, margins);
         panel->setTimeLabels(part == parts.back());
         grid.addElement(row++, 0, panel);
         panels_.push_back(panel);
-    }
-    if (head == PlotHead::margin) {
-        panels_.front()->setAtTop();
     }
     grid.addElement(row, 0, time_name_);
     QObject::connect(&plot_, &QCustomPlot::afterLayout, &context_, [this] { nameTime(); });
@@ -60,7 +56,7 @@ void SignalStack::setContent(SignalContent content, QSize size) {
     content_ = std::move(content);
     const int width = frameWidth(size.width());
     const int rows = static_cast<int>(panels_.size());
-    const int strips = time_name_->height() + (legend_ ? legend_->height() : 0);
+    const int strips = time_name_->height() + legend_->height();
     const FrameRoom around = frameRoom(head_);
     const int each = (size.height() - strips) / rows;
     const QSize room(width, std::max(1, each - around.head - around.foot));
@@ -70,8 +66,8 @@ void SignalStack::setContent(SignalContent content, QSize size) {
         panel->setPicture(content_, picture_, font, room);
     }
     time_name_->setLook(font, content_.theme.text);
-    if (legend_) {
-        legend_->setLook(font, content_.theme.text);
+    legend_->setLook(font, content_.theme.text);
+    if (head_ == PlotHead::line) {
         showLegend();
     }
 }

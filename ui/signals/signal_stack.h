@@ -42,7 +42,7 @@ private:
     SignalContent content_;
     SignalPicture picture_;
     PlotHead head_;
-    PlotStrip* legend_ = nullptr;  // of paper
+    PlotStrip* legend_;  // on the screen a gap
     PlotStrip* time_name_;
     std::vector<SignalPanel*> panels_;
     QObject context_;  // of the connection to the plot

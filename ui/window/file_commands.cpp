@@ -6,7 +6,6 @@
 #include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
-#include "ui/window/compare_dialog.h"
 #include "ui/window/demonstration.h"
 #include "ui/window/export_dialog.h"
 #include "ui/window/file_questions.h"
@@ -60,12 +59,6 @@ FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView
                 ask_.missingRecording(
                     name, [this, absent](const QString& path) { session_.supply(absent, path); });
             });
-    connect(&document_, &Document::comparisonReady, this, &FileCommands::showComparison);
-    connect(&document_, &Document::busyChanged, this, [this] {
-        if (compare_) {
-            compare_->setBusy(document_.busy());
-        }
-    });
 }
 
 void FileCommands::askForRecordings() {
@@ -294,17 +287,6 @@ void FileCommands::exportTrackTo(const QString& path) {
                           [this, path](const Status& status) { reportSaved(status, path); });
 }
 
-void FileCommands::exportFigureTo(const QString& path) {
-    if (compare_) {
-        FigureOptions options;
-        options.units = tracks_.units();
-        const auto& columns = compare_->columns();
-        const Figure figure{
-            figureDrawing(columns, options), figureSize(columns.size(), options), {}};
-        writeFigure(figure, {figure.size}, path);
-    }
-}
-
 void FileCommands::savePassportTo(const QString& path) {
     if (const Status possible = stayAsTheyAre(document_, path); !possible) {
         reportSaved(possible, path);
@@ -313,34 +295,6 @@ void FileCommands::savePassportTo(const QString& path) {
     document_.sets().savePassport(
         path, document_.dossier().dossier().gyro,
         [this, path](const Status& status) { reportSaved(status, path); });
-}
-
-void FileCommands::openCompare() {
-    if (!compare_) {
-        compare_ = new CompareDialog(window_);
-        connect(compare_, &CompareDialog::compareWanted, &document_, &Document::compareWindows);
-        connect(compare_, &CompareDialog::exportWanted, this, [this] {
-            ask_.figureTarget([this](const QString& path) { exportFigureTo(path); });
-        });
-    }
-    compare_->setBusy(document_.busy());
-    compare_->show();
-    compare_->raise();
-    compare_->activateWindow();
-}
-
-void FileCommands::showComparison(const QList<AnalysisId>& analysis_ids) {
-    std::vector<FigureColumn> columns;
-    for (const AnalysisId id : analysis_ids) {
-        if (const AnalysisEntry* entry = document_.analysis(id)) {
-            columns.push_back(
-                {QStringLiteral("n = %1").arg(entry->shown.analysis->plan.length), entry->shown});
-        }
-    }
-    openCompare();
-    FigureOptions options;
-    options.units = tracks_.units();
-    compare_->showFigure(std::move(columns), options);
 }
 
 }  // namespace vybeg::ui

@@ -13,7 +13,6 @@
 
 namespace vybeg::ui {
 
-class CompareDialog;
 class FileQuestions;
 class ImportDialog;
 class Ledger;
@@ -48,11 +47,9 @@ public:
     void askWhereToPutTrack();
     void askWhereToPutPassport();
     void openImport(const QString& path, const OpenOptions& options);
-    void openCompare();
 
     // By the ending of the path.
     void exportTrackTo(const QString& path);
-    void exportFigureTo(const QString& path);
     void savePassportTo(const QString& path);
     // By a dialog: plots, size, caption.
     void exportPlots(const FigureSource& source);
@@ -77,7 +74,6 @@ private:
     // Before the session's file loses what another program wrote into it.
     void askToReplaceAndThen(const std::function<void()>& then);
     void reportSaved(const Status& status, const QString& path);
-    void showComparison(const QList<AnalysisId>& analysis_ids);
 
     Document& document_;
     SessionKeeper& session_;
@@ -85,7 +81,6 @@ private:
     Ledger& ledger_;
     FileQuestions& ask_;
     QWidget* window_;
-    QPointer<CompareDialog> compare_;
     BackgroundJobs imports_;  // previews of the import dialog
     QPointer<ImportDialog> import_;
     ReportWriter reports_;

@@ -5,7 +5,7 @@
 #include "ui/panels/findings_flag.h"
 #include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
-#include "ui/panels/recording_drag.h"
+#include "ui/panels/recording_facts.h"
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
@@ -73,7 +73,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
                         },
                         [this](bool shown) { signals_->setWave(shown); },
                         [this] { return pages_->page(); }, [this] { return figures(); },
-                        [this] { showHelp(); },
+                        [this] { return tracks_page_->articleFigure(); }, [this] { showHelp(); },
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
         this);
@@ -116,8 +116,7 @@ void MainWindow::buildPages() {
 
 // The settings at the left, the ledger below both: each page shows what acts on it.
 void MainWindow::layOut() {
-    constexpr int wave_width = 260;
-    wave_->setFixedWidth(wave_width);
+    wave_->setFixedWidth(260);
     settings_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     auto* center = new QWidget(this);
     auto* grid = new QGridLayout(center);
@@ -308,21 +307,15 @@ void MainWindow::showPanels() {
 }
 
 void MainWindow::showCursors() {
-    const auto a_s = tracks_->cursor(Cursor::a);
-    const auto b_s = tracks_->cursor(Cursor::b);
-    ledger_->setCursors(a_s, b_s);
+    ledger_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
     showTimes();
     signals_->showCursors();
 }
 
 void MainWindow::showTimes() {
-    const auto a_s = tracks_->cursor(Cursor::a);
-    const auto b_s = tracks_->cursor(Cursor::b);
     const AnalysisEntry* chosen = document_.analysis(ledger_->currentAnalysis());
-    const auto outside = [chosen](const std::optional<double>& time_s) {
-        return chosen && time_s && !isInside(*chosen->shown.analysis, time_s);
-    };
-    times_->setTimes(a_s, b_s, outside(a_s) || outside(b_s));
+    times_->setTimes(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b),
+                     chosen ? chosen->shown.analysis.get() : nullptr);
 }
 
 void MainWindow::showTitle() {

@@ -1,6 +1,7 @@
 #include "ui/window/tracks_page.h"
 
 #include "ui/document/document.h"
+#include "ui/plots/figure.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
 #include "ui/words/algorithm_text.h"
@@ -11,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vybeg::ui {
 
@@ -29,6 +31,25 @@ QString settingsText(const AnalysisEntry& entry) {
                     .arg(QLocale().toString(band->low_hz), QLocale().toString(band->high_hz));
     }
     return text;
+}
+
+// "σ(2θ_A) = 0.011°": the standard deviation of a window in the middle of the track, by which a
+// column tells what its length of window costs.
+QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
+    constexpr SlowVariable variable = SlowVariable::two_theta_A;
+    std::vector<double> sds(analysis.track.sds(variable).begin(),
+                            analysis.track.sds(variable).end());
+    std::erase_if(sds, [](double sd) { return !std::isfinite(sd); });
+    if (sds.empty()) {
+        return {};
+    }
+    const auto middle = sds.begin() + static_cast<std::ptrdiff_t>(sds.size() / 2);
+    std::ranges::nth_element(sds, middle);
+    const QString unit = displayUnit(variable, units);
+    return QStringLiteral("σ(%1) = %2%3")
+        .arg(displaySymbol(variable, units),
+             QLocale().toString(displayScale(variable, units, 0).sd(0, *middle), 'g', 2),
+             unit == QStringLiteral("°") ? unit : ' ' + unit);
 }
 
 }  // namespace
@@ -111,6 +132,41 @@ FigureSource TracksPage::figures() const {
     };
     source.title = recordings.join(QStringLiteral(", "));
     source.settings = settings.join(QStringLiteral("; "));
+    return source;
+}
+
+FigureSource TracksPage::articleFigure() const {
+    FigureOptions options;
+    options.units = tracks_->units();
+    std::vector<FigureColumn> columns;
+    for (const ShownAnalysis& shown : tracks_->analyses()) {
+        if (shown.visible && shown.analysis) {
+            columns.push_back({QStringLiteral("n = %1, %2")
+                                   .arg(shown.analysis->plan.length)
+                                   .arg(scatterText(*shown.analysis, options.units)),
+                               shown});
+        }
+    }
+    FigureSource source;
+    if (columns.empty()) {
+        return source;
+    }
+    for (const SlowVariable variable : tracks_->shownVariables()) {
+        source.plots << indexPlain(displaySymbol(variable, options.units));
+    }
+    source.figure = [columns, options,
+                     variables = tracks_->shownVariables()](const std::vector<int>& places) {
+        FigureOptions some = options;
+        some.variables.clear();
+        for (const int place : places) {
+            some.variables.push_back(variables[static_cast<std::size_t>(place)]);
+        }
+        return Figure{figureDrawing(columns, some), figureSize(columns.size(), some),
+                      QStringLiteral("figure")};
+    };
+    const FigureSource plots = figures();
+    source.title = plots.title;
+    source.settings = plots.settings;
     return source;
 }
 

@@ -28,6 +28,8 @@ public:
     void goToEvent(double time_s, double seconds);
     void setTheme(const Theme& theme);
     FigureSource figures() const;
+    // The article's figure, a column for each analysis that is shown.
+    FigureSource articleFigure() const;
 
 private:
     void showAnalyses();

@@ -35,6 +35,7 @@ struct CommandTargets {
     std::function<void(bool)> show_fitted_wave;
     std::function<Page()> page;             // that is shown
     std::function<FigureSource()> figures;  // of that page
+    std::function<FigureSource()> article_figure;
     std::function<void()> show_help;
     std::function<void()> show_about;
     std::function<QString()> diagnostics;

@@ -26,7 +26,7 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme,
     add(edit, {Command::copy_plot, Command::copy_table});
     addView(theme);
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
-    add(analysis, {Command::analyse, Command::live, Command::cancel, Command::compare});
+    add(analysis, {Command::analyse, Command::live, Command::cancel});
     QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
     add(gyro, {Command::gyro_data, Command::limits});
     gyro->addSeparator();
@@ -81,7 +81,8 @@ void WindowMenus::addFile() {
     file->addSeparator();
     add(file, {Command::save_session, Command::save_session_as});
     file->addSeparator();
-    add(file, {Command::export_plots, Command::export_track, Command::report});
+    add(file,
+        {Command::export_plots, Command::article_figure, Command::export_track, Command::report});
     file->addSeparator();
     add(file, {Command::save_passport, Command::compare_passport});
     file->addSeparator();

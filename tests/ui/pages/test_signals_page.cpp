@@ -175,7 +175,7 @@ private slots:
         VYBEG_CLOSE(tracks().cursor(Cursor::b).value(), 1.25, 1e-3);
         goToTracks();
         QVERIFY(tracks().timeRange() == zoomed);
-        tracks().zoomBack();
+        tracks().zoom().back();
         goToSignals();
         QVERIFY(view().content().time == (AxisRange{0.5, 1.5}));
         QTest::keyClick(&view(), Qt::Key_0);

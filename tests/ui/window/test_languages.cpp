@@ -4,7 +4,6 @@
 #include "tests/ui/gui_test.h"
 #include "ui/import/import_dialog.h"
 #include "ui/panels/ledger.h"
-#include "ui/window/compare_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
@@ -166,7 +165,6 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("demo.json")); }));
         window.document().sets().openPassport(home_.path("demo.json"));
         QVERIFY(QTest::qWaitFor([&] { return window.document().sets().passport() != nullptr; }));
-        window.action(Command::compare)->trigger();
         // Both with every choice on the screen: text here, raw samples in the other.
         const QString table = home_.file("demo-2.csv", "t;C;D\n0,1;1;2\n0,2;3;4\n0,3;5;6\n");
         BackgroundJobs job;

@@ -8,7 +8,7 @@
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
-#include "ui/window/compare_dialog.h"
+#include "ui/window/export_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -354,20 +354,36 @@ private slots:
         QCOMPARE(lines.size() - header - 1, qsizetype(16000 / 60));
     }
 
-    void windows_are_compared_and_the_figure_exported() {
+    // A column for each analysis that is shown, with its scatter, exported as other plots are.
+    void the_articles_figure_compares_the_analyses() {
         openOne();
-        window_->action(Command::compare)->trigger();
-        auto& dialog = the<CompareDialog>();
-        QVERIFY(!dialog.isModal());
-        dialog.setLengths("8; 80 160");
-        QCOMPARE(dialog.lengths(), (std::vector<std::int64_t>{8, 80, 160}));
-        emit dialog.compareWanted(dialog.lengths());
-        QVERIFY(QTest::qWaitFor([&] { return dialog.columns().size() == 3; }, 20000));
-        QCOMPARE(dialog.columns().front().title, QStringLiteral("n = 8"));
-        window_->files().exportFigureTo(home_.path("figure.svg"));
-        VYBEG_MORE(QFileInfo(home_.path("figure.svg")).size(), 1000);
-        dialog.setLengths("8, x");
-        QVERIFY(dialog.lengths().empty());
+        for (const int length : {8, 160}) {
+            Settings settings = document().settings();
+            settings.window = length;
+            document().setSettings(settings);
+            document().analyse();
+            QTRY_VERIFY(!document().busy());
+        }
+        QVERIFY(idle(3));
+        const auto width = [this] {
+            window_->action(Command::article_figure)->trigger();
+            auto& dialog = the<ExportDialog>();
+            const Figure figure = dialog.figure();
+            const bool written =
+                bool(writeDrawing(figure.draw, {figure.size}, home_.path("figure.svg")));
+            dialog.reject();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            return written ? figure.size.width() : 0;
+        };
+        const int three = width();
+        QVERIFY(three > 0);
+        QFile svg(home_.path("figure.svg"));
+        QVERIFY(svg.open(QIODevice::ReadOnly));
+        VYBEG_MORE(svg.size(), 1000);
+        document().setAnalysisVisible(document().analyses().front().shown.id, false);
+        QTRY_VERIFY(!the<TrackView>().analyses().front().visible);
+        QCOMPARE(width(), three * 2 / 3);
+        QVERIFY(window_->action(Command::article_figure)->shortcut() == QKeySequence(Qt::Key_F6));
     }
 
     void an_event_takes_the_plots_there() {
