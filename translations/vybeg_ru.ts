@@ -6462,10 +6462,6 @@
         <translation>Идентифицировать</translation>
     </message>
     <message>
-        <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording (F7)</source>
-        <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
-    </message>
-    <message>
         <source>What the fit assumes of the channels</source>
         <translation>Что модель предполагает о каналах</translation>
     </message>
@@ -6480,6 +6476,10 @@
     <message>
         <source>Drop recordings of one resonator here, best started at four angles</source>
         <translation>Перетащите сюда записи одного резонатора, лучше всего начатые под четырьмя углами</translation>
+    </message>
+    <message>
+        <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording and those opened together with it (F7)</source>
+        <translation>Подобрать один резонатор по всем записям набора; если набор пуст — по текущей записи и открытым вместе с ней (F7)</translation>
     </message>
 </context>
 <context>

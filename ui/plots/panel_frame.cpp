@@ -92,9 +92,22 @@ void drawMarginLines(QCPPainter& painter, const QCPAxisRect& panel,
     }
 }
 
-void shareMargin(PanelTicker& ticker,
-                 std::function<std::vector<MarginLine>(const AxisTicks&)> lines) {
-    ticker.setShared(
+void addStackedFrame(QCPAxisRect& panel, const QSharedPointer<PanelTicker>& time,
+                     const QSharedPointer<PanelTicker>& values, PlotHead head,
+                     std::function<std::vector<MarginLine>(const AxisTicks&)> lines,
+                     const QFont& font) {
+    addFrame(panel, time, values);
+    panel.axis(QCPAxis::atBottom)->setTickLabelPadding(5);
+    panel.axis(QCPAxis::atLeft)->setTickLabelPadding(4);
+    // The labels under the lowest panel have a separate row, so that all panels are equally high.
+    panel.setAutoMargins(QCP::msLeft);
+    const FrameRoom room = frameRoom(head);
+    panel.setMinimumMargins({room.left, 0, 0, 0});
+    panel.setMargins({room.left, room.head, room.right, room.foot});
+    if (head == PlotHead::line) {
+        return;
+    }
+    values->setShared(
         [lines = std::move(lines)](const AxisTicks& ticks) {
             std::vector<double> widths;
             for (const MarginLine& line : lines(ticks)) {
@@ -102,7 +115,10 @@ void shareMargin(PanelTicker& ticker,
             }
             return widths;
         },
-        frameRoom(PlotHead::margin).left - 4);
+        room.left - 4);
+    time->setShared([&font](const AxisTicks& ticks) {
+        return std::vector<double>{indexTextWidth(timeAxisName(ticks), font)};
+    });
 }
 
 }  // namespace vybeg::ui

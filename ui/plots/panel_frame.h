@@ -42,8 +42,11 @@ std::vector<MarginLine> marginLines(const QString& symbol, const QString& offset
 int marginOf(const std::vector<MarginLine>& lines);
 void drawMarginLines(QCPPainter& painter, const QCPAxisRect& panel,
                      const std::vector<MarginLine>& lines, const Theme& theme, const QFont& font);
-// Tick labels leave room for the lines in the margin.
-void shareMargin(PanelTicker& ticker,
-                 std::function<std::vector<MarginLine>(const AxisTicks&)> lines);
+// The frame of one of stacked plots over one time axis, with its margins. On the screen tick labels
+// leave room for the lines in the margin and the name of the time axis; `font` outlives the panel.
+void addStackedFrame(QCPAxisRect& panel, const QSharedPointer<PanelTicker>& time,
+                     const QSharedPointer<PanelTicker>& values, PlotHead head,
+                     std::function<std::vector<MarginLine>(const AxisTicks&)> lines,
+                     const QFont& font);
 
 }  // namespace vybeg::ui

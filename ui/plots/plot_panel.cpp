@@ -23,20 +23,9 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable, PlotHead head)
       head_(head),
       time_ticker_(new PanelTicker(Qt::Horizontal)),
       value_ticker_(new PanelTicker(Qt::Vertical)) {
-    addFrame(*this, time_ticker_, value_ticker_);
-    timeAxis()->setTickLabelPadding(5);
-    valueAxis()->setTickLabelPadding(4);
-    // The labels under the lowest panel have a separate row, so that all panels are equally high.
-    setAutoMargins(QCP::msLeft);
-    const FrameRoom room = frameRoom(head);
-    setMinimumMargins({room.left, 0, 0, 0});
-    setMargins({room.left, room.head, room.right, room.foot});
-    if (head == PlotHead::margin) {
-        shareMargin(*value_ticker_, [this](const AxisTicks& ticks) { return marginTexts(ticks); });
-        time_ticker_->setShared([this](const AxisTicks& ticks) {
-            return std::vector<double>{indexTextWidth(timeAxisName(ticks), font_)};
-        });
-    }
+    addStackedFrame(
+        *this, time_ticker_, value_ticker_, head,
+        [this](const AxisTicks& ticks) { return marginTexts(ticks); }, font_);
 }
 
 void PlotPanel::setContent(const PlotContent& content, const QFont& font) {

@@ -115,16 +115,12 @@ void PlotStack::build(const PlotContent& content) {
         grid.addElement(row++, column_, panel);
         panels_.push_back(panel);
     }
-    time_strip_ = new PlotStrip(&plot_, timeHeight());
+    time_strip_ = new PlotStrip(&plot_, head_ == Head::none ? time_row_height : time_strip_height);
     grid.addElement(row, column_, time_strip_);
 }
 
 PlotHead PlotStack::plotHead() const {
     return head_ == Head::none ? PlotHead::margin : PlotHead::line;
-}
-
-int PlotStack::timeHeight() const {
-    return head_ == Head::none ? time_row_height : time_strip_height;
 }
 
 void PlotStack::setTitle(const QString& title) {
@@ -143,7 +139,7 @@ void PlotStack::setZoom(const ZoomState& zoom) {
 
 void PlotStack::prepare(QSize size) {
     const int rows = static_cast<int>(panels_.size());
-    const int strips = timeHeight() + (head_strip_ ? head_strip_->height() : 0);
+    const int strips = head_strip_ ? time_strip_->height() + head_strip_->height() : 0;
     const int each = rows > 0 ? (size.height() - strips) / rows : 0;
     for (PlotPanel* panel : panels_) {
         panel->setExpectedSize(

@@ -42,7 +42,6 @@ public:
 private:
     void build(const PlotContent& content);
     PlotHead plotHead() const;
-    int timeHeight() const;
     void removeElements();
     void nameTime();
 

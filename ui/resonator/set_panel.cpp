@@ -40,11 +40,6 @@ SetMembers::SetMembers(Document& document, QWidget* parent)
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
-void SetMembers::setHint(const QString& hint) {
-    hint_ = hint;
-    viewport()->update();
-}
-
 QSize SetMembers::sizeHint() const {
     const int rows = std::clamp(count(), 3, 6);
     return {200, rows * (fontMetrics().height() + 4) + 2 * frameWidth()};
@@ -75,7 +70,9 @@ void SetMembers::paintEvent(QPaintEvent* event) {
         QPainter painter(viewport());
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(viewport()->rect().adjusted(8, 2, -8, -2),
-                         Qt::AlignCenter | Qt::TextWordWrap, hint_);
+                         Qt::AlignCenter | Qt::TextWordWrap,
+                         SetPanel::tr("Drop recordings of one resonator here, best started at "
+                                      "four angles"));
     }
 }
 
@@ -216,7 +213,6 @@ void SetPanel::retranslate() {
     remove_->setToolTip(tr("Remove the set; its recordings stay open"));
     members_->setAccessibleName(tr("Recordings of the set"));
     members_->setToolTip(tr("The open recordings; those of one resonator are checked"));
-    members_->setHint(tr("Drop recordings of one resonator here, best started at four angles"));
     listed_->setText(
         tr("Settings and conditions are those of the measurement list; the panel "
            "Analysis does not change them."));
@@ -239,7 +235,7 @@ void SetPanel::retranslate() {
     identify_->setText(tr("Identify"));
     identify_->setToolTip(
         tr("Fit one resonator to all recordings of the set; of an empty set, to "
-           "the current recording (F7)"));
+           "the current recording and those opened together with it (F7)"));
     refresh();
 }
 

@@ -18,8 +18,6 @@ class SetMembers : public QListWidget {
 public:
     explicit SetMembers(Document& document, QWidget* parent = nullptr);
 
-    // Text shown without recordings.
-    void setHint(const QString& hint);
     QSize sizeHint() const override;
 
 protected:
@@ -30,7 +28,6 @@ protected:
 
 private:
     Document& document_;
-    QString hint_;
 };
 
 // Recordings of a set and options of their identification.

@@ -19,19 +19,9 @@ SignalPanel::SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head)
       head_(head),
       time_ticker_(new PanelTicker(Qt::Horizontal)),
       value_ticker_(new PanelTicker(Qt::Vertical)) {
-    addFrame(*this, time_ticker_, value_ticker_);
-    timeAxis()->setTickLabelPadding(5);
-    valueAxis()->setTickLabelPadding(4);
-    setAutoMargins(QCP::msLeft);
-    const FrameRoom room = frameRoom(head);
-    setMinimumMargins({room.left, 0, 0, 0});
-    setMargins({room.left, room.head, room.right, room.foot});
-    if (head == PlotHead::margin) {
-        shareMargin(*value_ticker_, [this](const AxisTicks& ticks) { return marginTexts(ticks); });
-        time_ticker_->setShared([this](const AxisTicks& ticks) {
-            return std::vector<double>{QFontMetricsF(font_).horizontalAdvance(timeAxisName(ticks))};
-        });
-    }
+    addStackedFrame(
+        *this, time_ticker_, value_ticker_, head,
+        [this](const AxisTicks& ticks) { return marginTexts(ticks); }, font_);
     graph_ = new SignalGraph(timeAxis(), valueAxis(), part);
 }
 

@@ -336,6 +336,22 @@ private slots:
         QVERIFY(!field("Tolerance of the delay")->isValid());
     }
 
+    // Opened together they are a set: one key identifies. One opened by itself is one by itself.
+    void recordings_opened_together_are_identified_by_one_key() {
+        openRuns({files_[0], files_[1]});
+        QVERIFY(!setStore().current());
+        QTest::keyClick(window_.get(), Qt::Key_F7);
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && outcome(); }, 60000));
+        QCOMPARE(setStore().current()->recordings, ids());
+        document().open({files_[2]});
+        QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
+        setStore().add();
+        document().setCurrentRecording(ids().back());
+        QVERIFY(setStore().canIdentify());
+        setStore().identify();
+        QCOMPARE(setStore().current()->recordings, std::vector<RecordingId>{ids().back()});
+    }
+
     void one_still_run_says_what_it_cannot_tell_and_what_would_help() {
         // A quadrature so small that an unseen anisotropy makes nothing of it.
         openRuns({resonatorRuns(home_, "still", {.split_hz = 1e-6})[1]});
