@@ -66,9 +66,23 @@ void RecordingStore::setCurrent(RecordingId id) {
     }
 }
 
+std::vector<RecordingId> RecordingStore::openedTogether() const {
+    const RecordingEntry* chosen = current();
+    std::vector<RecordingId> ids;
+    for (const RecordingEntry& entry : recordings_) {
+        if (chosen &&
+            (&entry == chosen || (entry.together != 0 && entry.together == chosen->together))) {
+            ids.push_back(entry.id);
+        }
+    }
+    return ids;
+}
+
 void RecordingStore::open(const QStringList& paths, const OpenOptions& options) {
+    const int together = ids_.next();
     for (const QString& path : paths) {
         begin(ids_.next<RecordingId>(), recordings_.size(), path, options);
+        recordings_.back().together = together;
     }
     if (!paths.isEmpty()) {
         emit listChanged();
