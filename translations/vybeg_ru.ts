@@ -1514,6 +1514,14 @@
         <translation>Квадратура записей в их начале следует за углом, как при ошибке каналов: %1, около %2. Разночастотность, оси и вращение могут быть ошибочны больше своих неопределённостей. Измерьте её и исправьте сигналы или задайте её допуск.</translation>
     </message>
     <message>
+        <source>The waves turn by %1, which the Earth does not do. Where the base stands still it is an error of the channels: %2 of about %3, and split and axes are off, too. Where the base turns, state the tolerance (--tolerance %2=...).</source>
+        <translation>Волны поворачиваются со скоростью %1, чего вращение Земли не даёт. Если основание неподвижно, это ошибка каналов: %2, около %3; тогда ошибочны и разночастотность, и оси. Если основание вращается, задайте её допуск (--tolerance %2=...).</translation>
+    </message>
+    <message>
+        <source>The waves turn by %1, which the Earth does not do. Where the base stands still it is an error of the channels: %2 of about %3, and split and axes are off, too. Where the base turns, state the tolerance of it.</source>
+        <translation>Волны поворачиваются со скоростью %1, чего вращение Земли не даёт. Если основание неподвижно, это ошибка каналов: %2, около %3; тогда ошибочны и разночастотность, и оси. Если основание вращается, задайте её допуск.</translation>
+    </message>
+    <message>
         <source>The recordings need a channel error far beyond its tolerance: %1 of %2, %3 tolerances. The tolerance is too small, or the motion is not that of the model: the numbers may be off by more than their uncertainties.</source>
         <translation>Для записей нужна ошибка каналов далеко за её допуском: %1, равная %2, то есть %3 допуска. Допуск слишком мал, или движение не соответствует модели: числа могут быть ошибочны больше своих неопределённостей.</translation>
     </message>

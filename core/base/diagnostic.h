@@ -70,6 +70,7 @@ enum class DiagnosticKind {
     misfit_neighbour,             // args: frequency (Hz), per cent of the wave. Another mode.
     misfit_channel,               // args: error as --tolerance names it, its size; held at zero
     quadrature_by_channel,        // args: error as --tolerance names it, its size. a_B by angle.
+    rotation_or_channel,          // args: rotation of the wave, error that looks like it, its size
     prior_left,                   // args: error as --tolerance names it, its size, in tolerances
     anisotropy_not_passive,       // args: damping anisotropy, its greatest value 2/tau (1/s)
     misfit_springs,               // args: Hz at the largest amplitude. Unlike along the axes.

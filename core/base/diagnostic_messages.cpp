@@ -391,6 +391,18 @@ MessageRow message_row(DiagnosticKind kind) {
                         "error of the channels makes it: %1, about %2. Split, axes and rotation "
                         "may be off by more than their uncertainties. Measure it and correct the "
                         "signals, or state its tolerance.")};
+        case DiagnosticKind::rotation_or_channel:
+            return {"rotation-or-channel", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The waves turn by %1, which the Earth does not do. Where "
+                                  "the base stands still it is an error of the channels: %2 of "
+                                  "about %3, and split and axes are off, too. Where the base "
+                                  "turns, state the tolerance (--tolerance %2=...)."),
+                    VYBEG_MESSAGE("Message",
+                                  "The waves turn by %1, which the Earth does not do. Where "
+                                  "the base stands still it is an error of the channels: %2 of "
+                                  "about %3, and split and axes are off, too. Where the base "
+                                  "turns, state the tolerance of it.")};
         case DiagnosticKind::prior_left:
             return {"prior-left", serious,
                     VYBEG_MESSAGE("Message",

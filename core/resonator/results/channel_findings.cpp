@@ -19,6 +19,9 @@ constexpr double clear_fall = 25;      // of chi^2: five standard deviations
 constexpr double by_chance = 1e-3;     // probability of a quadrature that follows the angle
 constexpr std::size_t least_runs = 4;  // for the line through the quadratures and its scatter
 constexpr double least_spread = 0.1;   // of the angles: sum of squares of an error's shape
+constexpr double earth_rate_rad_s = 7.2921e-5;
+constexpr double bryan = 0.277;        // d theta_A/dt = -bryan * omega, METHOD.md 8
+constexpr double most_phase = 1;       // rad, of a channel that comes late
 constexpr double passive_share = 0.9;  // of the greatest anisotropy
 constexpr double passive_within = 2;   // combined uncertainties
 
@@ -127,12 +130,17 @@ Followed followed_by(const std::vector<Quadrature>& all, const Shape& shape) {
     return {xy / xx, chance_of(rest / (explained + rest), all.size())};
 }
 
-// Share of the rotation that an error does not explain, at most 1: such an error looks like a
-// rotation, and that its size by the quadratures fits the rotation is chance as often as this.
-double left_of_rotation(const FittedSet& set, const ResonatorEstimate& resonator, std::size_t error,
-                        double tolerances) {
-    const double by_error = tolerances * set.variances.gradient.row(angle_rate_of)
-                                             .dot(set.moved.col(static_cast<Eigen::Index>(error)));
+// Rotation (rad/s) that an error of one tolerance looks like.
+double rotation_by(const FittedSet& set, const ChannelError& error) {
+    return set.variances.gradient.row(angle_rate_of)
+        .dot(set.moved.col(&error - channel_errors.data()));
+}
+
+// Share of the rotation that an error does not explain, at most 1: that its size by the quadratures
+// fits the rotation is chance as often as this.
+double left_of_rotation(const FittedSet& set, const ResonatorEstimate& resonator,
+                        const ChannelError& error, double tolerances) {
+    const double by_error = tolerances * rotation_by(set, error);
     const Estimate& rotation = resonator.angle_rate_rad_s;
     return rotation.given() && by_error != 0
                ? std::min(1.0, std::abs(rotation.value / by_error - 1))
@@ -157,13 +165,32 @@ std::optional<Diagnostic> quadrature_finding(const FittedSet& set,
     const SharedParameter parameter = is_phase ? phase_at : crosstalk_at;
     const auto error = std::ranges::find(channel_errors, parameter, &ChannelError::parameter);
     const double tolerances = found.size / (tolerance.*error->tolerance);
-    const auto place = static_cast<std::size_t>(error - channel_errors.begin());
-    const double chance = found.chance * left_of_rotation(set, resonator, place, tolerances);
+    const double chance = found.chance * left_of_rotation(set, resonator, *error, tolerances);
     if (!(std::abs(tolerances) > most_tolerances) || chance > by_chance) {
         return {};
     }
     return Diagnostic{DiagnosticKind::quadrature_by_channel,
                       named_error(*error, found.size, f_ref_hz)};
+}
+
+// A rotation that the Earth does not make is one of the base, or an untold delay of a channel.
+std::optional<Diagnostic> rotation_finding(const FittedSet& set, const Estimate& rotation,
+                                           const ChannelTolerance& tolerance, double f_ref_hz) {
+    const auto error = std::ranges::find(channel_errors, phase_at, &ChannelError::parameter);
+    const double assumed = tolerance.*error->tolerance;
+    const bool held = set.problem->priors.sd[phase_at] == 0 && assumed > 0;
+    if (!held || !rotation.given() ||
+        !(std::abs(rotation.value) - most_tolerances * rotation.uncertainty() >
+          bryan * earth_rate_rad_s)) {
+        return {};
+    }
+    const double phase = rotation.value / rotation_by(set, *error) * assumed;
+    if (!(std::abs(phase) < most_phase)) {
+        return {};
+    }
+    std::vector<MessageArg> args = named_error(*error, phase, f_ref_hz);
+    args.insert(args.begin(), number_arg(rotation.value * 180 / pi * 3600, 3, "deg/h"));
+    return Diagnostic{DiagnosticKind::rotation_or_channel, std::move(args)};
 }
 
 }  // namespace
@@ -210,6 +237,9 @@ std::vector<Diagnostic> channel_findings(const FittedSet& set, const ChannelTole
     }
     if (auto quadrature = quadrature_finding(set, resonator, runs, tolerance, f_ref_hz)) {
         found.push_back(*std::move(quadrature));
+    } else if (auto rotation =
+                   rotation_finding(set, resonator.angle_rate_rad_s, tolerance, f_ref_hz)) {
+        found.push_back(*std::move(rotation));
     }
     const Estimate& g = resonator.damping_anisotropy_per_s;
     const double passive = 2 * posterior.p[decay_at];

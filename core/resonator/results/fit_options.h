@@ -18,4 +18,13 @@ struct FitOptions {
     std::optional<double> spread = 0;
 };
 
+// The options with the assumed tolerances as priors of the fit.
+inline FitOptions with_assumed(FitOptions options) {
+    for (const ChannelError& error : channel_errors) {
+        double& size = options.tolerance.*error.tolerance;
+        size = size > 0 ? size : options.assumed.*error.tolerance;
+    }
+    return options;
+}
+
 }  // namespace vybeg

@@ -194,7 +194,7 @@ void add_foreign(const SetFit& whole, std::size_t count, ResonatorFit& fit) {
 
 }  // namespace
 
-Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& options,
+Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& stated,
                                    const JobControl& job) {
     std::vector<PhasorRun> good;
     for (const PhasorRun& run : runs) {
@@ -212,7 +212,19 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
                      "the recordings",
                      {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
     }
-    std::unique_ptr<SetFit> set = solved_set(good, scale, options, job);
+    const FitOptions usual = with_assumed(stated);
+    std::unique_ptr<SetFit> set = solved_set(good, scale, stated, job);
+    bool by_usual = false;
+    if (usual.tolerance != stated.tolerance &&
+        !(set->is_in_order() && set->keeps_tolerances() && set->unexplained_breaks().empty())) {
+        // What channels within their usual tolerances explain is no finding.
+        std::unique_ptr<SetFit> open = solved_set(good, scale, usual, job);
+        by_usual = open->is_in_order();
+        if (by_usual) {
+            set = std::move(open);
+        }
+    }
+    const FitOptions& options = by_usual ? usual : stated;
     std::vector<FittedBreak> breaks;
     if (!set->agrees()) {
         breaks = open_own_breaks(set->examination(), good, scale, options, job);

@@ -15,7 +15,7 @@ namespace vybeg {
 // a parameter is given if the data narrow its prior. Standard deviations follow the actual
 // residual, coloured or white. The same bits for any number of threads. Errors:
 // fit_too_few_windows, fit_failed, interrupted.
-Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& options,
+Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& stated,
                                    const JobControl& job);
 
 }  // namespace vybeg

@@ -150,6 +150,15 @@ bool SetFit::is_white() const {
            NoiseEstimate(problem_, posterior(problem_, main_), job_).noise().as_expected();
 }
 
+bool SetFit::keeps_tolerances() const {
+    constexpr double most_tolerances = 3;
+    const Priors& priors = problem_.priors;
+    return std::ranges::all_of(channel_errors, [&](const ChannelError& error) {
+        const double off = main_.p[error.parameter] - priors.mean[error.parameter];
+        return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
+    });
+}
+
 ResonatorFit SetFit::described() const {
     ResonatorFit fit = describe(solved(), job_);
     fit.free_over_structured = free_over_structured_;
@@ -174,11 +183,6 @@ ParameterLayout SetFit::layout_of(const std::vector<ScaledRun>& runs) {
 }
 
 SolvedSet SetFit::solved() const {
-    ChannelTolerance tolerance = options_.tolerance;
-    for (const ChannelError& error : channel_errors) {
-        double& size = tolerance.*error.tolerance;
-        size = size > 0 ? size : options_.assumed.*error.tolerance;
-    }
     return {runs_,
             fine_,
             &problem_,
@@ -188,7 +192,7 @@ SolvedSet SetFit::solved() const {
             cubic_limit_,
             amplitude_or_time_,
             examination_.spread,
-            tolerance};
+            with_assumed(options_).tolerance};
 }
 
 void SetFit::examine() {

@@ -61,6 +61,12 @@ public:
         return fitted_size(problem_, main_.p, each);
     }
 
+    // Whether the runs agree and the residual is noise.
+    bool is_in_order() const { return examination_.verdict == SetVerdict::fits && is_white(); }
+
+    // Whether the channel errors lie within three of their tolerances.
+    bool keeps_tolerances() const;
+
     FittedMotion motion() const { return motion_of(solved()); }
 
     // Results of the present parameters.
