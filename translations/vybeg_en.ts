@@ -97,7 +97,7 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::EventsPanel</name>
+        <name>vybeg::ui::FindingsFlag</name>
         <message numerus="yes">
             <source>%1: %n event(s)</source>
             <translation>
@@ -107,7 +107,7 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::RecordingPanel</name>
+        <name>RecordingFacts</name>
         <message numerus="yes">
             <source>%1 s, %n sample(s)</source>
             <translation>
@@ -137,12 +137,19 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::AnalysisList</name>
+        <name>LedgerRows</name>
         <message numerus="yes">
             <source>The frequency of %n window(s) lies at the bound of the search; the mean's deviation allows for them.</source>
             <translation>
                 <numerusform>The frequency of %n window lies at the bound of the search; the mean's deviation allows for it.</numerusform>
                 <numerusform>The frequency of %n windows lies at the bound of the search; the mean's deviation allows for them.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n window(s), %1 flagged, in %2 ms</source>
+            <translation>
+                <numerusform>%n window, %1 flagged, in %2 ms</numerusform>
+                <numerusform>%n windows, %1 flagged, in %2 ms</numerusform>
             </translation>
         </message>
     </context>

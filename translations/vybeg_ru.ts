@@ -317,14 +317,6 @@
         <translation>Остановить идущие расчёты</translation>
     </message>
     <message>
-        <source>Compare &amp;windows…</source>
-        <translation>Сравнить &amp;окна…</translation>
-    </message>
-    <message>
-        <source>The article&apos;s figure: one column per window length</source>
-        <translation>Рисунок из статьи: столбец на каждую длину окна</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Справка</translation>
     </message>
@@ -487,6 +479,38 @@
     <message>
         <source>Compute many sets of a list or folder into a table, without opening their recordings</source>
         <translation>Вычислить много наборов из списка или папки в таблицу, не открывая записи</translation>
+    </message>
+    <message>
+        <source>Settings of the anal&amp;ysis</source>
+        <translation>&amp;Настройки обработки</translation>
+    </message>
+    <message>
+        <source>The settings beside the plots; without them the plots are wider</source>
+        <translation>Настройки рядом с графиками; без них графики шире</translation>
+    </message>
+    <message>
+        <source>Wa&amp;ve</source>
+        <translation>Волна</translation>
+    </message>
+    <message>
+        <source>The waves at the mouse beside the plots, as figures: the amplitude around the rim, D against C</source>
+        <translation>Волны под указателем мыши рядом с графиками, фигурами: амплитуда вдоль кромки, D от C</translation>
+    </message>
+    <message>
+        <source>Fitted wave</source>
+        <translation>Модельная волна</translation>
+    </message>
+    <message>
+        <source>The wave of the chosen analysis over the samples of the page Signals: zoomed out its amplitude, zoomed in the wave itself</source>
+        <translation>Волна выбранного расчёта поверх отсчётов страницы «Сигналы»: издали — её амплитуда, вблизи — сама волна</translation>
+    </message>
+    <message>
+        <source>Article&apos;s &amp;figure…</source>
+        <translation>Рисунок статьи…</translation>
+    </message>
+    <message>
+        <source>The article&apos;s figure: a column for each analysis that is shown, with the scatter of its windows</source>
+        <translation>Рисунок статьи: столбец на каждый показанный расчёт, с разбросом его окон</translation>
     </message>
 </context>
 <context>
@@ -1011,6 +1035,99 @@
     </message>
 </context>
 <context>
+    <name>LedgerCells</name>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>1/с</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/с</translation>
+    </message>
+    <message>
+        <source>no windows there</source>
+        <translation>окон здесь нет</translation>
+    </message>
+</context>
+<context>
+    <name>LedgerRows</name>
+    <message>
+        <source>%1 of %2 windows</source>
+        <translation>%1 из %2 окон</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n window(s), %1 flagged, in %2 ms</source>
+        <translation>
+            <numerusform>%n окно, помечено %1, за %2 мс</numerusform>
+            <numerusform>%n окна, помечено %1, за %2 мс</numerusform>
+            <numerusform>%n окон, помечено %1, за %2 мс</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Follows the settings while Live is on; Keep keeps an analysis as it is</source>
+        <translation>Следует за настройками, пока включён «Автопересчёт»; «Закрепить» оставляет расчёт как есть</translation>
+    </message>
+    <message>
+        <source>%1 (opening)</source>
+        <translation>%1 (открывается)</translation>
+    </message>
+    <message>
+        <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
+        <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The frequency of %n window(s) lies at the bound of the search; the mean&apos;s deviation allows for them.</source>
+        <translation>
+            <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Measuring</name>
+    <message>
+        <source>no windows there</source>
+        <translation>окон здесь нет</translation>
+    </message>
+    <message>
+        <source>The resonator of this recording beats at its split, %1 Hz</source>
+        <translation>Резонатор этой записи бьётся с разночастотностью %1 Гц</translation>
+    </message>
+    <message>
+        <source>Beat, Hz</source>
+        <translation>Биение, Гц</translation>
+    </message>
+    <message>
+        <source>Rate, per s</source>
+        <translation>За секунду</translation>
+    </message>
+    <message>
+        <source>t = %1 s</source>
+        <translation>t = %1 с</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>СКО</translation>
+    </message>
+    <message>
+        <source>A = %1 s</source>
+        <translation>A = %1 с</translation>
+    </message>
+    <message>
+        <source>B = %1 s</source>
+        <translation>B = %1 с</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+</context>
+<context>
     <name>Message</name>
     <message>
         <source>The passport is that of the gyro %1, the recordings are of the gyro %2: their differences are no changes of one resonator.</source>
@@ -1059,10 +1176,6 @@
     <message>
         <source>%1, line %2: the time %3 does not follow %4. The time column must rise.</source>
         <translation>%1, строка %2: время %3 не следует за %4. Столбец времени должен возрастать.</translation>
-    </message>
-    <message>
-        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.</source>
-        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D.</translation>
     </message>
     <message>
         <source>%1: there is no channel %2; the file has %3. Choose other channels with --channels.</source>
@@ -1251,10 +1364,6 @@
     <message>
         <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit with --time-unit, or their rate with --time-column none and --rate.</source>
         <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу (--time-unit) или частоту дискретизации (--time-column none и --rate).</translation>
-    </message>
-    <message>
-        <source>The file states a sample rate of %1 Hz, and its times give %2 Hz, which counts. Check the unit of the times (--time-unit).</source>
-        <translation>В файле указана частота дискретизации %1 Гц, а по столбцу времени она равна %2 Гц; принята вторая. Проверьте единицу времени (--time-unit).</translation>
     </message>
     <message>
         <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit with --channels, or give the gain ratio with --kappa.</source>
@@ -1461,10 +1570,6 @@
         <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу или откройте файл без столбца времени и задайте частоту дискретизации.</translation>
     </message>
     <message>
-        <source>The file states a sample rate of %1 Hz, and its times give %2 Hz, which counts. Check the unit of the times.</source>
-        <translation>В файле указана частота дискретизации %1 Гц, а по столбцу времени она равна %2 Гц; принята вторая. Проверьте единицу времени.</translation>
-    </message>
-    <message>
         <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out.</source>
         <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка.</translation>
     </message>
@@ -1652,6 +1757,50 @@
         <source>Columns that hold words are no channels and were passed over: %1.</source>
         <translation>Столбцы со словами — не каналы и пропущены: %1.</translation>
     </message>
+    <message>
+        <source>%1 is a pipe or a device, and a recording is read more than once. Save it to a file first, as in cat %1 &gt; run.wav, and name that file.</source>
+        <translation>%1 — канал или устройство, а запись читается не один раз. Сначала сохраните её в файл, например cat %1 &gt; run.wav, и укажите этот файл.</translation>
+    </message>
+    <message>
+        <source>%1 states a sample rate of %2 Hz, and its times give %3 Hz. Say which holds: --time-unit for the unit of the times, or --rate with one of both.</source>
+        <translation>%1: указана частота дискретизации %2 Гц, а по столбцу времени она равна %3 Гц. Скажите, что верно: единица времени (--time-unit) или одна из двух частот (--rate).</translation>
+    </message>
+    <message>
+        <source>%1 states a sample rate of %2 Hz, and its times give %3 Hz. Choose the unit of the times, or give the one that holds as the sample rate.</source>
+        <translation>%1: указана частота дискретизации %2 Гц, а по столбцу времени она равна %3 Гц. Выберите единицу времени или задайте верную из двух частот.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, name it: --channel-d %4.</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, укажите его: --channel-d %4.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, drop both files into the window together, or choose it under Import (%4).</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, перетащите в окно оба файла вместе или выберите его в окне «Импорт» (%4).</translation>
+    </message>
+    <message>
+        <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or give --raw f32 --raw-channels 1 --rate HZ.</source>
+        <translation>%1: только отсчёты, а ни %2.anp, ни %2.xml рядом не сообщают частоту дискретизации. Скопируйте и этот файл или задайте --raw f32 --raw-channels 1 --rate ГЦ.</translation>
+    </message>
+    <message>
+        <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or read it as raw samples under Import.</source>
+        <translation>%1: только отсчёты, а ни %2.anp, ни %2.xml рядом не сообщают частоту дискретизации. Скопируйте и этот файл или прочитайте как отсчёты без заголовка в окне «Импорт».</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are no parts of one recording: the %3 do not fit (%4 and %5). Choose files that were recorded together.</source>
+        <translation>%1 и %2 не составляют одну запись: не согласуются %3 (%4 и %5). Выберите файлы, записанные вместе.</translation>
+    </message>
+    <message>
+        <source>The times of channel D begin %1 s (%2 samples) after those of channel C; D was interpolated to C&apos;s times. What its times are wrong by is a phase between the channels (--delay).</source>
+        <translation>Отсчёты времени канала D начинаются на %1 с (%2 отсчёта) позже, чем у канала C; канал D интерполирован на моменты канала C. Погрешность этого сдвига — фаза между каналами (--delay).</translation>
+    </message>
+    <message>
+        <source>The times of channel D begin %1 s (%2 samples) after those of channel C; D was interpolated to C&apos;s times. What its times are wrong by is a phase between the channels (delay of D).</source>
+        <translation>Отсчёты времени канала D начинаются на %1 с (%2 отсчёта) позже, чем у канала C; канал D интерполирован на моменты канала C. Погрешность этого сдвига — фаза между каналами (задержка D).</translation>
+    </message>
+    <message>
+        <source>The %1 pieces do not tell when they begin: they are taken to follow each other without a gap.</source>
+        <translation>Части записи (%1) не сообщают время начала: принято, что они следуют одна за другой без пропуска.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1818,6 +1967,61 @@
     <message>
         <source>Both channels show the same projection of the motion: the modes are seen, directions are not.</source>
         <translation>Оба канала показывают одну и ту же проекцию движения: видны моды, но не направления.</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingFacts</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message>
+        <source>%1 Hz, from the file</source>
+        <translation>%1 Гц, из файла</translation>
+    </message>
+    <message>
+        <source>%1 Hz, from the time column</source>
+        <translation>%1 Гц, по столбцу времени</translation>
+    </message>
+    <message>
+        <source>%1 Hz, typed</source>
+        <translation>%1 Гц, задана</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Формат</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Дискретизация</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Длительность</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 s, %n sample(s)</source>
+        <translation>
+            <numerusform>%1 с, %n отсчёт</numerusform>
+            <numerusform>%1 с, %n отсчёта</numerusform>
+            <numerusform>%1 с, %n отсчётов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Начало</translation>
+    </message>
+    <message>
+        <source>f₀</source>
+        <translation>f₀</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Гц</translation>
     </message>
 </context>
 <context>
@@ -3108,6 +3312,26 @@
         <source>%1/s³</source>
         <translation>%1/с³</translation>
     </message>
+    <message>
+        <source>no beat</source>
+        <translation>биений нет</translation>
+    </message>
+    <message>
+        <source>too few windows</source>
+        <translation>мало окон</translation>
+    </message>
+    <message>
+        <source>τ %1 s</source>
+        <translation>τ %1 с</translation>
+    </message>
+    <message>
+        <source>drift %1 °/h</source>
+        <translation>дрейф %1 °/ч</translation>
+    </message>
+    <message>
+        <source>sd enlarged: %1</source>
+        <translation>СКО увеличены: %1</translation>
+    </message>
 </context>
 <context>
     <name>Words</name>
@@ -3356,10 +3580,6 @@
         <translation>файл стал короче во время чтения</translation>
     </message>
     <message>
-        <source>it is not a regular file</source>
-        <translation>это не обычный файл</translation>
-    </message>
-    <message>
         <source>its packed data are wrong or end early</source>
         <translation>сжатые данные неверны или обрываются</translation>
     </message>
@@ -3506,10 +3726,6 @@
     <message>
         <source>line %1 is longer than 1 MiB</source>
         <translation>строка %1 длиннее 1 МиБ</translation>
-    </message>
-    <message>
-        <source>columns %1 and %2 of different times</source>
-        <translation>столбцы %1 и %2 с разным временем</translation>
     </message>
     <message>
         <source>no time response (dataset 58)</source>
@@ -4035,116 +4251,49 @@
         <source>it holds a number beyond all ranges</source>
         <translation>в нём есть число вне всяких пределов</translation>
     </message>
-</context>
-<context>
-    <name>vybeg::ui::AnalysisList</name>
     <message>
-        <source>%1 (%2 flagged)</source>
-        <translation>%1 (помечено %2)</translation>
+        <source>sample rates</source>
+        <translation>частоты дискретизации</translation>
     </message>
     <message>
-        <source>%1 at %2 s</source>
-        <translation>%1 в момент %2 с</translation>
+        <source>starts</source>
+        <translation>времена начала</translation>
     </message>
     <message>
-        <source>Analyses</source>
-        <translation>Расчёты</translation>
+        <source>first times</source>
+        <translation>времена первых отсчётов</translation>
     </message>
     <message>
-        <source>Analysis</source>
-        <translation>Расчёт</translation>
+        <source>numbers of channels</source>
+        <translation>числа каналов</translation>
     </message>
     <message>
-        <source>Recording</source>
-        <translation>Запись</translation>
+        <source>units</source>
+        <translation>единицы измерения</translation>
     </message>
     <message>
-        <source>Algorithm</source>
-        <translation>Алгоритм</translation>
+        <source>end of the one and beginning of the other</source>
+        <translation>конец одной и начало другой</translation>
     </message>
     <message>
-        <source>n</source>
-        <translation>n</translation>
+        <source>it begins %1 s after the piece before it</source>
+        <translation>она начинается через %1 с после предыдущей части</translation>
     </message>
     <message>
-        <source>Windows</source>
-        <translation>Окон</translation>
+        <source>Analyse it as a recording of its own</source>
+        <translation>Обработайте её как отдельную запись</translation>
     </message>
     <message>
-        <source>Mean f, Hz</source>
-        <translation>Средняя f, Гц</translation>
+        <source>it is for files with both channels, not for a file for each channel</source>
+        <translation>она для файлов с обоими каналами, а не для отдельного файла на каждый канал</translation>
     </message>
     <message>
-        <source>Noise</source>
-        <translation>Шум</translation>
+        <source>C and D at different times (%1 to %2 s and %3 to %4 s)</source>
+        <translation>C и D с разным временем (от %1 до %2 с и от %3 до %4 с)</translation>
     </message>
     <message>
-        <source>Time, ms</source>
-        <translation>Время, мс</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Замечания</translation>
-    </message>
-    <message>
-        <source>Snap</source>
-        <translation>К полупериодам</translation>
-    </message>
-    <message>
-        <source>Analyse again with a window of whole half-periods, which leaks least</source>
-        <translation>Рассчитать снова с окном из целых полупериодов: утечка в нём наименьшая</translation>
-    </message>
-    <message>
-        <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
-        <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The frequency of %n window(s) lies at the bound of the search; the mean&apos;s deviation allows for them.</source>
-        <translation>
-            <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: scatter between windows, leakage of algorithms 1 to 4, bounds of the search</source>
-        <translation>Взвешенное среднее частоты f_cp по всем годным окнам ± его СКО: разброс между окнами, утечка алгоритмов 1–4, границы поиска</translation>
-    </message>
-    <message>
-        <source>Noise per sample and channel: residual of the windows, its degrees of freedom counted</source>
-        <translation>Шум на отсчёт и канал: невязка в окнах с учётом числа степеней свободы</translation>
-    </message>
-    <message>
-        <source>Time in the estimators alone</source>
-        <translation>Время самих алгоритмов</translation>
-    </message>
-    <message>
-        <source>Window, samples</source>
-        <translation>Окно, отсчётов</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Переименовать</translation>
-    </message>
-    <message>
-        <source>Analyse again with its settings</source>
-        <translation>Рассчитать снова с его настройками</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Удалить</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 из %2</translation>
-    </message>
-    <message>
-        <source>Follows the settings while Live is on; Analyse keeps an analysis as it is</source>
-        <translation>Следует за настройками, пока включено «Автопересчёт»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
-    </message>
-    <message>
-        <source>The chosen analysis is what cursors, events and residuals show. Space hides, Delete removes, F2 renames</source>
-        <translation>Выбранный расчёт показывают курсоры, события и невязки. Пробел скрывает, Delete удаляет, F2 переименовывает</translation>
+        <source>C and D from different times, %1 and %2</source>
+        <translation>C и D с разным временем начала, %1 и %2</translation>
     </message>
 </context>
 <context>
@@ -4692,37 +4841,6 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::CompareDialog</name>
-    <message>
-        <source>Compare windows</source>
-        <translation>Сравнение окон</translation>
-    </message>
-    <message>
-        <source>Window lengths, samples</source>
-        <translation>Длины окон, отсчётов</translation>
-    </message>
-    <message>
-        <source>Whole numbers from 5, separated by commas. The article compares 6 and 60 and varies 6, 12, ... 60.</source>
-        <translation>Целые числа от 5 через запятую. В статье сравниваются 6 и 60, а перебираются 6, 12, ... 60.</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Сравнить</translation>
-    </message>
-    <message>
-        <source>Export figure…</source>
-        <translation>Экспорт рисунка…</translation>
-    </message>
-    <message>
-        <source>The figure of the article: the slow variables over time, one column per window length, with the algorithm and the other settings of the analysis panel.</source>
-        <translation>Рисунок из статьи: медленные переменные во времени, столбец на каждую длину окна, с алгоритмом и остальными настройками панели обработки.</translation>
-    </message>
-    <message>
-        <source>Slow variables for each window length</source>
-        <translation>Медленные переменные для каждой длины окна</translation>
-    </message>
-</context>
-<context>
     <name>vybeg::ui::ComparisonView</name>
     <message>
         <source>Compared with %1. Changed: by %2 uncertainties u of the difference or more; by chance in one comparison of 370.</source>
@@ -4778,34 +4896,38 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::CursorPanel</name>
+    <name>vybeg::ui::CursorTimes</name>
     <message>
-        <source>The values of every shown analysis at the mouse appear here.</source>
-        <translation>Здесь появятся значения всех показанных расчётов под указателем мыши.</translation>
+        <source>A cursor stands where the analysis has no windows.</source>
+        <translation>Курсор стоит там, где у расчёта нет окон.</translation>
     </message>
     <message>
-        <source>t = %1 s</source>
-        <translation>t = %1 с</translation>
+        <source>B − A = %1 s, 1/|B − A| = %2 Hz</source>
+        <translation>B − A = %1 с, 1/|B − A| = %2 Гц</translation>
     </message>
     <message>
-        <source>sd</source>
-        <translation>СКО</translation>
+        <source>A</source>
+        <translation>A</translation>
     </message>
     <message>
-        <source>Values at the cursor</source>
-        <translation>Значения под курсором</translation>
+        <source>B</source>
+        <translation>B</translation>
     </message>
     <message>
-        <source>Reason</source>
-        <translation>Причина</translation>
+        <source>Time of cursor A</source>
+        <translation>Время курсора A</translation>
     </message>
     <message>
-        <source>Of the window nearest to the mouse in the plots, with standard deviations</source>
-        <translation>Ближайшего к указателю мыши окна на графиках, с СКО</translation>
+        <source>Time of cursor B</source>
+        <translation>Время курсора B</translation>
     </message>
     <message>
-        <source>no windows there</source>
-        <translation>окон здесь нет</translation>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the plots set the cursors at the mouse, 0 removes both.</source>
+        <translation>Секунды от начала записи; пусто — курсора нет. Клавиши 1 и 2 на графиках ставят курсоры под мышью, 0 убирает оба.</translation>
     </message>
 </context>
 <context>
@@ -4828,41 +4950,6 @@
     <message>
         <source>limits of the parameters</source>
         <translation>пределы параметров</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::EventsPanel</name>
-    <message>
-        <source>Axis crossings, gaps and windows without convergence of the chosen analysis appear here.</source>
-        <translation>Здесь появятся проходы осей, пропуски и окна без сходимости выбранного расчёта.</translation>
-    </message>
-    <message>
-        <source>%1: no axis crossings, no gaps.</source>
-        <translation>%1: проходов осей и пропусков нет.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n event(s)</source>
-        <translation>
-            <numerusform>%1: %n событие</numerusform>
-            <numerusform>%1: %n события</numerusform>
-            <numerusform>%1: %n событий</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>События</translation>
-    </message>
-    <message>
-        <source>t, s</source>
-        <translation>t, с</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Что</translation>
-    </message>
-    <message>
-        <source>%1: events are looked for when all windows are there.</source>
-        <translation>%1: события ищутся, когда готовы все окна.</translation>
     </message>
 </context>
 <context>
@@ -5081,10 +5168,6 @@
         <translation>Сохранение паспорта</translation>
     </message>
     <message>
-        <source>Export figure</source>
-        <translation>Экспорт рисунка</translation>
-    </message>
-    <message>
         <source>PNG image (*.png)</source>
         <translation>Изображение PNG (*.png)</translation>
     </message>
@@ -5171,6 +5254,49 @@
     <message>
         <source>Export history</source>
         <translation>Экспорт истории</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::FindingsFlag</name>
+    <message>
+        <source>Axis crossings, gaps and windows without convergence of the chosen analysis appear here.</source>
+        <translation>Здесь появятся проходы осей, пропуски и окна без сходимости выбранного расчёта.</translation>
+    </message>
+    <message>
+        <source>%1: events are looked for when all windows are there.</source>
+        <translation>%1: события ищутся, когда готовы все окна.</translation>
+    </message>
+    <message>
+        <source>%1: no axis crossings, no gaps.</source>
+        <translation>%1: проходов осей и пропусков нет.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n event(s)</source>
+        <translation>
+            <numerusform>%1: %n событие</numerusform>
+            <numerusform>%1: %n события</numerusform>
+            <numerusform>%1: %n событий</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Findings and events</source>
+        <translation>Замечания и события</translation>
+    </message>
+    <message>
+        <source>Findings of the recording check and events of the chosen analysis; a click in their lists goes there</source>
+        <translation>Замечания проверки записи и события выбранного расчёта; щелчок в списке показывает место</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>События</translation>
+    </message>
+    <message>
+        <source>t, s</source>
+        <translation>t, с</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Что</translation>
     </message>
 </context>
 <context>
@@ -5654,6 +5780,18 @@
         <source>µs</source>
         <translation>мкс</translation>
     </message>
+    <message>
+        <source>File of channel D</source>
+        <translation>Файл канала D</translation>
+    </message>
+    <message>
+        <source>Where each channel has a file of its own: its name, or its path</source>
+        <translation>Если у каждого канала свой файл: его имя или путь</translation>
+    </message>
+    <message>
+        <source>the same file</source>
+        <translation>тот же файл</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::ImportPreview</name>
@@ -5672,6 +5810,160 @@
     <message>
         <source>samples</source>
         <translation>отсчёты</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::Ledger</name>
+    <message>
+        <source>%1 Hz at %2 s</source>
+        <translation>%1 Гц в момент %2 с</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>К полупериодам</translation>
+    </message>
+    <message>
+        <source>Analyse again with a window of whole half-periods, which leaks least</source>
+        <translation>Рассчитать снова с окном из целых полупериодов: утечка в нём наименьшая</translation>
+    </message>
+    <message>
+        <source>Recordings and analyses</source>
+        <translation>Записи и расчёты</translation>
+    </message>
+    <message>
+        <source>The chosen row is what is analysed, measured and shown by the other pages. Space hides, Delete removes, F2 renames</source>
+        <translation>Выбранная строка рассчитывается, измеряется и показывается на других страницах. Пробел скрывает, Delete удаляет, F2 переименовывает</translation>
+    </message>
+    <message>
+        <source>Recording, analysis</source>
+        <translation>Запись, расчёт</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>Алгоритм</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Window, samples</source>
+        <translation>Окно, отсчётов</translation>
+    </message>
+    <message>
+        <source>Mean f, Hz</source>
+        <translation>Средняя f, Гц</translation>
+    </message>
+    <message>
+        <source>Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: scatter between windows, leakage of algorithms 1 to 4, bounds of the search</source>
+        <translation>Взвешенное среднее частоты f_cp по всем годным окнам ± его СКО: разброс между окнами, утечка алгоритмов 1–4, границы поиска</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Шум</translation>
+    </message>
+    <message>
+        <source>Noise per sample and channel: residual of the windows, its degrees of freedom counted</source>
+        <translation>Шум на отсчёт и канал: невязка в окнах с учётом числа степеней свободы</translation>
+    </message>
+    <message>
+        <source>⚠</source>
+        <translation>⚠</translation>
+    </message>
+    <message>
+        <source>Warnings of the recording and the analysis</source>
+        <translation>Предупреждения записи и расчёта</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Переименовать</translation>
+    </message>
+    <message>
+        <source>Analyse again with its settings</source>
+        <translation>Рассчитать снова с его настройками</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Удалить</translation>
+    </message>
+    <message>
+        <source>Add to the set of the resonator</source>
+        <translation>Добавить в набор резонатора</translation>
+    </message>
+    <message>
+        <source>Import again…</source>
+        <translation>Импортировать заново…</translation>
+    </message>
+    <message>
+        <source>Copy the facts of the recording</source>
+        <translation>Копировать сведения о записи</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::LedgerHead</name>
+    <message>
+        <source>mouse</source>
+        <translation>мышь</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>trend</source>
+        <translation>тренд</translation>
+    </message>
+    <message>
+        <source>Values of the windows at the mouse in the plots, with standard deviations</source>
+        <translation>Значения окон под указателем мыши на графиках, с СКО</translation>
+    </message>
+    <message>
+        <source>Values of the windows at cursor A</source>
+        <translation>Значения окон у курсора A</translation>
+    </message>
+    <message>
+        <source>Values of the windows at cursor B</source>
+        <translation>Значения окон у курсора B</translation>
+    </message>
+    <message>
+        <source>Differences of the windows at the cursors; without standard deviation where they share samples</source>
+        <translation>Разности окон у курсоров; без СКО, если у окон есть общие отсчёты</translation>
+    </message>
+    <message>
+        <source>Rates of the trends between the cursors, or frequencies of the beats</source>
+        <translation>Скорости трендов между курсорами или частоты биений</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>прямая</translation>
+    </message>
+    <message>
+        <source>parabola</source>
+        <translation>парабола</translation>
+    </message>
+    <message>
+        <source>cubic</source>
+        <translation>кубика</translation>
+    </message>
+    <message>
+        <source>beat</source>
+        <translation>биения</translation>
+    </message>
+    <message>
+        <source>Trend between the cursors</source>
+        <translation>Тренд между курсорами</translation>
+    </message>
+    <message>
+        <source>A line is an exponential for the working wave; a beat is a damped sinusoid. Fitted by weighted least squares to the windows between the cursors that share no samples. Where they scatter more than their noise, the deviations grow by that.</source>
+        <translation>Прямая для рабочей волны — экспонента; биения — затухающая синусоида. Взвешенный метод наименьших квадратов по окнам между курсорами, не имеющим общих отсчётов. Где разброс больше шума, СКО увеличены во столько же.</translation>
     </message>
 </context>
 <context>
@@ -5739,147 +6031,8 @@
 <context>
     <name>vybeg::ui::MainWindow</name>
     <message>
-        <source>Recordings</source>
-        <translation>Записи</translation>
-    </message>
-    <message>
-        <source>Analysis</source>
-        <translation>Обработка</translation>
-    </message>
-    <message>
-        <source>Values and events</source>
-        <translation>Значения и события</translation>
-    </message>
-    <message>
-        <source>Analyses</source>
-        <translation>Расчёты</translation>
-    </message>
-    <message>
-        <source>At the cursor</source>
-        <translation>Под курсором</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>События</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Инструменты</translation>
-    </message>
-    <message>
-        <source>Float</source>
-        <translation>Открепить</translation>
-    </message>
-    <message>
-        <source>Close this panel</source>
-        <translation>Закрыть панель</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>Волна</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::MeasurePanel</name>
-    <message>
-        <source>The resonator of this recording beats at its split, %1 Hz</source>
-        <translation>Резонатор этой записи бьётся с разночастотностью %1 Гц</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Time of cursor A</source>
-        <translation>Время курсора A</translation>
-    </message>
-    <message>
-        <source>Time of cursor B</source>
-        <translation>Время курсора B</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>с</translation>
-    </message>
-    <message>
-        <source>Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the plots set the cursors at the mouse, 0 removes both.</source>
-        <translation>Секунды от начала записи; пусто — курсора нет. Клавиши 1 и 2 на графиках ставят курсоры под мышью, 0 убирает оба.</translation>
-    </message>
-    <message>
-        <source>Trend</source>
-        <translation>Тренд</translation>
-    </message>
-    <message>
-        <source>Line; exponential for the working wave</source>
-        <translation>Прямая; для рабочей волны — экспонента</translation>
-    </message>
-    <message>
-        <source>Beat: damped sinusoid</source>
-        <translation>Биение: затухающая синусоида</translation>
-    </message>
-    <message>
-        <source>Trend between the cursors</source>
-        <translation>Тренд между курсорами</translation>
-    </message>
-    <message>
-        <source>Fitted by weighted least squares to the windows between the cursors that share no samples. Where they scatter more than their noise, the deviations grow by that.</source>
-        <translation>Взвешенный метод наименьших квадратов по окнам между курсорами без общих отсчётов. Если разброс окон больше их шума, СКО увеличены в той же мере.</translation>
-    </message>
-    <message>
-        <source>Readings at the cursors</source>
-        <translation>Показания у курсоров</translation>
-    </message>
-    <message>
-        <source>B − A = %1 s, 1/|B − A| = %2 Hz</source>
-        <translation>B − A = %1 с, 1/|B − A| = %2 Гц</translation>
-    </message>
-    <message>
-        <source>The keys 1 and 2 in the plots set the cursors A and B at the mouse; the trend between them is measured.</source>
-        <translation>Клавиши 1 и 2 на графиках ставят курсоры A и B под мышью; между ними измеряется тренд.</translation>
-    </message>
-    <message>
-        <source>B − A</source>
-        <translation>B − A</translation>
-    </message>
-    <message>
-        <source>Beat, Hz</source>
-        <translation>Биение, Гц</translation>
-    </message>
-    <message>
-        <source>Rate, per s</source>
-        <translation>За секунду</translation>
-    </message>
-    <message>
-        <source>sd</source>
-        <translation>СКО</translation>
-    </message>
-    <message>
-        <source>A = %1 s</source>
-        <translation>A = %1 с</translation>
-    </message>
-    <message>
-        <source>B = %1 s</source>
-        <translation>B = %1 с</translation>
-    </message>
-    <message>
-        <source>A cursor stands where the analysis has no windows.</source>
-        <translation>Курсор стоит там, где у расчёта нет окон.</translation>
-    </message>
-    <message>
-        <source>Values at A and B, their difference and the trend between them, with standard deviations</source>
-        <translation>Значения в A и B, их разность и тренд между ними, с СКО</translation>
-    </message>
-    <message>
-        <source>Parabola</source>
-        <translation>Парабола</translation>
-    </message>
-    <message>
-        <source>Polynomial of the third degree</source>
-        <translation>Многочлен третьей степени</translation>
     </message>
 </context>
 <context>
@@ -5960,6 +6113,13 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::Overview</name>
+    <message>
+        <source>Overview of the recording</source>
+        <translation>Обзор записи</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::PageStack</name>
     <message>
         <source>Pages</source>
@@ -6029,93 +6189,6 @@
     <message>
         <source>Clear this list</source>
         <translation>Очистить список</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::RecordingPanel</name>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 из %2</translation>
-    </message>
-    <message>
-        <source>%1 (opening)</source>
-        <translation>%1 (открывается)</translation>
-    </message>
-    <message>
-        <source>%1 Hz, from the file</source>
-        <translation>%1 Гц, из файла</translation>
-    </message>
-    <message>
-        <source>%1 Hz, from the time column</source>
-        <translation>%1 Гц, по столбцу времени</translation>
-    </message>
-    <message>
-        <source>%1 Hz, typed</source>
-        <translation>%1 Гц, задана</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 s, %n sample(s)</source>
-        <translation>
-            <numerusform>%1 с, %n отсчёт</numerusform>
-            <numerusform>%1 с, %n отсчёта</numerusform>
-            <numerusform>%1 с, %n отсчётов</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Гц</translation>
-    </message>
-    <message>
-        <source>Open recordings</source>
-        <translation>Открытые записи</translation>
-    </message>
-    <message>
-        <source>Close recording</source>
-        <translation>Закрыть запись</translation>
-    </message>
-    <message>
-        <source>Import again…</source>
-        <translation>Импортировать заново…</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Файл</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Формат</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Дискретизация</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Длительность</translation>
-    </message>
-    <message>
-        <source>Channels</source>
-        <translation>Каналы</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Начало</translation>
-    </message>
-    <message>
-        <source>f₀</source>
-        <translation>f₀</translation>
-    </message>
-    <message>
-        <source>SHA-256</source>
-        <translation>SHA-256</translation>
-    </message>
-    <message>
-        <source>Add to the set of the resonator</source>
-        <translation>Добавить в набор резонатора</translation>
-    </message>
-    <message>
-        <source>The chosen recording is analysed. Delete closes, Insert adds to the set; drag recordings into a set, too</source>
-        <translation>Обрабатывается выбранная запись. Delete закрывает, Insert добавляет в набор; записи можно и перетащить в набор</translation>
     </message>
 </context>
 <context>
@@ -6190,10 +6263,6 @@
 </context>
 <context>
     <name>vybeg::ui::ResidualsPage</name>
-    <message>
-        <source>No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the list Analyses chooses one.</source>
-        <translation>Расчёт не выбран. «Рассчитать» (F5) обрабатывает текущую запись; выбрать расчёт можно в списке «Расчёты».</translation>
-    </message>
     <message>
         <source>The residual appears when all windows of the analysis are there.</source>
         <translation>Невязка появится, когда будут готовы все окна расчёта.</translation>
@@ -6305,6 +6374,10 @@
     <message>
         <source>Ctrl+C copies the table</source>
         <translation>Ctrl+C копирует таблицу</translation>
+    </message>
+    <message>
+        <source>No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the table below chooses one.</source>
+        <translation>Расчёт не выбран. «Рассчитать» (F5) добавит расчёт текущей записи; строка таблицы внизу выбирает его.</translation>
     </message>
 </context>
 <context>
@@ -6445,22 +6518,6 @@
         <translation>Записи набора</translation>
     </message>
     <message>
-        <source>Drag recordings of one resonator here, best started at four angles</source>
-        <translation>Перетащите сюда записи одного резонатора, лучше всего с четырьмя начальными углами</translation>
-    </message>
-    <message>
-        <source>Remove from the set</source>
-        <translation>Убрать из набора</translation>
-    </message>
-    <message>
-        <source>Recordings</source>
-        <translation>Записи</translation>
-    </message>
-    <message>
-        <source>Which of the open recordings belong to the set</source>
-        <translation>Какие из открытых записей входят в набор</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>Модель</translation>
     </message>
@@ -6497,20 +6554,24 @@
         <translation>Идентифицировать</translation>
     </message>
     <message>
-        <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording (F7)</source>
-        <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
-    </message>
-    <message>
-        <source>Recordings of one resonator; Delete removes one from the set</source>
-        <translation>Записи одного резонатора; Delete убирает запись из набора</translation>
-    </message>
-    <message>
         <source>What the fit assumes of the channels</source>
         <translation>Что модель предполагает о каналах</translation>
     </message>
     <message>
         <source>Settings and conditions are those of the measurement list; the panel Analysis does not change them.</source>
         <translation>Настройки и условия взяты из списка измерений; панель «Обработка» их не меняет.</translation>
+    </message>
+    <message>
+        <source>The open recordings; those of one resonator are checked</source>
+        <translation>Открытые записи; записи одного резонатора отмечены</translation>
+    </message>
+    <message>
+        <source>Drop recordings of one resonator here, best started at four angles</source>
+        <translation>Перетащите сюда записи одного резонатора, лучше всего начатые под четырьмя углами</translation>
+    </message>
+    <message>
+        <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording and those opened together with it (F7)</source>
+        <translation>Подобрать один резонатор по всем записям набора; если набор пуст — по текущей записи и открытым вместе с ней (F7)</translation>
     </message>
 </context>
 <context>
@@ -6585,10 +6646,6 @@
         <translation>Алгоритм</translation>
     </message>
     <message>
-        <source>Analyse</source>
-        <translation>Рассчитать</translation>
-    </message>
-    <message>
         <source>Analyse the current recording with these settings and keep the analysis (F5)</source>
         <translation>Обработать текущую запись с этими настройками и оставить расчёт в списке (F5)</translation>
     </message>
@@ -6599,6 +6656,14 @@
     <message>
         <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same analysis. What is to stay for comparison is kept by Analyse (Ctrl+L)</source>
         <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет кнопка «Рассчитать» (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>The plots are older than these settings. Changed since: %1.</source>
+        <translation>Графики старше этих настроек. С тех пор изменено: %1.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Закрепить</translation>
     </message>
 </context>
 <context>
@@ -6643,10 +6708,6 @@
         <translation>%1, отсчёты как записаны. Расчёт (F5) вписывает волну.</translation>
     </message>
     <message>
-        <source>%1, samples as recorded: the chosen analysis is one of %2.</source>
-        <translation>%1, отсчёты как записаны: выбранный расчёт относится к %2.</translation>
-    </message>
-    <message>
         <source>%1: the wave appears when all windows of the analysis are there.</source>
         <translation>%1: волна появится, когда будут готовы все окна расчёта.</translation>
     </message>
@@ -6659,31 +6720,8 @@
         <translation>Невязка</translation>
     </message>
     <message>
-        <source>Fitted &amp;wave</source>
-        <translation>Вписанная &amp;волна</translation>
-    </message>
-    <message>
-        <source>Shows the wave of the chosen analysis over the samples: zoomed out its amplitude, zoomed in the wave itself</source>
-        <translation>Показывает волну выбранного расчёта поверх отсчётов: в мелком масштабе её амплитуду, в крупном — саму волну</translation>
-    </message>
-    <message>
         <source>Signals over time</source>
         <translation>Сигналы во времени</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::StaleMark</name>
-    <message>
-        <source>The plots are older than the Analysis panel. Changed since: %1.</source>
-        <translation>Графики старше панели «Обработка». С тех пор изменено: %1.</translation>
-    </message>
-    <message>
-        <source>Analyse</source>
-        <translation>Рассчитать</translation>
-    </message>
-    <message>
-        <source>Analyse the current recording with the settings of the panel (F5)</source>
-        <translation>Рассчитать текущую запись с параметрами панели (F5)</translation>
     </message>
 </context>
 <context>
@@ -6966,16 +7004,19 @@ Open a recording and press Analyse.</source>
 <context>
     <name>vybeg::ui::TracksPage</name>
     <message>
-        <source>Overview of the recording</source>
-        <translation>Обзор записи</translation>
-    </message>
-    <message>
         <source>%1: %2; window %3, hop %4 samples; f0 = %5 Hz</source>
         <translation>%1: %2; окно %3, шаг %4 отсчётов; f0 = %5 Гц</translation>
     </message>
     <message>
         <source>; filter %1 to %2 Hz</source>
         <translation>; фильтр от %1 до %2 Гц</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::WarningList</name>
+    <message>
+        <source>Only the worst</source>
+        <translation>Только самые серьёзные</translation>
     </message>
 </context>
 <context>
@@ -7051,24 +7092,8 @@ Open a recording and press Analyse.</source>
         <translation>периодов</translation>
     </message>
     <message>
-        <source>The same window in periods of the carrier; may be a fraction. The article varies T from 1 to 10 periods.</source>
-        <translation>То же окно в периодах несущей, можно дробное. В статье T меняется от 1 до 10 периодов.</translation>
-    </message>
-    <message>
-        <source>Length in periods</source>
-        <translation>Длина в периодах</translation>
-    </message>
-    <message>
         <source>ms</source>
         <translation>мс</translation>
-    </message>
-    <message>
-        <source>The same window in milliseconds.</source>
-        <translation>То же окно в миллисекундах.</translation>
-    </message>
-    <message>
-        <source>Length in milliseconds</source>
-        <translation>Длина в миллисекундах</translation>
     </message>
     <message>
         <source>Residual</source>
@@ -7107,12 +7132,24 @@ Open a recording and press Analyse.</source>
         <translation>Подгоняет окно к целому числу полупериодов несущей: ближайшее n с наименьшим остатком.</translation>
     </message>
     <message>
-        <source>as the window</source>
-        <translation>равен окну</translation>
+        <source>Window of n consecutive samples, the averaging interval T of (7). The slow variables are constant inside it. At least 5 samples and three quarters of a period. The article varies T from 1 to 10 periods, which may be fractions.</source>
+        <translation>Окно из n отсчётов подряд, интервал усреднения T в (7). Медленные переменные в нём постоянны. Не менее 5 отсчётов и трёх четвертей периода. В статье T меняется от 1 до 10 периодов, возможны дробные.</translation>
     </message>
     <message>
-        <source>Window of n consecutive samples, the averaging interval T of (7). The slow variables are constant inside it. At least 5 samples and three quarters of a period.</source>
-        <translation>Окно из n последовательных отсчётов, интервал усреднения T из (7). Внутри него медленные переменные постоянны. Не менее 5 отсчётов и трёх четвертей периода.</translation>
+        <source>Unit of the length</source>
+        <translation>Единица длины</translation>
+    </message>
+    <message>
+        <source>In which unit the length of the window is typed</source>
+        <translation>В какой единице вводится длина окна</translation>
+    </message>
+    <message>
+        <source>= window</source>
+        <translation>= окно</translation>
+    </message>
+    <message>
+        <source>leakage %1</source>
+        <translation>утечка %1</translation>
     </message>
 </context>
 <context>
@@ -7202,10 +7239,6 @@ Open a recording and press Analyse.</source>
         <translation>Децибелы</translation>
     </message>
     <message>
-        <source>Pan&amp;els</source>
-        <translation>&amp;Панели</translation>
-    </message>
-    <message>
         <source>Lang&amp;uage</source>
         <translation>&amp;Язык</translation>
     </message>
@@ -7227,13 +7260,6 @@ Open a recording and press Analyse.</source>
     <message>
         <source>Export plot…</source>
         <translation>Экспорт графика…</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::WarningList</name>
-    <message>
-        <source>Only the worst</source>
-        <translation>Только самые серьёзные</translation>
     </message>
 </context>
 </TS>

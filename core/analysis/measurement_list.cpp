@@ -282,6 +282,7 @@ private:
             recording.path = path_.parent_path() / file;
         }
         Status read = read_options(open_settings(), row, recording.open);
+        find_files_from(path_.parent_path(), recording.open);
         if (read) {
             const Status together = check_options(recording.open);
             read = together ? together : refused(row.line, together.error());

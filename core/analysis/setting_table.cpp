@@ -26,7 +26,7 @@ SettingRow<S> band_row(SettingRow<S> row, Access access) {
         row, access,
         [option = row.option()](const std::string& from) -> Result<Band> {
             const auto edges =
-                read_numbers(option, from, 2, "it must be two frequencies in Hz, LO,HI");
+                read_numbers(option, from, 2, "it must be two frequencies in Hz, LO,HI", "Hz");
             return edges ? Result(Band{(*edges)[0], (*edges)[1]}) : edges.error();
         },
         [](const Band& band) {

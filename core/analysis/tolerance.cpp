@@ -1,45 +1,17 @@
 #include "core/analysis/tolerance.h"
 
 #include "core/base/number_text.h"
+#include "core/base/read_value.h"
 #include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 namespace vybeg {
 namespace {
 
 constexpr const char* none = "none";
-
-// A unit that may stand after a number, in units of the member's own.
-struct UnitSuffix {
-    const char* own;  // unit of the member
-    const char* suffix;
-    double factor;
-};
-
-constexpr double degree = std::numbers::pi / 180;
-
-constexpr std::array<UnitSuffix, 16> suffixes{{
-    {"deg", "deg", 1},
-    {"deg", "mrad", 1e-3 / degree},  // before rad, of which it is a longer form
-    {"deg", "rad", 1 / degree},
-    {"rad", "mrad", 1e-3},
-    {"rad", "rad", 1},
-    {"rad", "deg", degree},
-    {"s", "ms", 1e-3},
-    {"s", "us", 1e-6},
-    {"s", "ns", 1e-9},
-    {"s", "ps", 1e-12},
-    {"s", "s", 1},
-    {"", "%", 1e-2},
-    {"", "ppm", 1e-6},
-    {"ppm", "ppm", 1},
-    {"ppm", "ppb", 1e-3},
-    {"ppm", "%", 1e4},
-}};
 
 std::string names() {
     std::string list;
@@ -50,19 +22,6 @@ std::string names() {
 }
 
 }  // namespace
-
-std::optional<double> number_with_unit(std::string_view text, std::string_view unit) {
-    double factor = 1;
-    for (const UnitSuffix& suffix : suffixes) {
-        if (unit == suffix.own && text.ends_with(suffix.suffix)) {
-            factor = suffix.factor;
-            text.remove_suffix(std::string_view(suffix.suffix).size());
-            break;
-        }
-    }
-    const std::optional<double> number = parse_number(std::string(text));
-    return number ? std::optional(factor * *number) : std::nullopt;
-}
 
 std::optional<std::vector<std::pair<std::string, std::string_view>>> named_texts(
     std::string_view text) {

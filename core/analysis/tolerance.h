@@ -65,10 +65,6 @@ struct ToleranceInUse {
 };
 std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double calibrated_kappa);
 
-// A number, plain or with a unit after it that `unit` can be told in: 25.4ms in s, 0.1deg in rad,
-// 2% and 5ppm of a ratio. Nothing for any other text.
-std::optional<double> number_with_unit(std::string_view text, std::string_view unit);
-
 // The names and texts X of NAME=X[,NAME=X]; nothing where a part has no "=".
 std::optional<std::vector<std::pair<std::string, std::string_view>>> named_texts(
     std::string_view text);

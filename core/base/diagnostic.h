@@ -24,7 +24,8 @@ enum class DiagnosticKind {
     unit_of_one,         // args: channel, its unit, the other channel, which states none
     units_differ,        // args: channel C, its unit, channel D, its unit. No factor between them.
     time_unit_unknown,   // args: unit of the times, which are read as seconds
-    rates_disagree,      // args: rate that the file states, rate of its times (Hz), which counts
+    channel_delayed,     // args: by how much D's times are later (s, samples). It is interpolated.
+    pieces_untimed,      // args: pieces, which are taken to follow each other
     leakage,             // args: windows, of. The closed form is off by more than its deviation.
     wave_moves,          // args: windows, of. Inside a window or between two.
     text_lines_ignored,  // args: count; header and comment lines

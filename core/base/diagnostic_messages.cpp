@@ -97,14 +97,21 @@ MessageRow message_row(DiagnosticKind kind) {
                     "Message",
                     "The times are in '%1', an unknown unit, and are read as seconds. Choose their "
                     "unit, or open the file without a time column and give the sample rate.")};
-        case DiagnosticKind::rates_disagree:
-            return {"rates-disagree", warning,
+        case DiagnosticKind::channel_delayed:
+            return {"channel-delayed", warning,
                     VYBEG_MESSAGE("Message",
-                                  "The file states a sample rate of %1 Hz, and its times give %2 "
-                                  "Hz, which counts. Check the unit of the times (--time-unit)."),
+                                  "The times of channel D begin %1 s (%2 samples) after those of "
+                                  "channel C; D was interpolated to C's times. What its times are "
+                                  "wrong by is a phase between the channels (--delay)."),
                     VYBEG_MESSAGE("Message",
-                                  "The file states a sample rate of %1 Hz, and its times give %2 "
-                                  "Hz, which counts. Check the unit of the times.")};
+                                  "The times of channel D begin %1 s (%2 samples) after those of "
+                                  "channel C; D was interpolated to C's times. What its times are "
+                                  "wrong by is a phase between the channels (delay of D).")};
+        case DiagnosticKind::pieces_untimed:
+            return {"pieces-untimed", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "The %1 pieces do not tell when they begin: they are taken to "
+                                  "follow each other without a gap.")};
         case DiagnosticKind::leakage:
             return {
                 "leakage", warning,

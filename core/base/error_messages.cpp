@@ -43,6 +43,12 @@ MessageRow message_row(ErrorCode code) {
                 "file-read-failed", bad_input,
                 VYBEG_MESSAGE("Message",
                               "%1: reading failed: %2. Check the disk and copy the file again.")};
+        case ErrorCode::file_not_regular:
+            return {"file-not-regular", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 is a pipe or a device, and a recording is read more than "
+                                  "once. Save it to a file first, as in cat %1 > run.wav, and name "
+                                  "that file.")};
         case ErrorCode::format_unknown:
             return {"format-unknown", bad_input,
                     VYBEG_MESSAGE(
@@ -75,6 +81,17 @@ MessageRow message_row(ErrorCode code) {
                     VYBEG_MESSAGE("Message",
                                   "%1: no line with two or more numbers. The file needs one column "
                                   "for each pick-off.")};
+        case ErrorCode::rates_differ:
+            return {
+                "rates-differ", bad_input,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "%1 states a sample rate of %2 Hz, and its times give %3 Hz. Say which "
+                    "holds: --time-unit for the unit of the times, or --rate with one of both."),
+                VYBEG_MESSAGE(
+                    "Message",
+                    "%1 states a sample rate of %2 Hz, and its times give %3 Hz. Choose the "
+                    "unit of the times, or give the one that holds as the sample rate.")};
         case ErrorCode::text_time_backwards:
             return {"text-time-backwards", bad_input,
                     VYBEG_MESSAGE(
@@ -103,9 +120,28 @@ MessageRow message_row(ErrorCode code) {
                                   "%1: there is no column %2 to be the time; the file has %3.")};
         case ErrorCode::too_few_channels:
             return {"too-few-channels", bad_input,
-                    VYBEG_MESSAGE(
-                        "Message",
-                        "%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.")};
+                    VYBEG_MESSAGE("Message",
+                                  "%1 has %2 channel(s), and %3 are needed: the two pick-offs C "
+                                  "and D. Where D has a file of its own, name it: --channel-d %4."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1 has %2 channel(s), and %3 are needed: the two pick-offs C "
+                                  "and D. Where D has a file of its own, drop both files into the "
+                                  "window together, or choose it under Import (%4).")};
+        case ErrorCode::header_missing:
+            return {"header-missing", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 holds samples alone, and neither %2.anp nor %2.xml beside it "
+                                  "tells their sample rate. Copy that file, too, or give --raw f32 "
+                                  "--raw-channels 1 --rate HZ."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1 holds samples alone, and neither %2.anp nor %2.xml beside it "
+                                  "tells their sample rate. Copy that file, too, or read it as raw "
+                                  "samples under Import.")};
+        case ErrorCode::parts_differ:
+            return {"parts-differ", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 and %2 are no parts of one recording: the %3 do not fit (%4 "
+                                  "and %5). Choose files that were recorded together.")};
         case ErrorCode::channel_out_of_range:
             return {"channel-out-of-range", bad_input,
                     VYBEG_MESSAGE("Message",

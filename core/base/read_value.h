@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vybeg {
@@ -14,11 +16,17 @@ namespace vybeg {
 
 Error refused_value(const std::string& option, const std::string& text, const std::string& allowed);
 
-// A finite number.
-Result<double> read_number(const std::string& option, const std::string& text);
+// A number, plain or with a unit after it that `unit` can be told in: 25.4ms in s, 0.1deg in rad,
+// 5kHz in Hz, 2% and 5ppm of a ratio (""). Nothing for any other text.
+std::optional<double> number_with_unit(std::string_view text, std::string_view unit);
+
+// A finite number, plain or with a unit after it, in `unit`; without one none may follow.
+Result<double> read_number(const std::string& option, const std::string& text,
+                           const std::string& unit = "none");
 Result<std::int64_t> read_whole(const std::string& option, const std::string& text);
 // Exactly `count` finite numbers with commas between them.
 Result<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
-                                         std::size_t count, const std::string& allowed);
+                                         std::size_t count, const std::string& allowed,
+                                         const std::string& unit = "none");
 
 }  // namespace vybeg

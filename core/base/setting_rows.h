@@ -46,6 +46,13 @@ struct SettingRow {
     std::vector<Bounds> bounds = {};
 
     std::string option() const { return "--" + name; }
+    // Of a number, by the placeholder; "none" without one.
+    std::string unit() const {
+        return placeholder == "S"     ? "s"
+               : placeholder == "HZ"  ? "Hz"
+               : placeholder == "DEG" ? "deg"
+                                      : "none";
+    }
 };
 
 // Kinds of rows. `access` returns a reference to the field: [](auto& s) -> auto& { return s.f; }.
@@ -106,7 +113,9 @@ SettingRow<S> number_row(SettingRow<S> row, Access access, Bounds bounds = {}) {
     row.bounds = {bounds};
     return value_row<double>(
         row, access,
-        [option = row.option()](const std::string& from) { return read_number(option, from); },
+        [option = row.option(), unit = row.unit()](const std::string& from) {
+            return read_number(option, from, unit);
+        },
         round_trip_text,
         [=, option = row.option()](double value) { return within(bounds, option, value); });
 }

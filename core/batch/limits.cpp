@@ -4,6 +4,7 @@
 #include "core/analysis/tolerance.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/base/read_value.h"
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>

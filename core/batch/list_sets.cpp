@@ -120,6 +120,9 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
               integer_text(open.channel_c), integer_text(open.channel_d)}) {
             add(part);
         }
+        for (const std::filesystem::path& file : further_files(open)) {
+            add(file_stamp(file));
+        }
         for (const auto& [column, field] : fields_of(recording.conditions)) {
             add(field);
         }

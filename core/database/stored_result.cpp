@@ -106,6 +106,7 @@ Result<StoredResult> stored_result(const SetResult& result, std::string json) {
     stored.recordings = set.recordings;
     for (RecordingRef& recording : stored.recordings) {
         recording.path = absolute_path(recording.path);
+        find_files_from(absolute_path("."), recording.open);
     }
     stored.parameters = parameters_of(found.fit);
     stored.raw = found.fit.raw;

@@ -19,18 +19,14 @@ for page in tracks signals resonator windows; do
     [ "$page" = signals ] && shot=periods
     picture "$shot-all-en-light-1280x720@1.png" "$page.png"
 done
-# The page alone, no wider than the help shows it; the panels beside it leave it more or less room.
+# The window without its row of menus, no wider than the help shows it.
 for language in en ru; do
     folder=../help/$language/pictures
     mkdir -p "$folder"
     for page in tracks signals residuals resonator windows; do
         shot=$page
         [ "$page" = signals ] && shot=periods
-        case $page in
-            tracks | signals) part=574x544+316+31 ;;
-            residuals) part=964x544+316+31 ;;
-            *) part=964x669+316+31 ;;
-        esac
+        part=1280x662+0+31
         picture "$shot-all-$language-light-1280x720@1.png" "$folder/$page.png" "$part"
     done
 done

@@ -4,6 +4,7 @@
 #include "tests/core/recording/audio/audio_files.h"
 #include "tests/core/recording/demo_files.h"
 #include "tests/core/recording/text/uff_file.h"
+#include "tests/data/trade_files.h"
 
 #include <algorithm>
 #include <functional>
@@ -86,6 +87,8 @@ Files text_files() {
             table("time,C,D\n", ",", 1e-2, [](int i) { return i + 0.2 * std::sin(i); }),
             utf16(plain, false),
             utf16(table("", "\t", 1e-2), true),
+            windows_1251(lgraph_text({.time_unit = "секунды", .time_step = 3e-5, .names = {}},
+                                     {wave(frames).c, wave(frames).d})),
             "\"C\",\"D\"\r\n\"1\",\"2\"\r\n,3\r\nnan,4\r\n5,6\r\n7,8\r\n9,10\r\n11,12"};
 }
 
@@ -165,6 +168,10 @@ Files tdms_files() {
                     t.object(path_d, t.values(tds_f32, 10))}),
         std::string(64 + 32, '\1')));
     return files;
+}
+
+Files zetlab_files() {
+    return {zetlab_anp(25000, 1.5e-6, "Пьезо C"), zetlab_xml(25000, 1.5e-6, "Пьезо &quot;C&quot;")};
 }
 
 Files raw_files() {
@@ -300,19 +307,14 @@ with h5py.File('deep', 'w') as f:
 }  // namespace
 
 std::vector<std::string> sound_files(const std::string& format) {
-    const std::map<std::string, Files (*)()> writers{{"wav", wav_files},
-                                                     {"audio", audio_files},
-                                                     {"text", text_files},
-                                                     {"npy", npy_files},
-                                                     {"npz", npz_files},
-                                                     {"uff", uff_files},
-                                                     {"tdms", tdms_files},
-                                                     {"raw", raw_files},
-                                                     {"mat", mat_files},
-                                                     {"mat73", mat73_files},
-                                                     {"hdf5", hdf5_files},
-                                                     {"any", any_files},
-                                                     {"bottomless", bottomless_files}};
+    const std::map<std::string, Files (*)()> writers{
+        {"wav", wav_files},     {"audio", audio_files},
+        {"text", text_files},   {"npy", npy_files},
+        {"npz", npz_files},     {"uff", uff_files},
+        {"tdms", tdms_files},   {"zetlab", zetlab_files},
+        {"raw", raw_files},     {"mat", mat_files},
+        {"mat73", mat73_files}, {"hdf5", hdf5_files},
+        {"any", any_files},     {"bottomless", bottomless_files}};
     return writers.at(format)();
 }
 

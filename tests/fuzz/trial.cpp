@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/recording/arrays/raw_reader.h"
+#include "core/recording/arrays/zetlab_reader.h"
 #include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/byte_order.h"
@@ -107,6 +108,17 @@ Verdict try_any(std::string_view bytes) {
     return judge(open_recording(memory.path(), some_rate(), {}), most);
 }
 
+// The samples have no bytes that can be wrong: what describes them does.
+Verdict try_zetlab(std::string_view bytes) {
+    const auto header = parse_zetlab_header(bytes);
+    if (!header) {
+        return {Outcome::refused, ""};
+    }
+    const bool possible = header->rate_hz > 0 && std::isfinite(header->rate_hz) &&
+                          std::isfinite(header->scale) && header->scale != 0;
+    return {Outcome::read, possible ? "" : "a rate or a scale that is none"};
+}
+
 Verdict try_raw(std::string_view bytes) {
     constexpr std::size_t choice_bytes = 24;
     std::array<char, choice_bytes> choice{};
@@ -151,6 +163,9 @@ TryFile reader_of(std::string_view format) {
     }
     if (format == "raw") {
         return try_raw;
+    }
+    if (format == "zetlab") {
+        return try_zetlab;
     }
     if (format == "any") {
         return try_any;

@@ -33,7 +33,6 @@ void Document::connectStores() {
     connect(&analyses_, &AnalysisStore::added, this, &Document::analysisAdded);
     connect(&queue_, &RequestQueue::busyChanged, this, &Document::busyChanged);
     connect(&queue_, &RequestQueue::progressChanged, this, &Document::progressChanged);
-    connect(&queue_, &RequestQueue::batchDone, this, &Document::comparisonReady);
     connect(&live_, &LiveFollower::onChanged, this, &Document::liveChanged);
     connect(&live_, &LiveFollower::finished, this, &Document::finished);
     connect(&live_, &LiveFollower::reported, this, &Document::reported);
@@ -181,26 +180,8 @@ void Document::computeAgain(RecordingId recording_id, const Settings& requested)
     ask({.recording_id = recording_id, .settings = requested});
 }
 
-void Document::compareWindows(const std::vector<std::int64_t>& lengths) {
-    const RecordingEntry* entry = currentRecording();
-    if (!entry || !entry->recording || lengths.empty()) {
-        return;
-    }
-    const auto id = entry->id;
-    const int batch = ids_.next();
-    queue_.beginBatch(batch);
-    for (const std::int64_t length : lengths) {
-        Settings compared = settings();
-        compared.window = length;
-        compared.periods.reset();
-        compared.snap = false;
-        compared.hop = 0;
-        ask({.recording_id = id, .settings = compared, .batch = batch});
-    }
-}
-
 void Document::ask(const Request& request) {
-    if (request.batch == 0 && !request.restored) {
+    if (!request.restored) {
         // A new analysis of a recording replaces one that is still computing.
         queue_.replace(queue_.keyOfAnalysis(request.recording_id));
     }
@@ -220,9 +201,6 @@ void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
                                  result->analysis->settings);
         const AnalysisId analysis_id =
             analyses_.show(request.recording_id, request.settings, std::move(*result));
-        if (request.batch != 0) {
-            queue_.addToBatch(request.batch, analysis_id);
-        }
         emit finished(analysis_id, seconds);
     } else if (result.error().code != ErrorCode::interrupted) {
         emit reported(errorMessage(result.error()));
@@ -231,7 +209,6 @@ void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
 }
 
 void Document::cancel() {
-    queue_.forgetBatches();  // half a comparison is not shown
     job_.cancelAnalyses();
 }
 

@@ -67,8 +67,6 @@ public:
     void analyse();
     void analyseAgain(AnalysisId analysis_id);
     void analyseSnapped(AnalysisId analysis_id);  // with the window moved to whole half-periods
-    // One analysis of the current recording per window length; comparisonReady() when all are done.
-    void compareWindows(const std::vector<std::int64_t>& lengths);
     void setLive(bool live) { live_.setOn(live); }
     bool live() const { return live_.on(); }
     void setVisibleRange(const TimeRange& visible) { live_.setVisibleRange(visible); }
@@ -111,7 +109,6 @@ signals:
     void progressChanged();
     void finished(AnalysisId analysis_id, double seconds);
     void opened(const QString& path);
-    void comparisonReady(const QList<AnalysisId>& analysis_ids);
     void reported(const Message& message);
     void settled(Topic topic);  // messages of this topic hold no more
 

@@ -2,6 +2,7 @@
 
 #include "ui/words/error_text.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -21,6 +22,9 @@ bool isFixableByImportOptions(ErrorCode code) {
         case ErrorCode::text_no_table:
         case ErrorCode::text_lines_missing:
         case ErrorCode::column_out_of_range:
+        case ErrorCode::too_few_channels:
+        case ErrorCode::parts_differ:
+        case ErrorCode::rates_differ:
         case ErrorCode::channel_out_of_range:
         case ErrorCode::channel_is_time:
         case ErrorCode::rate_unknown:
@@ -62,9 +66,23 @@ void RecordingStore::setCurrent(RecordingId id) {
     }
 }
 
+std::vector<RecordingId> RecordingStore::openedTogether() const {
+    const RecordingEntry* chosen = current();
+    std::vector<RecordingId> ids;
+    for (const RecordingEntry& entry : recordings_) {
+        if (chosen &&
+            (&entry == chosen || (entry.together != 0 && entry.together == chosen->together))) {
+            ids.push_back(entry.id);
+        }
+    }
+    return ids;
+}
+
 void RecordingStore::open(const QStringList& paths, const OpenOptions& options) {
+    const int together = ids_.next();
     for (const QString& path : paths) {
         begin(ids_.next<RecordingId>(), recordings_.size(), path, options);
+        recordings_.back().together = together;
     }
     if (!paths.isEmpty()) {
         emit listChanged();
@@ -104,6 +122,8 @@ void RecordingStore::begin(RecordingId id, std::size_t place, const QString& pat
     entry.path = QFileInfo(path).absoluteFilePath();
     entry.name = QFileInfo(path).fileName();
     entry.options = options;
+    // Absolute for sessions, as the path is.
+    find_files_from(QDir::currentPath().toStdU16String(), entry.options);
     recordings_.insert(recordings_.begin() + static_cast<std::ptrdiff_t>(place), std::move(entry));
     job_.open(
         number(id), path, options,

@@ -29,6 +29,7 @@ struct RecordingEntry {
     QString path;
     QString name;
     OpenOptions options;
+    int together = 0;  // the same of those that were opened at once
     std::optional<Recording> recording;
     std::optional<double> f0_hz;               // once the search has found it
     std::optional<Settings> f0_search;         // with these settings
@@ -54,6 +55,8 @@ public:
     // Its place in the list; the size of the list for one that is not open.
     std::size_t place(RecordingId id) const;
     const RecordingEntry* current() const { return find(current_); }
+    // The current recording and those that were opened at once with it.
+    std::vector<RecordingId> openedTogether() const;
     void setCurrent(RecordingId id);
 
     void open(const QStringList& paths, const OpenOptions& options);

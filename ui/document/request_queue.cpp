@@ -49,8 +49,7 @@ const Request* RequestQueue::find(int key) const {
 
 int RequestQueue::keyOfAnalysis(RecordingId recording_id) const {
     return firstKey(requests_, [&](const Request& request) {
-        return request.recording_id == recording_id && request.batch == 0 && !request.live &&
-               !request.restored;
+        return request.recording_id == recording_id && !request.live && !request.restored;
     });
 }
 
@@ -69,19 +68,8 @@ std::vector<int> RequestQueue::keysOfRecording(RecordingId recording_id) const {
 }
 
 void RequestQueue::done(int key) {
-    const int batch = requests_[key].batch;
     requests_.erase(key);
     fraction_ = 0;
-    const bool batch_done = batch != 0 && firstKey(requests_, [batch](const Request& request) {
-                                              return request.batch == batch;
-                                          }) == 0;
-    if (batch_done) {
-        const QList<AnalysisId> analysis_ids = batches_[batch];
-        batches_.erase(batch);
-        if (!analysis_ids.isEmpty()) {
-            emit batchDone(analysis_ids);
-        }
-    }
     emit busyChanged();
 }
 

@@ -18,7 +18,6 @@ namespace vybeg::ui {
 struct Request {
     RecordingId recording_id = RecordingId::none;
     Settings settings;
-    int batch = 0;  // of a comparison of windows; 0: an analysis of its own
     bool live = false;
     SetId set_id = SetId::none;  // not 0: an identification
     bool restored = false;       // of a session: no later one replaces it
@@ -34,7 +33,7 @@ public:
     // A key that is there already gets the new request.
     void enter(int key, const Request& request);
     const Request* find(int key) const;
-    // An analysis of that recording that a new one replaces: neither live nor of a batch or
+    // An analysis of that recording that a new one replaces: neither live nor
     // session; 0: none.
     int keyOfAnalysis(RecordingId recording_id) const;
     int keyOfSet(SetId set_id) const;  // its identification; 0: none
@@ -45,11 +44,6 @@ public:
     // Stops a request.
     void forget(int key);
 
-    // A comparison: batchDone() with its analyses when its last request is done.
-    void beginBatch(int batch) { batches_[batch] = {}; }
-    void addToBatch(int batch, AnalysisId analysis_id) { batches_[batch].push_back(analysis_id); }
-    void forgetBatches() { batches_.clear(); }
-
     bool busy() const { return !requests_.empty(); }
     double progress() const;
     std::optional<double> secondsLeft() const;
@@ -57,14 +51,12 @@ public:
 signals:
     void busyChanged();
     void progressChanged();
-    void batchDone(const QList<AnalysisId>& analysis_ids);
 
 private:
     BackgroundJobs& job_;
     std::map<int, Request> requests_;  // by key, in the order of asking
-    std::map<int, QList<AnalysisId>> batches_;
-    int asked_ = 0;        // since the window was last idle
-    double fraction_ = 0;  // of the analysis that computes now
+    int asked_ = 0;                    // since the window was last idle
+    double fraction_ = 0;              // of the analysis that computes now
     QElapsedTimer busy_since_;
 };
 

@@ -281,12 +281,12 @@ MeasurementSet SetStore::measured(const RecordingSet& set) const {
     return measurementOf(set, settings_, recordings_);
 }
 
+// Without a set, recordings that were opened together are one.
 bool SetStore::canIdentify() const {
     const RecordingSet* set = current();
-    if (!set || set->recordings.empty()) {
-        return recordings_.current() && recordings_.current()->recording;
-    }
-    return std::ranges::all_of(set->recordings, [this](RecordingId id) {
+    const std::vector<RecordingId> ids =
+        set && !set->recordings.empty() ? set->recordings : recordings_.openedTogether();
+    return !ids.empty() && std::ranges::all_of(ids, [this](RecordingId id) {
         return recordings_.find(id)->recording.has_value();
     });
 }
@@ -296,7 +296,7 @@ void SetStore::identify() {
         return;
     }
     if (!current() || current()->recordings.empty()) {
-        addToCurrent({recordings_.current()->id});
+        addToCurrent(recordings_.openedTogether());
     }
     identifySet(current_);
 }

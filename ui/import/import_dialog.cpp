@@ -1,5 +1,6 @@
 #include "ui/import/import_dialog.h"
 
+#include "core/recording/samples/partner_file.h"
 #include "ui/import/import_fields.h"
 #include "ui/import/import_memory.h"
 #include "ui/import/import_preview.h"
@@ -77,7 +78,9 @@ ImportDialog::~ImportDialog() {
 }
 
 OpenOptions ImportDialog::options() const {
-    return fields_->options();
+    OpenOptions options = fields_->options();
+    find_files_from(QFileInfo(path_).absolutePath().toStdU16String(), options);
+    return options;
 }
 
 void ImportDialog::refresh() {
@@ -93,6 +96,12 @@ std::optional<OpenOptions> ImportDialog::proposal(const RecordingPreview& previe
     if (!proposed_) {
         proposed_ = true;
         raw_proposed_ = unknown;
+        const auto partner = partner_of(path_.toStdU16String());
+        if (partner && preview.problem && preview.problem->code == ErrorCode::too_few_channels) {
+            OpenOptions pair = options();
+            pair.channel_d_file = partner->string();
+            return pair;
+        }
         if (const auto last = rememberedImport(importKind(path_, preview, unknown))) {
             return last;
         }
@@ -140,7 +149,10 @@ void ImportDialog::accept() {
         return;
     }
     const OpenOptions chosen_options = options();
-    rememberImport(importKind(path_, *preview_, chosen_options.raw.has_value()), chosen_options);
+    OpenOptions of_kind = chosen_options;  // other files have others beside them
+    of_kind.channel_d_file.clear();
+    of_kind.join.clear();
+    rememberImport(importKind(path_, *preview_, chosen_options.raw.has_value()), of_kind);
     emit chosen(path_, chosen_options);
     QDialog::accept();
 }

@@ -107,6 +107,7 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
     raw_skip_ = number(raw_skip, "raw_skip", "skip");
     raw_skip_->setInteger(true);
     variables_ = words(variables, "variables");
+    channel_d_file_ = words(channel_d_file, "channel_d_file");
     channel_c_ = list(channel_c, "channel_c", 0);
     channel_d_ = list(channel_d, "channel_d", 0);
     rate_ = number(rate, "rate", "rate");
@@ -152,6 +153,8 @@ void ImportFields::setOptions(const OpenOptions& options) {
     rate_->setValue(options.rate_hz);
     scale_->setValue(options.scale);
     unit_->setText(QString::fromStdString(options.unit));
+    channel_d_file_->setText(QString::fromStdString(options.channel_d_file));
+    join_ = options.join;
     showRows();
 }
 
@@ -201,6 +204,8 @@ OpenOptions ImportFields::options() const {
     options.channel_d = channel_d_->currentData().toInt();
     options.scale = typed(*scale_).value_or(1);
     options.unit = unit_->text().trimmed().toStdString();
+    options.channel_d_file = channel_d_file_->text().trimmed().toStdString();
+    options.join = options.channel_d_file.empty() ? join_ : std::vector<std::string>{};
     if (readAs() == ReadAs::raw) {
         options.raw = rawLayout();
     } else if (isText()) {
@@ -283,6 +288,7 @@ void ImportFields::showAutomatic() {
                               : preview_ && preview_->time_column >= 0 ? tr("from the time column")
                                                                        : tr("from the file"));
     unit_->setPlaceholderText(tr("from the file"));
+    channel_d_file_->setPlaceholderText(tr("the same file"));
 }
 
 void ImportFields::focusRate() {
@@ -351,6 +357,8 @@ void ImportFields::retranslate() {
     set(variables, tr("Variables"),
         tr("Names of the variables that hold C and D and, third, the rate, with commas between "
            "them"));
+    set(channel_d_file, tr("File of channel D"),
+        tr("Where each channel has a file of its own: its name, or its path"));
     set(channel_c, tr("Channel C"), tr("Counted from 1; a time column does not count"));
     set(channel_d, tr("Channel D"), tr("Counted from 1; a time column does not count"));
     set(rate, tr("Sample rate"), tr("Used where the file has no rate of its own"));

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 class QComboBox;
 class QFormLayout;
@@ -54,6 +56,7 @@ private:
         raw_channels,
         raw_skip,
         variables,
+        channel_d_file,
         channel_c,
         channel_d,
         rate,
@@ -88,11 +91,13 @@ private:
     QSpinBox* raw_channels_;
     NumberField* raw_skip_;
     QLineEdit* variables_;
+    QLineEdit* channel_d_file_;
     QComboBox* channel_c_;
     QComboBox* channel_d_;
     NumberField* rate_;
     NumberField* scale_;
     QLineEdit* unit_;
+    std::vector<std::string> join_;  // further pieces, which have no field
     std::optional<RecordingPreview> preview_;
 };
 

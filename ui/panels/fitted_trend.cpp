@@ -205,6 +205,31 @@ TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double fr
     return curve;
 }
 
+QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
+                     const DisplayUnits& units) {
+    if (trends.empty()) {
+        return kind == TrendKind::beat ? Words::tr("no beat") : Words::tr("too few windows");
+    }
+    QStringList words;
+    if (kind == TrendKind::line) {
+        const FittedTrend* amplitude = find(trends, SlowVariable::a_A);
+        const auto decay = amplitude ? decay_time(std::get<Trend>(amplitude->fit)) : std::nullopt;
+        if (decay) {
+            words << Words::tr("τ %1 s").arg(conciseText(decay->tau_s, decay->sd_s));
+        }
+        if (const FittedTrend* angle = find(trends, SlowVariable::two_theta_A)) {
+            const auto& line = std::get<Trend>(angle->fit);
+            words << Words::tr("drift %1 °/h")
+                         .arg(conciseText(line.slope_per_s * degrees_an_hour,
+                                          line.sd_slope_per_s * degrees_an_hour));
+        }
+    }
+    if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
+        words << Words::tr("sd enlarged: %1").arg(names.join(QLatin1Char(' ')));
+    }
+    return words.join(QStringLiteral(", "));
+}
+
 QStringList trendSentences(const Analysis& analysis, TrendKind kind,
                            const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
     if (trends.empty()) {

@@ -44,4 +44,8 @@ TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double fr
 QStringList trendSentences(const Analysis& analysis, TrendKind kind,
                            const std::vector<FittedTrend>& trends, const DisplayUnits& units);
 
+// The same in a few words, for a cell: "τ 30.051(1) s, drift −11.3(6) °/h".
+QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
+                     const DisplayUnits& units);
+
 }  // namespace vybeg::ui

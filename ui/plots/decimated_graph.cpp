@@ -188,18 +188,20 @@ void DecimatedGraph::draw(QCPPainter* painter) {
             each->drawBands(*painter);
         }
     }
-    if (const auto noise = noiseColumns(); !noise.empty()) {
-        drawMean(*painter, noise);
+    if (!noise_.empty()) {
+        drawMean(*painter, noise_);
     } else {
         drawLine(*painter, visibleColumns());
     }
     drawMarks(*painter, visibleColumns());
 }
 
-// Under dense noise the scatter itself; otherwise a standard deviation.
+// Under dense noise the scatter itself; otherwise a standard deviation. The bands of all graphs are
+// drawn before the first line.
 void DecimatedGraph::drawBands(QCPPainter& painter) const {
-    if (const auto noise = noiseColumns(); !noise.empty()) {
-        drawNoiseBand(painter, noise);
+    noise_ = noiseColumns();
+    if (!noise_.empty()) {
+        drawNoiseBand(painter, noise_);
     } else if (band_) {
         drawBand(painter, visibleColumns());
     }

@@ -74,6 +74,7 @@ private:
     mutable AxisRange cached_time_;
     mutable int cached_width_ = 0;
     mutable std::vector<CurveColumn> cached_;
+    mutable std::vector<CurveColumn> noise_;  // of the present drawing
 };
 
 }  // namespace vybeg::ui

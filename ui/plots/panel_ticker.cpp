@@ -1,5 +1,7 @@
 #include "ui/plots/panel_ticker.h"
 
+#include <cmath>
+
 namespace vybeg::ui {
 
 void PanelTicker::setRoom(double length, const QFont& font, double beyond) {
@@ -31,12 +33,38 @@ void PanelTicker::generate(const QCPRange& range, const QLocale&, QChar, int,
     }
     if (tickLabels) {
         *tickLabels = ticks_.labels;
-        if (orientation_ == Qt::Horizontal && !tickLabels->isEmpty()) {
-            // The last label is omitted if it would be cut.
-            const double pixel = (ticks_.positions.back() - range.lower) / range.size() * length_;
-            const double half = 0.5 * metrics.horizontalAdvance(tickLabels->last());
-            if (pixel + half > length_ + beyond_) {
-                tickLabels->last().clear();
+        omitLabels(shown, *tickLabels);
+    }
+}
+
+void PanelTicker::omitLabels(const AxisRange& range, QVector<QString>& labels) const {
+    constexpr double gap = 8;
+    const QFontMetricsF metrics(font_);
+    const std::vector<double> texts = shared_ ? shared_(ticks_) : std::vector<double>();
+    const auto part = [&](double position) {
+        return logarithmic_ ? std::log(position / range.lower) / std::log(range.upper / range.lower)
+                            : (position - range.lower) / range.span();
+    };
+    for (qsizetype k = 0; k < labels.size(); ++k) {
+        const double at = part(ticks_.positions[static_cast<std::size_t>(k)]) * length_;
+        const double width = metrics.horizontalAdvance(labels[k]);
+        if (orientation_ == Qt::Horizontal) {
+            const double end = texts.empty() ? length_ + beyond_ : length_ - texts.front() - gap;
+            if (at + 0.5 * width > end) {
+                labels[k].clear();  // it would be cut
+            }
+        } else if (shared_) {
+            const double line = metrics.height();
+            const double top = length_ - at - 0.5 * line;
+            const double bottom = top + line;
+            bool touches = top < -0.5 * line || bottom > length_ + 0.5 * line;
+            for (std::size_t row = 0; row < texts.size(); ++row) {
+                touches = touches || (static_cast<double>(row) *
+                                          line<bottom&& static_cast<double>(row + 1) * line> top &&
+                                      texts[row] + width + gap > shared_room_);
+            }
+            if (touches) {
+                labels[k].clear();
             }
         }
     }

@@ -13,8 +13,7 @@ class PlotPanel;
 class PlotStack;
 
 // Items that move with the mouse, on a separate layer, so that the curves below are not drawn
-// again: the tracker's hair line with the readout in the head line of each plot, the two cursors,
-// the rubber band.
+// again: the tracker's hair line with a dot on each curve, the two cursors, the rubber band.
 class PlotOverlay : public QCPLayerable {
     Q_OBJECT
 
@@ -27,6 +26,8 @@ public:
     void setRubberBand(std::optional<QRectF> band) { band_ = band; }
     // Text in the middle of an empty view.
     void setHint(const QString& hint) { hint_ = hint; }
+    // Number of analyses that are not drawn, told in the corner of the first plot.
+    void setUnlike(int count) { unlike_ = count; }
 
 protected:
     void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
@@ -35,7 +36,6 @@ protected:
 private:
     void drawHair(QCPPainter& painter, double time_s, const QColor& color,
                   const QString& name) const;
-    void drawReadout(QCPPainter& painter, const PlotPanel& panel) const;
     void drawDots(QCPPainter& painter, const PlotPanel& panel) const;
 
     const PlotStack* stack_;
@@ -44,6 +44,7 @@ private:
     std::array<std::optional<double>, 2> cursors_;
     std::optional<QRectF> band_;
     QString hint_;
+    int unlike_ = 0;
 };
 
 }  // namespace vybeg::ui

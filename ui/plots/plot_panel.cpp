@@ -1,7 +1,6 @@
 #include "ui/plots/plot_panel.h"
 
 #include "ui/plots/decimated_graph.h"
-#include "ui/plots/panel_frame.h"
 #include "ui/plots/value_range.h"
 #include "ui/words/index_text.h"
 
@@ -13,24 +12,20 @@
 namespace vybeg::ui {
 namespace {
 
-constexpr int least_left_margin = 60;
 constexpr double unit_gap = 8;
 constexpr double least_mark_spacing = 4;
 
 }  // namespace
 
-PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
+PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable, PlotHead head)
     : QCPAxisRect(plot, false),
       variable_(variable),
+      head_(head),
       time_ticker_(new PanelTicker(Qt::Horizontal)),
       value_ticker_(new PanelTicker(Qt::Vertical)) {
-    addFrame(*this, time_ticker_, value_ticker_);
-    timeAxis()->setTickLabelPadding(5);
-    valueAxis()->setTickLabelPadding(4);
-    // The labels under the lowest panel have a separate row, so that all panels are equally high.
-    setAutoMargins(QCP::msLeft);
-    setMinimumMargins({least_left_margin, 0, 0, 0});
-    setMargins({least_left_margin, head_height, right_margin, foot});
+    addStackedFrame(
+        *this, time_ticker_, value_ticker_, head,
+        [this](const AxisTicks& ticks) { return marginTexts(ticks); }, font_);
 }
 
 void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
@@ -129,17 +124,16 @@ AxisRange PlotPanel::automaticValues() const {
     return range.range(logarithmic).value_or(logarithmic ? AxisRange{0.1, 1} : AxisRange{0, 1});
 }
 
-QString PlotPanel::headSymbol() const {
-    const AxisTicks& ticks = value_ticker_->ticks();
-    QString text = displaySymbol(variable_, units_);
-    if (ticks.offset != 0) {
-        text += ticks.offsetText();
-        const QString unit = displayUnit(variable_, units_);
-        if (!unit.isEmpty()) {
-            text += unit == QStringLiteral("°") ? unit : ' ' + unit;
-        }
+QString PlotPanel::offsetText(const AxisTicks& ticks) const {
+    if (ticks.offset == 0) {
+        return {};
     }
-    return text;
+    const QString unit = displayUnit(variable_, units_);
+    return ticks.offsetText() + (unit.isEmpty() || unit == QStringLiteral("°") ? unit : ' ' + unit);
+}
+
+QString PlotPanel::headSymbol() const {
+    return displaySymbol(variable_, units_) + offsetText(value_ticker_->ticks());
 }
 
 QString PlotPanel::headUnit() const {
@@ -147,19 +141,10 @@ QString PlotPanel::headUnit() const {
                       value_ticker_->ticks().exponent);
 }
 
-QRectF PlotPanel::readoutArea() const {
-    const QString unit = headUnit();
-    const double used = indexTextWidth(headSymbol(), font_) +
-                        (unit.isEmpty() ? 0 : unit_gap + indexTextWidth(unit, font_));
-    const double from = rect().left() + used + 2 * unit_gap;
-    return {from, double(rect().top() - head_height), std::max(0., rect().right() - from),
-            double(head_height)};
-}
-
 void PlotPanel::update(UpdatePhase phase) {
     if (phase == upPreparation) {
         value_ticker_->setRoom(expected_.height(), tick_font_);
-        time_ticker_->setRoom(expected_.width(), tick_font_, right_margin - 2);
+        time_ticker_->setRoom(expected_.width(), tick_font_, room().right - 2);
     }
     QCPAxisRect::update(phase);
 }
@@ -186,7 +171,11 @@ QString PlotPanel::emptyReason() const {
 void PlotPanel::draw(QCPPainter* painter) {
     QCPAxisRect::draw(painter);
     drawMarks(*painter);
-    drawHead(*painter);
+    if (head_ == PlotHead::line) {
+        drawHead(*painter);
+    } else {
+        drawMarginLines(*painter, *this, marginTexts(value_ticker_->ticks()), theme_, font_);
+    }
     if (const QString reason = emptyReason(); !reason.isEmpty()) {
         painter->setPen(theme_.mutedText);
         painter->setFont(font_);
@@ -222,9 +211,23 @@ void PlotPanel::drawHead(QCPPainter& painter) const {
         painter.setFont(italic);
         painter.setPen(theme_.text);
         painter.drawText(
-            QRectF(rect().left(), rect().top() - head_height, rect().width(), head_height - 3),
+            QRectF(rect().left(), rect().top() - room().head, rect().width(), room().head - 3),
             int(Qt::AlignRight | Qt::AlignVCenter), letter_);
     }
+}
+
+std::vector<MarginLine> PlotPanel::marginTexts(const AxisTicks& ticks) const {
+    return marginLines(
+        displaySymbol(variable_, units_), offsetText(ticks),
+        scaledUnit(displayUnit(variable_, units_), takesPrefix(variable_, units_), ticks.exponent),
+        font_);
+}
+
+int PlotPanel::calculateAutoMargin(QCP::MarginSide side) {
+    const int margin = QCPAxisRect::calculateAutoMargin(side);
+    return head_ == PlotHead::margin && side == QCP::msLeft
+               ? std::max(margin, marginOf(marginTexts(value_ticker_->ticks())))
+               : margin;
 }
 
 }  // namespace vybeg::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/plots/panel_ticker.h"
+#include "ui/plots/panel_frame.h"
 #include "ui/plots/plot_content.h"
 
 #include <qcustomplot.h>
@@ -11,13 +11,12 @@ namespace vybeg::ui {
 
 class DecimatedGraph;
 
-// One plot: the curves of one slow variable of all visible analyses, and above them a line with its
-// symbol and unit. The right end of that line is free for the readout (readoutArea()).
+// One plot: the curves of one slow variable of all visible analyses, with its symbol and unit.
 class PlotPanel : public QCPAxisRect {
     Q_OBJECT
 
 public:
-    PlotPanel(QCustomPlot* plot, SlowVariable variable);
+    PlotPanel(QCustomPlot* plot, SlowVariable variable, PlotHead head);
 
     SlowVariable variable() const { return variable_; }
     const std::vector<DecimatedGraph*>& graphs() const { return graphs_; }
@@ -28,7 +27,7 @@ public:
     void setMarks(const std::vector<double>& times_s) { marks_s_ = times_s; }
     // Only the lowest panel has labels of the time axis.
     void setTimeLabels(bool shown);
-    // A letter at the right end of the head line, for figures.
+    // A letter at the right end of the line above the plot, for figures.
     void setLetter(const QString& letter) { letter_ = letter; }
     // Size of the axis rectangle after the next layout, without exact left margin.
     void setExpectedSize(QSize size) { expected_ = size; }
@@ -45,29 +44,30 @@ public:
     QCPAxis* valueAxis() const { return axis(QCPAxis::atLeft); }
     const AxisTicks& timeTicks() const { return time_ticker_->ticks(); }
 
-    // Symbol and unit in the head line, e.g. "ω_cp/2π − 5300 Hz" and "mHz".
+    // Symbol and unit above the plot, e.g. "ω_cp/2π − 5300 Hz" and "mHz".
     QString headSymbol() const;
     QString headUnit() const;
-    // Area for a readout: right of symbol and unit.
-    QRectF readoutArea() const;
     const QFont& headFont() const { return font_; }
 
-    static constexpr int head_height = 21;
-    static constexpr int right_margin = 16;
-    static constexpr int foot = 3;
+    FrameRoom room() const { return frameRoom(head_); }
 
     void update(UpdatePhase phase) override;
 
 protected:
     void draw(QCPPainter* painter) override;
+    int calculateAutoMargin(QCP::MarginSide side) override;
 
 private:
     void setLook(const Theme& theme);
     void drawMarks(QCPPainter& painter) const;
     void drawHead(QCPPainter& painter) const;
+    std::vector<MarginLine> marginTexts(const AxisTicks& ticks) const;
     QString emptyReason() const;
+    // "−5300 Hz" of an axis that counts from an offset; empty without one.
+    QString offsetText(const AxisTicks& ticks) const;
 
     SlowVariable variable_;
+    PlotHead head_;
     QSharedPointer<PanelTicker> time_ticker_;
     QSharedPointer<PanelTicker> value_ticker_;
     std::vector<DecimatedGraph*> graphs_;

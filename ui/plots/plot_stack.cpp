@@ -11,7 +11,9 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int time_strip_height = 42;
+constexpr int time_row_height = 20;  // ticks and name in one row
 constexpr int head_strip_height = 24;
+constexpr int top_gap = 5;  // of the screen: a tick label at the first plot's top
 // From the foot of the lowest panel to the name of the time axis: ticks and their labels.
 constexpr int tick_label_room = 20;
 
@@ -50,9 +52,7 @@ void PlotStack::setContent(const PlotContent& content) {
         panel->setContent(content, font);
     }
     time_strip_->setLook(font, content.theme.text);
-    if (head_strip_) {
-        head_strip_->setLook(font, content.theme.text);
-    }
+    head_strip_->setLook(font, content.theme.text);
     if (head_ == Head::analysis_names) {
         std::vector<StripEntry> entries;
         for (const ShownAnalysis& shown : content.analyses) {
@@ -66,18 +66,8 @@ void PlotStack::setContent(const PlotContent& content) {
                 }
             }
         }
-        if (content.unlike > 0) {
-            entries.push_back(
-                {QCoreApplication::translate("PlotStack", "%n not drawn: other length or unit",
-                                             nullptr, content.unlike),
-                 false,
-                 false,
-                 {},
-                 Qt::SolidLine});
-        }
         // A single curve needs no legend, nor does its trend.
-        const bool shown =
-            content.unlike > 0 || std::ranges::count(entries, true, &StripEntry::literal) > 1;
+        const bool shown = std::ranges::count(entries, true, &StripEntry::literal) > 1;
         head_strip_->setMinimumSize(10, shown ? head_strip_height : 4);
         head_strip_->setMaximumSize(QWIDGETSIZE_MAX, shown ? head_strip_height : 4);
         head_strip_->setEntries(shown ? std::move(entries) : std::vector<StripEntry>(),
@@ -115,26 +105,27 @@ void PlotStack::build(const PlotContent& content) {
     QCPLayoutGrid& grid = *plot_.plotLayout();
     margins_ = new QCPMarginGroup(&plot_);
     int row = 0;
-    if (head_ != Head::none) {
-        head_strip_ = new PlotStrip(&plot_, head_strip_height);
-        head_strip_->setInset(8, PlotPanel::right_margin, 0);
-        grid.addElement(row++, column_, head_strip_);
-    }
+    head_strip_ = new PlotStrip(&plot_, head_ == Head::none ? top_gap : head_strip_height);
+    head_strip_->setInset(8, frameRoom(plotHead()).right, 0);
+    grid.addElement(row++, column_, head_strip_);
     for (const SlowVariable variable : content.variables) {
-        auto* panel = new PlotPanel(&plot_, variable);
+        auto* panel = new PlotPanel(&plot_, variable, plotHead());
         panel->setMarginGroup(QCP::msLeft, margins_);
         panel->setTimeLabels(variable == content.variables.back());
         grid.addElement(row++, column_, panel);
         panels_.push_back(panel);
     }
-    time_strip_ = new PlotStrip(&plot_, time_strip_height);
-    time_strip_->setInset(0, PlotPanel::right_margin, tick_label_room);
+    time_strip_ = new PlotStrip(&plot_, head_ == Head::none ? time_row_height : time_strip_height);
     grid.addElement(row, column_, time_strip_);
+}
+
+PlotHead PlotStack::plotHead() const {
+    return head_ == Head::none ? PlotHead::margin : PlotHead::line;
 }
 
 void PlotStack::setTitle(const QString& title) {
     head_strip_->setEntries({StripEntry{title, false, false, {}, Qt::SolidLine}}, Qt::AlignHCenter);
-    head_strip_->setInset(PlotPanel::right_margin + 44, PlotPanel::right_margin, 0);
+    head_strip_->setInset(frameRoom(plotHead()).right + 44, frameRoom(plotHead()).right, 0);
 }
 
 void PlotStack::setZoom(const ZoomState& zoom) {
@@ -148,12 +139,12 @@ void PlotStack::setZoom(const ZoomState& zoom) {
 
 void PlotStack::prepare(QSize size) {
     const int rows = static_cast<int>(panels_.size());
-    const int strips = time_strip_height + (head_strip_ ? head_strip_->height() : 0);
+    const int strips = head_strip_ ? time_strip_->height() + head_strip_->height() : 0;
     const int each = rows > 0 ? (size.height() - strips) / rows : 0;
     for (PlotPanel* panel : panels_) {
         panel->setExpectedSize(
-            {std::max(2, size.width() - panel->margins().left() - PlotPanel::right_margin),
-             std::max(1, each - PlotPanel::head_height - PlotPanel::foot)});
+            {std::max(2, size.width() - panel->margins().left() - frameRoom(plotHead()).right),
+             std::max(1, each - panel->room().head - panel->room().foot)});
     }
 }
 
@@ -171,22 +162,17 @@ PlotPanel* PlotStack::panelAt(const QPointF& position) const {
     return found == panels_.end() ? nullptr : *found;
 }
 
-QString PlotStack::timeName() const {
-    if (panels_.empty()) {
-        return {};
-    }
-    return timeAxisName(panels_.back()->timeTicks());
-}
-
 void PlotStack::nameTime() {
     if (!time_strip_ || panels_.empty()) {
         return;
     }
     const QRect area = panels_.back()->rect();
-    time_strip_->setInset(area.left() - time_strip_->rect().left(), PlotPanel::right_margin,
-                          tick_label_room);
-    time_strip_->setEntries({StripEntry{timeName(), false, false, {}, Qt::SolidLine}},
-                            Qt::AlignHCenter);
+    const bool beside = head_ == Head::none;
+    time_strip_->setInset(area.left() - time_strip_->rect().left(), frameRoom(plotHead()).right,
+                          beside ? 0 : tick_label_room);
+    time_strip_->setEntries(
+        {StripEntry{timeAxisName(panels_.back()->timeTicks()), false, false, {}, Qt::SolidLine}},
+        beside ? Qt::AlignRight : Qt::AlignHCenter);
 }
 
 }  // namespace vybeg::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/plots/plot_content.h"
+#include "ui/plots/plot_panel.h"
 
 #include <qcustomplot.h>
 
@@ -8,7 +9,6 @@
 
 namespace vybeg::ui {
 
-class PlotPanel;
 class PlotStrip;
 
 // A column of plots over one time axis, in one column of a QCustomPlot's layout: part of the track
@@ -18,7 +18,8 @@ class PlotStack {
 public:
     enum class Head { none, analysis_names, title };
 
-    // `head`: kind of the row above the plots, the same for all columns of a figure.
+    // `head`: kind of the row above the plots, the same for all columns of a figure. Without one
+    // the stack is that of the screen: symbols in the margin, one row below the plots.
     PlotStack(QCustomPlot& plot, int column, Head head);
 
     // Rebuilds the panels if the variables have changed; sets zoom and value axes.
@@ -38,11 +39,9 @@ public:
     // Plot at a position, including its head line.
     PlotPanel* panelAt(const QPointF& position) const;
 
-    // Name of the time axis with offset and prefix, as of the latest layout: "t − 13.4 s, ms".
-    QString timeName() const;
-
 private:
     void build(const PlotContent& content);
+    PlotHead plotHead() const;
     void removeElements();
     void nameTime();
 

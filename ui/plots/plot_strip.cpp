@@ -139,8 +139,9 @@ void PlotStrip::draw(QCPPainter* painter) {
     const QRect area = rect().adjusted(left_, above_, -right_, 0);
     shorten(area.width());
     double x = area.left();
-    if (alignment_ == Qt::AlignHCenter) {
-        x += 0.5 * std::max(0., area.width() - widthOf(shown_, font_));
+    if (alignment_ != Qt::AlignLeft) {
+        x += (alignment_ == Qt::AlignRight ? 1 : 0.5) *
+             std::max(0., area.width() - widthOf(shown_, font_));
     }
     const QFontMetricsF metrics(font_);
     const double base = area.top() + 0.5 * (area.height() + metrics.ascent() - metrics.descent());

@@ -67,7 +67,7 @@ void SignalView::setMargins(int left, int right) {
 }
 
 QRect SignalView::plotArea() const {
-    return rect().adjusted(left_, 3, -right_, -(time_row + range_row));
+    return rect().adjusted(left_, 2, -right_, -range_row);
 }
 
 double SignalView::toPixel(double time_s) const {

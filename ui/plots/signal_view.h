@@ -48,8 +48,8 @@ public:
     AxisRange visibleRange() const { return visible_; }
     AxisRange analysedRange() const { return analysed_; }
 
-    QSize sizeHint() const override { return {600, 84}; }
-    QSize minimumSizeHint() const override { return {160, 64}; }
+    QSize sizeHint() const override { return {600, 40}; }
+    QSize minimumSizeHint() const override { return {160, 40}; }
 
 signals:
     void visibleRangeEdited(double from_s, double to_s);
@@ -77,8 +77,7 @@ private:
         analysed_all
     };
 
-    // Heights of the rows below the signals: tick labels, bar of the analysed range.
-    static constexpr int time_row = 15;
+    // Height of the row below the signals, the bar of the analysed range.
     static constexpr int range_row = 9;
 
     double toPixel(double time_s) const;
@@ -92,7 +91,7 @@ private:
     void drawFaults(QPainter& painter, const QRect& area) const;
     void drawRanges(QPainter& painter, const QRect& area) const;
     void drawLabel(QPainter& painter, const QRect& area, int alignment, const QString& text) const;
-    void drawTimes(QPainter& painter, const QRect& area) const;
+    void drawLength(QPainter& painter, const QRect& area) const;
 
     std::shared_ptr<const Envelope> envelope_;
     std::shared_ptr<const SampleFaults> faults_;

@@ -1,8 +1,8 @@
 // Painting of the overview strip; the rest is in signal_view.cpp.
-#include "ui/plots/axis_ticks.h"
 #include "ui/plots/envelope_paint.h"
 #include "ui/plots/signal_view.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
 
@@ -50,7 +50,7 @@ void SignalView::paintEvent(QPaintEvent*) {
     if (!envelope_ || !envelope_->whole()) {
         drawLabel(painter, area, int(Qt::AlignRight | Qt::AlignTop), tr("reading…"));
     }
-    drawTimes(painter, area);
+    drawLength(painter, area);
     if (hasFocus()) {
         painter.setPen(QPen(theme_.accent, 1));
         painter.setBrush(Qt::NoBrush);
@@ -114,7 +114,7 @@ void SignalView::drawRanges(QPainter& painter, const QRect& area) const {
     painter.setPen(QPen(theme_.plotBackground, 1));
     painter.setBrush(theme_.text);
     for (const double x : {from, to}) {
-        painter.drawRoundedRect(QRectF(x - 3.5, area.center().y() - 9, 7, 18), 3, 3);
+        painter.drawRoundedRect(QRectF(x - 3.5, area.center().y() - 8, 7, 16), 3, 3);
     }
     // The analysed range: a bar below the signals with a handle at each end.
     const double first = clip(toPixel(analysed_.lower));
@@ -148,22 +148,12 @@ void SignalView::drawLabel(QPainter& painter, const QRect& area, int alignment,
     painter.drawText(box, alignment, text);
 }
 
-void SignalView::drawTimes(QPainter& painter, const QRect& area) const {
-    const QFontMetricsF metrics(painter.font());
-    TickRoom room{double(area.width()), 72, 16,
-                  [&](const QString& label) { return metrics.horizontalAdvance(label); }};
-    const AxisTicks ticks = linearTicks({0, seconds_}, room);
-    const QString unit = scaledUnit(tr("s"), true, ticks.exponent);
-    painter.setPen(theme_.mutedText);
-    const double base = height() - 0.5 * time_row + 0.5 * metrics.ascent() - 1;
-    for (qsizetype i = 0; i < ticks.labels.size(); ++i) {
-        const QString text = ticks.labels[i] + ' ' + unit;
-        const double width = metrics.horizontalAdvance(text);
-        const double x = toPixel(ticks.positions[static_cast<std::size_t>(i)]) - 0.5 * width;
-        // At the ends a label moves inwards instead of being cut.
-        const double shown = std::clamp(x, 2., std::max(2., this->width() - width - 2));
-        painter.drawText(QPointF(shown, base), text);
-    }
+// The time axis is that of the plots below, at the same place; where they show a part of it, the
+// recording's length is known from here.
+void SignalView::drawLength(QPainter& painter, const QRect& area) const {
+    const int digits = seconds_ < 10 ? 3 : 5;
+    drawLabel(painter, area, int(Qt::AlignRight | Qt::AlignBottom),
+              QStringLiteral("%1 %2").arg(QLocale().toString(seconds_, 'g', digits), tr("s")));
 }
 
 }  // namespace vybeg::ui

@@ -14,9 +14,8 @@ namespace vybeg::ui {
 namespace {
 
 // Heights, pixels.
-constexpr int least_plot = 50;    // all five are seen in 1280 x 720
-constexpr int plot_head = 22;     // its name and values
-constexpr int around_plots = 66;  // names of the analyses, time axis
+constexpr int least_plot = 70;    // with the gap below it
+constexpr int around_plots = 20;  // time axis
 
 bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
     return displayScale(variable, a, 1) == displayScale(variable, b, 1);
@@ -49,7 +48,7 @@ TrackView::TrackView(QWidget* parent)
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));
     preparePlot(*plot_, content_.theme);
-    stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::analysis_names);
+    stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::none);
     overlay_ = new PlotOverlay(plot_, stack_.get());
     connect(plot_, &QCustomPlot::afterLayout, this, &TrackView::followLayout);
     connect(&zoom_, &ZoomNavigator::moved, this, [this] {
@@ -91,6 +90,7 @@ void TrackView::setRecorded(const RecordedTime& recorded) {
 void TrackView::setShownVariables(std::vector<SlowVariable> variables) {
     content_.variables = std::move(variables);
     rebuild();
+    emit variablesChanged();
 }
 
 void TrackView::setUnits(const DisplayUnits& units) {
@@ -152,6 +152,7 @@ std::optional<AxisRange> TrackView::valueRange(SlowVariable variable) const {
 
 void TrackView::setTracker(std::optional<double> time_s) {
     tracker_ = time_s;
+    overlay_->setTracker(time_s);
     refreshOverlay();
 }
 
@@ -161,6 +162,7 @@ std::optional<double> TrackView::cursor(Cursor which) const {
 
 void TrackView::setCursor(Cursor which, std::optional<double> time_s) {
     cursors_[static_cast<std::size_t>(which)] = time_s;
+    overlay_->setCursors(cursors_);
     refreshOverlay();
 }
 
@@ -171,7 +173,7 @@ std::optional<SlowVariable> TrackView::variableAt(const QPoint& position) const 
 
 QSize TrackView::minimumSizeHint() const {
     const int rows = std::max(1, static_cast<int>(content_.variables.size()));
-    return {320, around_plots + rows * (plot_head + least_plot)};
+    return {320, around_plots + rows * least_plot};
 }
 
 void TrackView::rebuild() {
@@ -183,13 +185,13 @@ void TrackView::rebuild() {
     overlay_->setHint(coveredTime(content_.analyses)
                           ? QString()
                           : tr("No analysis yet.\nOpen a recording and press Analyse."));
+    overlay_->setUnlike(content_.unlike);
     const bool has_analyses = coveredTime(content_.analyses).has_value();
     for (const char* name : {"background", "grid", "main", "axes"}) {
         plot_->layer(QString::fromLatin1(name))->setVisible(has_analyses);
     }
     focus_.match(content_);
     updateGeometry();
-    fillOverlay();
     redraw();
 }
 
@@ -203,13 +205,7 @@ void TrackView::redraw() {
     }
 }
 
-void TrackView::fillOverlay() {
-    overlay_->setTracker(tracker_);
-    overlay_->setCursors(cursors_);
-}
-
 void TrackView::refreshOverlay() {
-    fillOverlay();
     if (isVisible()) {
         plot_->layer(QStringLiteral("overlay"))->replot();
     }

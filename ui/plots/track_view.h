@@ -69,8 +69,6 @@ public:
 
     // The time range with its history, which other pages share.
     ZoomNavigator& zoom() { return zoom_; }
-    bool canZoomBack() const { return zoom_.canBack(); }
-    bool canZoomForward() const { return zoom_.canForward(); }
 
     std::optional<double> tracker() const { return tracker_; }
     void setTracker(std::optional<double> time_s);
@@ -79,6 +77,8 @@ public:
     // As the mouse and the keyboard do, with signals.
     void moveTracker(std::optional<double> time_s);
     void moveCursor(Cursor which, std::optional<double> time_s);
+    // Keys of the time axis and the cursors, for other views of it: whether it was one.
+    bool takeTimeKey(QKeyEvent* event);
     // Instants in rising order, marked by thin lines in all plots: axis crossings, for example.
     void setMarks(std::vector<double> times_s);
     // Fitted curves drawn over the plots, displayed units.
@@ -94,8 +94,6 @@ public:
 
 public slots:
     void fit() { zoom_.visit({fullTimeRange(), {}}, Gesture::none); }
-    void zoomBack() { zoom_.back(); }
-    void zoomForward() { zoom_.forward(); }
     void zoomIn() { zoomByKey(ZoomNavigator::notch); }
     void zoomOut() { zoomByKey(1 / ZoomNavigator::notch); }
 
@@ -106,6 +104,7 @@ signals:
     // The user moved, placed or removed a cursor.
     void cursorsChanged();
     void zoomHistoryChanged();
+    void variablesChanged();
     // Margins of the time axes, pixels from both edges.
     void timeAxisPlaced(int left, int right);
 
@@ -137,7 +136,6 @@ private:
 
     void rebuild();
     void redraw();
-    void fillOverlay();
     void refreshOverlay();
     void followLayout();
 

@@ -89,11 +89,7 @@ void TrackView::moveTracker(std::optional<double> time_s) {
         return;
     }
     setTracker(time_s);
-    if (time_s) {
-        emit trackerMoved(*time_s);
-    } else {
-        emit trackerLeft();
-    }
+    time_s ? emit trackerMoved(*time_s) : emit trackerLeft();
 }
 
 void TrackView::moveCursor(Cursor which, std::optional<double> time_s) {
@@ -153,6 +149,9 @@ void TrackView::mouseMoveEvent(QMouseEvent* event) {
         case Drag::cursorB: moveCursor(Cursor::b, timeAt(position)); break;
     }
     const PlotPanel* panel = stack_->panelAt(position);
+    // At the margin, the meaning of the symbol that stands there.
+    const bool margin = panel && position.x() < panel->rect().left();
+    setToolTip(margin ? displayMeaning(panel->variable()) : QString());
     const double time = timeAt(position);
     const bool inside = panel && timeRange().contains(time) && coveredTime(content_.analyses);
     moveTracker(inside ? std::optional(time) : std::nullopt);
@@ -204,27 +203,16 @@ void TrackView::wheelEvent(QWheelEvent* event) {
     }
 }
 
-bool TrackView::keyMoves(QKeyEvent* event) {
-    const bool control = event->modifiers() & Qt::ControlModifier;
-    const auto values = [&](double factor, double shift) {
-        changeValues(focus_.focused().value_or(content_.variables.front()), factor, 0.5, shift,
-                     Gesture::key_value);
-    };
+bool TrackView::takeTimeKey(QKeyEvent* event) {
     switch (event->key()) {
         case Qt::Key_Home: fit(); return true;
-        case Qt::Key_Up: values(1, ZoomNavigator::arrow); return true;
-        case Qt::Key_Down: values(1, -ZoomNavigator::arrow); return true;
         case Qt::Key_Plus:
-        case Qt::Key_Equal: control ? values(ZoomNavigator::notch, 0) : zoomIn(); return true;
-        case Qt::Key_Minus: control ? values(1 / ZoomNavigator::notch, 0) : zoomOut(); return true;
+        case Qt::Key_Equal: zoomIn(); return true;
+        case Qt::Key_Minus: zoomOut(); return true;
         case Qt::Key_1:
-            if (tracker_) {
-                moveCursor(Cursor::a, tracker_);
-            }
-            return true;
         case Qt::Key_2:
             if (tracker_) {
-                moveCursor(Cursor::b, tracker_);
+                moveCursor(event->key() == Qt::Key_1 ? Cursor::a : Cursor::b, tracker_);
             }
             return true;
         case Qt::Key_0:
@@ -233,6 +221,22 @@ bool TrackView::keyMoves(QKeyEvent* event) {
             return true;
         default: return zoom_.takeKey(*event);
     }
+}
+
+bool TrackView::keyMoves(QKeyEvent* event) {
+    const bool up = event->key() == Qt::Key_Up;
+    const bool in = event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal;
+    const SlowVariable variable = focus_.focused().value_or(content_.variables.front());
+    if (up || event->key() == Qt::Key_Down) {
+        changeValues(variable, 1, 0.5, up ? ZoomNavigator::arrow : -ZoomNavigator::arrow,
+                     Gesture::key_value);
+    } else if (event->modifiers() & Qt::ControlModifier && (in || event->key() == Qt::Key_Minus)) {
+        changeValues(variable, in ? ZoomNavigator::notch : 1 / ZoomNavigator::notch, 0.5, 0,
+                     Gesture::key_value);
+    } else {
+        return takeTimeKey(event);
+    }
+    return true;
 }
 
 void TrackView::keyPressEvent(QKeyEvent* event) {

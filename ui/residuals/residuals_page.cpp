@@ -2,7 +2,6 @@
 
 #include "ui/document/document.h"
 #include "ui/panels/reading.h"
-#include "ui/panels/stale_mark.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/residual_plots.h"
 #include "ui/residuals/residual_text.h"
@@ -48,7 +47,6 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
       range_(new QComboBox(this)),
       range_label_(new QLabel(this)),
       time_(new NumberField(this)),
-      stale_(new StaleMark(document, this)),
       state_(sentence(this)),
       theme_(lightTheme()) {
     setObjectName(QStringLiteral("residuals"));
@@ -74,7 +72,6 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addLayout(head);
-    column->addWidget(stale_);
     column->addWidget(state_);
     column->addWidget(scroll, 1);
 
@@ -84,7 +81,6 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
     connect(range_, &QComboBox::currentIndexChanged, this, &ResidualsPage::refresh);
     connect(time_, &NumberField::valueEdited, this,
             [this](std::optional<double> time_s) { setCursor(time_s.value_or(cursor_s_)); });
-    connect(stale_, &StaleMark::analyseWanted, this, &ResidualsPage::analyseWanted);
     connect(&document_, &Document::analysesChanged, this, &ResidualsPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResidualsPage::refresh);
     retranslate();
@@ -252,7 +248,7 @@ QString ResidualsPage::stateText() const {
     if (!chosen) {
         return tr(
             "No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the "
-            "list Analyses chooses one.");
+            "table below chooses one.");
     }
     const QString name =
         QStringLiteral("<b>%1, %2.</b> ")

@@ -22,7 +22,6 @@ namespace vybeg::ui {
 class Document;
 class NumberField;
 class QuantityTable;
-class StaleMark;
 class XYPlotView;
 struct AnalysisEntry;
 
@@ -49,7 +48,6 @@ public:
     FigureSource figures() const;
 
 signals:
-    void analyseWanted();
     void exportWanted(const Figure& figure);
     void figuresChanged();  // figures() are others, or there are some now
 
@@ -91,7 +89,6 @@ private:
     QComboBox* range_;
     QLabel* range_label_;
     NumberField* time_;
-    StaleMark* stale_;
     QLabel* state_;
     XYPlotView* spectrum_ = nullptr;
     QComboBox* lines_ = nullptr;

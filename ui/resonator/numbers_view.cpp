@@ -48,9 +48,9 @@ NumbersView::NumbersView(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    waves_section_ = addSection(*column, {waves_, findings_});
     column->addWidget(warnings_);
     resonator_section_ = addSection(*column, {resonator_, statistical_});
+    waves_section_ = addSection(*column, {waves_, findings_});
     sensitivities_section_ = addSection(*column, {sensitivities_});
     modes_section_ = addSection(*column, {modes_});
     runs_section_ = addSection(*column, {runs_});

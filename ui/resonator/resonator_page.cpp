@@ -11,10 +11,10 @@
 #include "ui/words/error_text.h"
 
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QJsonDocument>
 #include <QLabel>
 #include <QScrollArea>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 namespace vybeg::ui {
@@ -32,26 +32,26 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     auto* numbers = new QVBoxLayout;
     numbers->addWidget(numbers_);
     numbers->addStretch(1);
+    // Sets, their numbers, and the figures.
+    constexpr int sets_width = 216;
     auto* left = new QWidget(this);
+    left->setFixedWidth(sets_width);
     auto* left_column = new QVBoxLayout(left);
     left_column->setContentsMargins(0, 0, 0, 0);
     left_column->setSpacing(0);
     left_column->addWidget(set_);
     left_column->addWidget(state_);
-    left_column->addWidget(scrolled(numbers), 1);
+    left_column->addStretch(1);
     auto* right = new QVBoxLayout;
     right->addWidget(comparison_);
     right->addWidget(figures_);
     right->addStretch(1);
-    auto* sides = new QSplitter(Qt::Horizontal, this);
-    sides->setChildrenCollapsible(false);
-    sides->addWidget(left);
-    sides->addWidget(scrolled(right));
-    sides->setStretchFactor(0, 3);
-    sides->setStretchFactor(1, 2);
-    auto* layout = new QVBoxLayout(this);
+    auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(sides);
+    layout->setSpacing(4);
+    layout->addWidget(left);
+    layout->addWidget(scrolled(numbers), 5);
+    layout->addWidget(scrolled(right), 3);
     connect(figures_, &FiguresView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(comparison_, &ComparisonView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(&document_.sets(), &SetStore::changed, this, &ResonatorPage::refresh);

@@ -1,10 +1,9 @@
 #include "ui/resonator/set_panel.h"
 
-#include "ui/panels/recording_drag.h"
+#include "ui/panels/recording_facts.h"
 #include "ui/resonator/conditions_text.h"
 #include "ui/words/rich_text.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
@@ -13,7 +12,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QMimeData>
 #include <QPainter>
 #include <QPushButton>
@@ -38,15 +36,8 @@ QString setName(const Document& document, const RecordingSet& set) {
 SetMembers::SetMembers(Document& document, QWidget* parent)
     : QListWidget(parent), document_(document) {
     setAcceptDrops(true);
-    setSelectionMode(QAbstractItemView::ExtendedSelection);
     setTextElideMode(Qt::ElideMiddle);
-    setContextMenuPolicy(Qt::ActionsContextMenu);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-}
-
-void SetMembers::setHint(const QString& hint) {
-    hint_ = hint;
-    viewport()->update();
 }
 
 QSize SetMembers::sizeHint() const {
@@ -56,7 +47,7 @@ QSize SetMembers::sizeHint() const {
 
 void SetMembers::dragEnterEvent(QDragEnterEvent* event) {
     const QMimeData& dragged = *event->mimeData();
-    if (!draggedRecordings(dragged).empty() || !localFiles(dragged).isEmpty()) {
+    if (!localFiles(dragged).isEmpty()) {
         event->setDropAction(Qt::CopyAction);
         event->accept();
     }
@@ -68,12 +59,7 @@ void SetMembers::dragMoveEvent(QDragMoveEvent* event) {
 }
 
 void SetMembers::dropEvent(QDropEvent* event) {
-    const QMimeData& dragged = *event->mimeData();
-    if (const auto ids = draggedRecordings(dragged); !ids.empty()) {
-        document_.sets().addToCurrent(ids);
-    } else {
-        document_.sets().openIntoCurrent(localFiles(dragged));
-    }
+    document_.sets().openIntoCurrent(localFiles(*event->mimeData()));
     event->setDropAction(Qt::CopyAction);
     event->accept();
 }
@@ -84,7 +70,9 @@ void SetMembers::paintEvent(QPaintEvent* event) {
         QPainter painter(viewport());
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(viewport()->rect().adjusted(8, 2, -8, -2),
-                         Qt::AlignCenter | Qt::TextWordWrap, hint_);
+                         Qt::AlignCenter | Qt::TextWordWrap,
+                         SetPanel::tr("Drop recordings of one resonator here, best started at "
+                                      "four angles"));
     }
 }
 
@@ -95,9 +83,6 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
       add_(new QToolButton(this)),
       remove_(new QToolButton(this)),
       members_(new SetMembers(document, this)),
-      remove_member_(new QAction(this)),
-      choose_(new QPushButton(this)),
-      choices_(new QMenu(this)),
       listed_(new QLabel(this)),
       model_label_(new QLabel(this)),
       model_(new QComboBox(this)),
@@ -108,10 +93,6 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     sets_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     add_->setText(QStringLiteral("+"));
     remove_->setText(QStringLiteral("−"));
-    remove_member_->setShortcut(QKeySequence::Delete);
-    remove_member_->setShortcutContext(Qt::WidgetShortcut);
-    members_->addAction(remove_member_);
-    choose_->setMenu(choices_);
     listed_->setObjectName(QStringLiteral("listed"));
     listed_->setWordWrap(true);
     model_label_->setBuddy(model_);
@@ -126,9 +107,6 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     auto* choices = new QHBoxLayout;
     choices->addWidget(model_label_);
     choices->addWidget(model_, 1);
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(choose_, 1);
-    buttons->addWidget(identify_, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 2);
     layout->setSpacing(3);
@@ -136,7 +114,7 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     layout->addWidget(members_);
     layout->addWidget(listed_);
     layout->addLayout(choices);
-    layout->addLayout(buttons);
+    layout->addWidget(identify_);
 
     connect(sets_, &QComboBox::activated, this, [this](int row) {
         document_.sets().setCurrent(static_cast<SetId>(sets_->itemData(row).toInt()));
@@ -151,12 +129,20 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(add_, &QToolButton::clicked, this, [this] { document_.sets().add(); });
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.sets().remove(document_.sets().current()->id); });
-    connect(remove_member_, &QAction::triggered, this, [this] {
-        if (const RecordingSet* set = document_.sets().current()) {
-            document_.sets().removeFrom(set->id, recordingsOf(members_->selectedItems()));
-        }
+    connect(members_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
+        const auto id = static_cast<RecordingId>(item->data(Qt::UserRole).toInt());
+        // Queued, because the response of the document fills the list again.
+        QMetaObject::invokeMethod(
+            this,
+            [this, id, in = item->checkState() == Qt::Checked] {
+                if (in) {
+                    document_.sets().addToCurrent({id});
+                } else if (const RecordingSet* set = document_.sets().current()) {
+                    document_.sets().removeFrom(set->id, {id});
+                }
+            },
+            Qt::QueuedConnection);
     });
-    connect(choices_, &QMenu::aboutToShow, this, &SetPanel::fillMenu);
     connect(model_, &QComboBox::activated, this, [this](int index) {
         const RecordingSet* set = document_.sets().current();
         document_.sets().setModel(set ? set->id : document_.sets().add(),
@@ -168,23 +154,6 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::recordingChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SetPanel::refresh);
     retranslate();
-}
-
-void SetPanel::fillMenu() {
-    choices_->clear();
-    const RecordingSet* set = document_.sets().current();
-    for (const RecordingEntry& entry : document_.recordings()) {
-        QAction* choice = choices_->addAction(entry.name);
-        choice->setCheckable(true);
-        choice->setChecked(set && std::ranges::count(set->recordings, entry.id) > 0);
-        connect(choice, &QAction::triggered, this, [this, id = entry.id](bool in) {
-            if (in) {
-                document_.sets().addToCurrent({id});
-            } else {
-                document_.sets().removeFrom(document_.sets().current()->id, {id});
-            }
-        });
-    }
 }
 
 void SetPanel::refresh() {
@@ -202,28 +171,29 @@ void SetPanel::refresh() {
     remove_->setEnabled(set != nullptr);
     refreshMembers(set);
     listed_->setVisible(set && set->listed);
-    choose_->setEnabled(!document_.recordings().empty());
     model_->setCurrentIndex(set ? static_cast<int>(set->model) : 0);
     identify_->setEnabled(document_.sets().canIdentify());
 }
 
+// All open recordings; those of the set are checked.
 void SetPanel::refreshMembers(const RecordingSet* set) {
-    const std::vector<RecordingId> selected = recordingsOf(members_->selectedItems());
+    const QSignalBlocker quiet(members_);
+    const int row = members_->currentRow();
     members_->clear();
     const auto* listed = set && set->listed ? &*set->listed : nullptr;
-    for (const RecordingId id : set ? set->recordings : std::vector<RecordingId>()) {
-        const RecordingEntry& entry = *document_.recording(id);
+    for (const RecordingEntry& entry : document_.recordings()) {
         auto* item = new QListWidgetItem(entry.name, members_);
-        item->setData(Qt::UserRole, number(id));
+        item->setData(Qt::UserRole, number(entry.id));
+        const bool in = set && std::ranges::count(set->recordings, entry.id) > 0;
+        item->setCheckState(in ? Qt::Checked : Qt::Unchecked);
         QStringList told{QDir::toNativeSeparators(entry.path)};
-        if (listed && listed->members.contains(id)) {
-            told += conditionsText(listed->members.at(id).row);
+        if (listed && listed->members.contains(entry.id)) {
+            told += conditionsText(listed->members.at(entry.id).row);
         }
         item->setToolTip(plainTip(told.join(QLatin1Char('\n'))));
-        item->setSelected(std::ranges::count(selected, id) > 0);
     }
+    members_->setCurrentRow(std::min(row, members_->count() - 1));
     members_->updateGeometry();
-    remove_member_->setEnabled(members_->count() > 0);
 }
 
 void SetPanel::changeEvent(QEvent* event) {
@@ -242,11 +212,7 @@ void SetPanel::retranslate() {
     remove_->setAccessibleName(tr("Remove the set"));
     remove_->setToolTip(tr("Remove the set; its recordings stay open"));
     members_->setAccessibleName(tr("Recordings of the set"));
-    members_->setToolTip(tr("Recordings of one resonator; Delete removes one from the set"));
-    members_->setHint(tr("Drag recordings of one resonator here, best started at four angles"));
-    remove_member_->setText(tr("Remove from the set"));
-    choose_->setText(tr("Recordings"));
-    choose_->setToolTip(tr("Which of the open recordings belong to the set"));
+    members_->setToolTip(tr("The open recordings; those of one resonator are checked"));
     listed_->setText(
         tr("Settings and conditions are those of the measurement list; the panel "
            "Analysis does not change them."));
@@ -269,7 +235,7 @@ void SetPanel::retranslate() {
     identify_->setText(tr("Identify"));
     identify_->setToolTip(
         tr("Fit one resonator to all recordings of the set; of an empty set, to "
-           "the current recording (F7)"));
+           "the current recording and those opened together with it (F7)"));
     refresh();
 }
 

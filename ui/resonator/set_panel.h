@@ -6,7 +6,6 @@
 
 class QComboBox;
 class QLabel;
-class QMenu;
 class QPushButton;
 class QToolButton;
 
@@ -19,8 +18,6 @@ class SetMembers : public QListWidget {
 public:
     explicit SetMembers(Document& document, QWidget* parent = nullptr);
 
-    // Text shown in an empty set.
-    void setHint(const QString& hint);
     QSize sizeHint() const override;
 
 protected:
@@ -31,7 +28,6 @@ protected:
 
 private:
     Document& document_;
-    QString hint_;
 };
 
 // Recordings of a set and options of their identification.
@@ -47,7 +43,6 @@ protected:
 private:
     void refresh();
     void refreshMembers(const RecordingSet* set);
-    void fillMenu();
     void retranslate();
 
     Document& document_;
@@ -55,9 +50,6 @@ private:
     QToolButton* add_;
     QToolButton* remove_;
     SetMembers* members_;
-    QAction* remove_member_;
-    QPushButton* choose_;
-    QMenu* choices_;
     QLabel* listed_;  // where the settings are from
     QLabel* model_label_;
     QComboBox* model_;

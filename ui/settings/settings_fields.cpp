@@ -11,8 +11,14 @@
 
 namespace vybeg::ui {
 
+namespace {
+
+constexpr int least_field = 58;  // seven digits
+
+}  // namespace
+
 SettingsFields::SettingsFields(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
-    form_->setContentsMargins(8, 0, 4, 6);
+    form_->setContentsMargins(6, 0, 4, 4);
     form_->setHorizontalSpacing(6);
     form_->setVerticalSpacing(3);
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -29,11 +35,13 @@ QLabel* SettingsFields::makeLabel(QWidget* buddy) {
     label->setBuddy(buddy);
     // One width of labels for all groups, so that their fields are aligned.
     label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Перекрытие")));
+    label->setWordWrap(true);
     return label;
 }
 
 NumberField* SettingsFields::makeField(const Texts& texts) {
     auto* field = new NumberField(this);
+    field->setMinimumWidth(least_field);
     entries_.push_back({nullptr, field, texts});
     return field;
 }
@@ -49,14 +57,23 @@ NumberField* SettingsFields::addField(const Texts& texts) {
 std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first,
                                                               const Texts& second) {
     NumberField* left = makeField(first);
-    QLabel* label = makeLabel(left);
+    auto* label = new QLabel(this);
+    label->setBuddy(left);
     entries_.back().label = label;
+    entries_.back().unit_in_label = true;
     NumberField* right = makeField(second);
-    auto* line = new QHBoxLayout;
+    entries_.back().unit_in_label = true;
+    auto* pair = new QWidget(this);
+    auto* line = new QHBoxLayout(pair);
+    line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(4);
-    line->addWidget(left, 1);
-    line->addWidget(right, 1);
-    form_->addRow(label, line);
+    line->addWidget(label);
+    line->addStretch(1);
+    for (NumberField* field : {left, right}) {
+        field->setFixedWidth(least_field);
+        line->addWidget(field);
+    }
+    form_->addRow(pair);
     addFaults({left, right});
     return {left, right};
 }
@@ -93,14 +110,12 @@ NumberField* SettingsFields::faulty() const {
     return nullptr;
 }
 
-QLabel* SettingsFields::addWidget(QWidget* widget, const Texts& texts) {
-    QLabel* label = makeLabel(widget);
-    entries_.push_back({label, widget, texts});
-    form_->addRow(label, widget);
-    return label;
+void SettingsFields::addWide(QWidget* widget) {
+    form_->addRow(widget);
 }
 
-void SettingsFields::addWide(QWidget* widget) {
+void SettingsFields::addWide(QWidget* widget, const Texts& texts) {
+    entries_.push_back({nullptr, widget, texts});
     form_->addRow(widget);
 }
 
@@ -112,13 +127,15 @@ void SettingsFields::retranslate() {
         const QString tip = richTip(translated(entry.texts.tip));
         const QString label = translated(entry.texts.label);
         if (entry.label) {
-            entry.label->setText(richText(label));
+            const QString unit = entry.unit_in_label ? translated(entry.texts.unit) : QString();
+            entry.label->setText(
+                richText(unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit)));
             entry.label->setToolTip(tip);
         }
         entry.widget->setToolTip(tip);
         entry.widget->setAccessibleName(entry.texts.name ? translated(entry.texts.name) : label);
         if (auto* field = qobject_cast<NumberField*>(entry.widget)) {
-            field->setUnit(translated(entry.texts.unit));
+            field->setUnit(entry.unit_in_label ? QString() : translated(entry.texts.unit));
         }
     }
     refresh();

@@ -49,11 +49,14 @@ protected:
     };
 
     NumberField* addField(const Texts& texts);
-    // Two fields side by side under the first one's label.
+    // A field that the caller puts into a row, and the line below it with the fault of some.
+    NumberField* makeField(const Texts& texts);
+    void addFaults(const std::vector<NumberField*>& fields);
+    // Two fields side by side beside the first one's label, which says their unit.
     std::pair<NumberField*, NumberField*> addPair(const Texts& first, const Texts& second);
-    // Any widget with a translated label and tooltip.
-    QLabel* addWidget(QWidget* widget, const Texts& texts);
     void addWide(QWidget* widget);
+    // With a translated tooltip, and the label as its accessible name.
+    void addWide(QWidget* widget, const Texts& texts);
 
     const SettingsState& state() const { return state_; }
     virtual void refresh() = 0;
@@ -65,9 +68,8 @@ private:
         QLabel* label;
         QWidget* widget;
         Texts texts;
+        bool unit_in_label = false;
     };
-    NumberField* makeField(const Texts& texts);
-    void addFaults(const std::vector<NumberField*>& fields);
     QLabel* makeLabel(QWidget* buddy);
 
     QFormLayout* form_;

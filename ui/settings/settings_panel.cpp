@@ -8,12 +8,12 @@
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/settings_text.h"
 
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -21,7 +21,31 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace vybeg::ui {
+
+namespace {
+
+constexpr int least_width = 216;
+
+// Differences between the plots of the current recording and the settings; empty where a visible
+// analysis of it has the settings.
+QStringList staleness(const Document& document) {
+    const RecordingEntry* current = document.currentRecording();
+    QStringList newest;
+    for (const AnalysisEntry& entry : document.analyses()) {
+        if (current && entry.recording_id == current->id && entry.shown.visible) {
+            newest = changedGroups(entry.requested, document.settings());
+            if (newest.isEmpty()) {
+                return {};
+            }
+        }
+    }
+    return newest;
+}
+
+}  // namespace
 
 SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
@@ -36,12 +60,10 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     for (const Algorithm algorithm : all_algorithms) {
         algorithm_->addItem({}, static_cast<int>(algorithm));
     }
-    algorithm_label_ = new QLabel(content);
-    algorithm_label_->setBuddy(algorithm_);
-    auto* form = new QFormLayout;
-    form->setContentsMargins(8, 0, 4, 4);
-    form->addRow(algorithm_label_, algorithm_);
-    sections_->addLayout(form);
+    auto* first = new QHBoxLayout;
+    first->setContentsMargins(6, 0, 4, 4);
+    first->addWidget(algorithm_);
+    sections_->addLayout(first);
 
     add(new WindowFields(content), QT_TR_NOOP("Window"), true);
     auto* range = new RangeFields(content);
@@ -60,6 +82,10 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll_ = scroll;
 
+    stale_ = new QLabel(this);
+    stale_->setObjectName(QStringLiteral("stale"));
+    stale_->setWordWrap(true);
+    stale_->setContentsMargins(8, 0, 4, 0);
     live_ = new QCheckBox(this);
     live_->setObjectName(QStringLiteral("live"));
     analyse_ = new QPushButton(this);
@@ -68,6 +94,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 4);
     layout->addWidget(scroll, 1);
+    layout->addWidget(stale_);
     auto* start = new QHBoxLayout;
     start->setContentsMargins(8, 0, 4, 0);
     start->addWidget(live_);
@@ -86,6 +113,13 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::liveChanged, live_,
             [this] { live_->setChecked(document_.live()); });
     guardFromWheel(*this);
+    // Queued, because a live analysis begins right after the change, and the line would appear for
+    // an instant.
+    for (const auto changed :
+         {&Document::settingsChanged, &Document::analysesChanged,
+          &Document::currentRecordingChanged, &Document::busyChanged, &Document::liveChanged}) {
+        connect(&document_, changed, this, &SettingsPanel::showStaleness, Qt::QueuedConnection);
+    }
     connect(&document_, &Document::settingsChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
@@ -108,7 +142,7 @@ void SettingsPanel::analyse() {
     }
     for (const Group& group : groups_) {
         if (NumberField* field = group.fields->faulty()) {
-            parentWidget()->show();  // the panel may have been closed
+            emit wanted();
             group.section->setOpen(true);
             scroll_->ensureWidgetVisible(field);
             field->setFocus();
@@ -135,6 +169,21 @@ void SettingsPanel::refresh() {
     analyse_->setEnabled(state.rate_hz.has_value());
 }
 
+// The panel grows instead of cutting its fields.
+void SettingsPanel::fitWidth() {
+    const int needed = scroll_->widget()->minimumSizeHint().width() +
+                       scroll_->verticalScrollBar()->sizeHint().width();
+    setFixedWidth(std::max(least_width, needed));
+}
+
+void SettingsPanel::showStaleness() {
+    const bool coming = document_.live() && document_.busy();
+    const QStringList differences = coming ? QStringList() : staleness(document_);
+    stale_->setVisible(!differences.isEmpty());
+    stale_->setText(tr("The plots are older than these settings. Changed since: %1.")
+                        .arg(differences.join(QStringLiteral(", "))));
+}
+
 void SettingsPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
@@ -143,7 +192,6 @@ void SettingsPanel::changeEvent(QEvent* event) {
 }
 
 void SettingsPanel::retranslate() {
-    algorithm_label_->setText(tr("Algorithm"));
     algorithm_->setAccessibleName(tr("Algorithm"));
     for (std::size_t i = 0; i < all_algorithms.size(); ++i) {
         const int row = static_cast<int>(i);
@@ -153,12 +201,12 @@ void SettingsPanel::retranslate() {
     for (const Group& group : groups_) {
         group.section->setTitle(tr(group.title));
     }
-    // The panel grows instead of cutting its fields.
-    scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
-                             scroll_->verticalScrollBar()->sizeHint().width());
-    analyse_->setText(tr("Analyse"));
+    // After the fields, which get the language behind the panel.
+    QMetaObject::invokeMethod(this, &SettingsPanel::fitWidth, Qt::QueuedConnection);
+    analyse_->setText(tr("Keep"));
     analyse_->setToolTip(
         tr("Analyse the current recording with these settings and keep the analysis (F5)"));
+    showStaleness();
     live_->setText(tr("Live"));
     live_->setToolTip(
         richTip(tr("Every change of a setting shows at once: first in the visible part of the "

@@ -17,20 +17,21 @@ class Document;
 class Section;
 
 // The analysis panel: algorithm, window, start values, range, carrier and filter, calibration, the
-// button Run and the switch Live. Every edit goes to the document, with undo.
+// switch Live and the button that keeps an analysis. Every edit goes to the document, with undo. A
+// line says where the plots are older than the settings.
 class SettingsPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit SettingsPanel(Document& document, QWidget* parent = nullptr);
 
-    QSize sizeHint() const override { return {310, 420}; }
-
     // Analyses with the values of the fields. A field with a fault gets the focus instead.
     void analyse();
 
 signals:
     void visibleRangeWanted();
+    // A field with a fault is to be seen.
+    void wanted();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -44,11 +45,13 @@ private:
 
     void add(SettingsFields* fields, const char* title, bool open);
     void refresh();
+    void showStaleness();
+    void fitWidth();
     void retranslate();
 
     Document& document_;
-    QLabel* algorithm_label_;
     QComboBox* algorithm_;
+    QLabel* stale_;
     QCheckBox* live_;
     QPushButton* analyse_;
     std::vector<Group> groups_;

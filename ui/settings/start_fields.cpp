@@ -15,10 +15,10 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
     start_->setObjectName(QStringLiteral("start"));
     start_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     start_->addItems({{}, {}, {}});
-    addWidget(start_, {QT_TR_NOOP("Start from"), "",
-                       QT_TR_NOOP("First guess of the conjugate gradient for each window: the "
-                                  "closed forms (15), (18) of algorithm 1, the result of the "
-                                  "window before, or your own values.")});
+    addWide(start_, {QT_TR_NOOP("Start from"), "",
+                     QT_TR_NOOP("First guess of the conjugate gradient for each window: the "
+                                "closed forms (15), (18) of algorithm 1, the result of the "
+                                "window before, or your own values.")});
     const char* tip =
         QT_TR_NOOP("Start value of the functional F's parameter, in the notation of (6).");
     a_A_ = addField({QT_TR_NOOP("a_A"), "", tip});

@@ -4,12 +4,14 @@
 #include "core/windows/window_plan.h"
 #include "ui/words/rich_text.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -36,21 +38,28 @@ std::int64_t windowInUse(const SettingsState& state) {
 }
 
 WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
-    samples_ = addField({QT_TR_NOOP("Length"), QT_TR_NOOP("samples"),
-                         QT_TR_NOOP("Window of n consecutive samples, the averaging interval T of "
-                                    "(7). The slow variables are constant inside it. At least 5 "
-                                    "samples and three quarters of a period.")});
-    samples_->setInteger(true);
-    samples_->setLimits(bounds_of("window"));
-    periods_ = addField({"", QT_TR_NOOP("periods"),
-                         QT_TR_NOOP("The same window in periods of the carrier; may be a "
-                                    "fraction. The article varies T from 1 to 10 periods."),
-                         QT_TR_NOOP("Length in periods")});
-    periods_->setLimits(bounds_of("periods"));
-    periods_->setDigits(6);
-    milliseconds_ = addField({"", QT_TR_NOOP("ms"), QT_TR_NOOP("The same window in milliseconds."),
-                              QT_TR_NOOP("Length in milliseconds")});
-    milliseconds_->setDigits(6);
+    // The length in the chosen unit, and below it in the others.
+    auto* length = new QWidget(this);
+    auto* length_line = new QHBoxLayout(length);
+    length_line->setContentsMargins(0, 0, 0, 0);
+    length_line->setSpacing(4);
+    length_ = makeField(
+        {QT_TR_NOOP("Length"), "",
+         QT_TR_NOOP("Window of n consecutive samples, the averaging interval T of (7). The slow "
+                    "variables are constant inside it. At least 5 samples and three quarters of a "
+                    "period. The article varies T from 1 to 10 periods, which may be fractions.")});
+    length_->setDigits(6);
+    unit_ = new QComboBox(length);
+    unit_->setObjectName(QStringLiteral("lengthUnit"));
+    unit_->addItems({QString(), QString(), QString()});
+    unit_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    length_line->addWidget(length_, 1);
+    length_line->addWidget(unit_);
+    addWide(length);
+    addFaults({length_});
+    others_ = new QLabel(this);
+    others_->setObjectName(QStringLiteral("otherLengths"));
+    addWide(others_);
 
     auto* check = new QWidget(this);
     auto* line = new QHBoxLayout(check);
@@ -61,11 +70,11 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     snap_->setObjectName(QStringLiteral("snap"));
     line->addWidget(residual_, 1);
     line->addWidget(snap_);
-    addWidget(check,
-              {QT_TR_NOOP("Residual"), "",
-               QT_TR_NOOP("What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition "
-                          "below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 "
-                          "are exact for every window.")});
+    addWide(check,
+            {QT_TR_NOOP("Residual"), "",
+             QT_TR_NOOP("What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition "
+                        "below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 "
+                        "are exact for every window.")});
 
     hop_ = addField({QT_TR_NOOP("Hop"), QT_TR_NOOP("samples"),
                      QT_TR_NOOP("Samples between the starts of windows. Empty: windows one after "
@@ -81,15 +90,8 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     overlap_->setDigits(4);
     overlap_->setStep(10);
 
-    connect(samples_, &NumberField::valueEdited, this, [this](auto value) { setSamples(*value); });
-    connect(milliseconds_, &NumberField::valueEdited, this,
-            [this](auto value) { setSamples(std::round(*value * *state().rate_hz / 1000)); });
-    connect(periods_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.periods = *value;
-        settings.snap = false;
-        emit edited(settings);
-    });
+    connect(length_, &NumberField::valueEdited, this, [this](auto value) { setLength(*value); });
+    connect(unit_, &QComboBox::activated, this, &WindowFields::refresh);
     connect(hop_, &NumberField::valueEdited, this, [this](auto value) {
         Settings settings = state().settings;
         settings.hop = value ? static_cast<std::int64_t>(*value) : 0;
@@ -106,6 +108,21 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     retranslate();
 }
 
+WindowFields::Unit WindowFields::unit() const {
+    return static_cast<Unit>(unit_->currentIndex());
+}
+
+void WindowFields::setLength(double length) {
+    if (unit() == Unit::periods) {
+        Settings settings = state().settings;
+        settings.periods = length;
+        settings.snap = false;
+        emit edited(settings);
+    } else {
+        setSamples(unit() == Unit::samples ? length : std::round(length * *state().rate_hz / 1000));
+    }
+}
+
 void WindowFields::setSamples(double samples) {
     Settings settings = state().settings;
     settings.window = static_cast<std::int64_t>(samples);
@@ -120,11 +137,17 @@ void WindowFields::snap() {
 }
 
 void WindowFields::retranslate() {
+    const std::array units{tr("samples"), tr("periods"), tr("ms")};
+    for (std::size_t k = 0; k < units.size(); ++k) {
+        unit_->setItemText(static_cast<int>(k), units[k]);
+    }
+    unit_->setAccessibleName(tr("Unit of the length"));
+    unit_->setToolTip(tr("In which unit the length of the window is typed"));
     snap_->setText(tr("Snap"));
     snap_->setToolTip(
         richTip(tr("Moves the window to whole half-periods of the carrier: the n nearest to the "
                    "wish that leaves the smallest residual.")));
-    hop_->setPlaceholderText(tr("as the window"));
+    hop_->setPlaceholderText(tr("= window"));
     SettingsFields::retranslate();
 }
 
@@ -134,34 +157,47 @@ void WindowFields::refresh() {
     const std::int64_t window = windowInUse(state());
     const double length = static_cast<double>(window);
 
-    samples_->setValue(length);
-    periods_->setEnabled(known);
-    milliseconds_->setEnabled(state().rate_hz.has_value());
-    snap_->setEnabled(known);
-    if (settings.periods) {
-        periods_->setValue(settings.periods);
+    const std::array<std::optional<double>, 3> lengths{
+        length,
+        settings.periods ? settings.periods
+        : known          ? std::optional(length * *state().f0_hz / *state().rate_hz)
+                         : std::nullopt,
+        state().rate_hz ? std::optional(1000 * length / *state().rate_hz) : std::nullopt};
+    const auto shown = static_cast<std::size_t>(unit_->currentIndex());
+    length_->setInteger(unit() == Unit::samples);
+    if (unit() == Unit::periods) {
+        length_->setLimits(bounds_of("periods"));
     } else {
-        periods_->setValue(known ? std::optional(length * *state().f0_hz / *state().rate_hz)
-                                 : std::nullopt);
+        length_->setLimits(bounds_of("window"),
+                           unit() == Unit::samples ? 1 : state().rate_hz.value_or(1000) / 1000);
     }
-    if (state().rate_hz) {
-        milliseconds_->setLimits(bounds_of("window"), *state().rate_hz / 1000);
+    length_->setEnabled(lengths[shown].has_value());
+    length_->setValue(lengths[shown]);
+    QStringList others;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+        if (k != shown && lengths[k]) {
+            others << QStringLiteral("%1 %2").arg(QLocale().toString(*lengths[k], 'g', 5),
+                                                  unit_->itemText(static_cast<int>(k)));
+        }
     }
-    milliseconds_->setValue(state().rate_hz ? std::optional(1000 * length / *state().rate_hz)
-                                            : std::nullopt);
+    others_->setText(others.join(QStringLiteral(" · ")));
+    others_->setVisible(!others.isEmpty());
+    snap_->setEnabled(known);
     hop_->setValue(settings.hop > 0 ? std::optional(static_cast<double>(settings.hop))
                                     : std::nullopt);
     const double hop = settings.hop > 0 ? static_cast<double>(settings.hop) : length;
     overlap_->setValue(std::max(0.0, 100 * (1 - hop / length)));
 
     if (!known) {
-        residual_->setText(QStringLiteral("—"));
+        residual_->setText(tr("leakage %1").arg(QStringLiteral("—")));
         return;
     }
     const double residual = orthogonality_residual(window, *state().f0_hz, *state().rate_hz);
-    residual_->setText(residual < no_residual
-                           ? QStringLiteral("< %1 %").arg(QLocale().toString(100 * no_residual))
-                           : QLocale().toString(100 * residual, 'g', 2) + QStringLiteral(" %"));
+    residual_->setText(
+        tr("leakage %1")
+            .arg(residual < no_residual
+                     ? QStringLiteral("< %1 %").arg(QLocale().toString(100 * no_residual))
+                     : QLocale().toString(100 * residual, 'g', 2) + QStringLiteral(" %")));
     QFont font = this->font();
     font.setBold(residual > high_residual);
     residual_->setFont(font);

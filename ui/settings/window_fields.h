@@ -2,12 +2,13 @@
 
 #include "ui/settings/settings_fields.h"
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace vybeg::ui {
 
-// The window: its length in samples, periods of the carrier and milliseconds, linked; the present
+// The window: its length in samples, periods of the carrier or milliseconds; the present
 // residual of orthogonality; Snap; the hop in samples or as an overlap.
 class WindowFields : public SettingsFields {
     Q_OBJECT
@@ -20,12 +21,16 @@ protected:
     void retranslate() override;
 
 private:
+    enum class Unit { samples, periods, milliseconds };  // as in the list of choices
+
+    Unit unit() const;
+    void setLength(double length);
     void setSamples(double samples);
     void snap();
 
-    NumberField* samples_;
-    NumberField* periods_;
-    NumberField* milliseconds_;
+    NumberField* length_;
+    QComboBox* unit_;
+    QLabel* others_;  // the length in the other units
     QLabel* residual_;
     QPushButton* snap_;
     NumberField* hop_;

@@ -44,7 +44,7 @@ void SignalOverlay::draw(QCPPainter* painter) {
     hair(tracks_.cursor(Cursor::b), theme.cursorB, "B");
     hair(tracks_.tracker(), theme.tracker, "");
     for (const SignalPanel* panel : stack_.panels()) {
-        drawReadout(*painter, *panel);
+        drawNote(*painter, *panel);
     }
     if (part_) {
         QColor fill = theme.accent;
@@ -59,42 +59,64 @@ void SignalOverlay::draw(QCPPainter* painter) {
     }
 }
 
-void SignalOverlay::drawReadout(QCPPainter& painter, const SignalPanel& panel) const {
+// The values at the mouse; without them, what the curves are.
+QString SignalOverlay::note(const SignalPanel& panel) const {
     const SignalContent& content = stack_.content();
-    const auto& excerpt = content.excerpt;
-    if (!tracks_.tracker() || !stack_.picture().samples || !excerpt) {
-        return;
+    const bool residual = panel.part() == SignalPart::residual;
+    if (residual && !content.analysis) {
+        return {};
     }
-    const double k =
-        std::round(*tracks_.tracker() * excerpt->rate_hz) - static_cast<double>(excerpt->first);
-    if (!(k >= 0 && k < static_cast<double>(excerpt->size()))) {
-        return;
+    const auto& excerpt = content.excerpt;
+    const double k = tracks_.tracker() && stack_.picture().samples && excerpt
+                         ? std::round(*tracks_.tracker() * excerpt->rate_hz) -
+                               static_cast<double>(excerpt->first)
+                         : -1;
+    if (!(k >= 0 && k < static_cast<double>(excerpt ? excerpt->size() : 0))) {
+        if (residual) {
+            return stack_.picture().samples
+                       ? QString()
+                       : signalsText(QT_TRANSLATE_NOOP("SignalStack", "rms of the residual"));
+        }
+        return !content.analysis || !content.wave ? QString()
+               : stack_.picture().smooth
+                   ? signalsText(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
+                   : signalsText(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the wave"));
     }
     const auto at = static_cast<std::size_t>(k);
     const int decimals = decimalsOf(panel);
     const auto number = [&](double value) {
         return std::isfinite(value) ? numberLabel(value, decimals) : QStringLiteral("—");
     };
-    QString text;
-    if (panel.part() == SignalPart::residual) {
-        if (!content.analysis) {
-            return;
-        }
-        text = QStringLiteral("C %1   D %2")
-                   .arg(number(excerpt->residual_c(at)), number(excerpt->residual_d(at)));
-    } else {
-        const bool d = panel.part() == SignalPart::d;
-        text = signalsText(QT_TRANSLATE_NOOP("SignalStack", "sample %1"))
-                   .arg(number(d ? excerpt->d[at] : excerpt->c[at]));
-        if (content.analysis) {
-            text += QStringLiteral("   ") +
-                    signalsText(QT_TRANSLATE_NOOP("SignalStack", "wave %1"))
-                        .arg(number(d ? excerpt->fit_d[at] : excerpt->fit_c[at]));
-        }
+    if (residual) {
+        return QStringLiteral("C %1   D %2")
+            .arg(number(excerpt->residual_c(at)), number(excerpt->residual_d(at)));
     }
+    const bool d = panel.part() == SignalPart::d;
+    QString text = signalsText(QT_TRANSLATE_NOOP("SignalStack", "sample %1"))
+                       .arg(number(d ? excerpt->d[at] : excerpt->c[at]));
+    if (content.analysis) {
+        text +=
+            QStringLiteral("   ") + signalsText(QT_TRANSLATE_NOOP("SignalStack", "wave %1"))
+                                        .arg(number(d ? excerpt->fit_d[at] : excerpt->fit_c[at]));
+    }
+    return text;
+}
+
+void SignalOverlay::drawNote(QCPPainter& painter, const SignalPanel& panel) const {
+    const QString text = note(panel);
+    if (text.isEmpty()) {
+        return;
+    }
+    const Theme& theme = stack_.content().theme;
     painter.setFont(panel.headFont());
-    painter.setPen(content.theme.text);
-    painter.drawText(panel.readoutArea(), int(Qt::AlignRight | Qt::AlignVCenter), text);
+    const QRectF area = QRectF(panel.rect()).adjusted(6, 2, -6, -2);
+    const QRectF box =
+        painter.boundingRect(area, int(Qt::AlignRight | Qt::AlignTop), text).adjusted(-4, 0, 4, 0);
+    QColor plate = theme.panelBackground;
+    plate.setAlphaF(0.8F);
+    painter.fillRect(box, plate);
+    painter.setPen(theme.text);
+    painter.drawText(box, int(Qt::AlignCenter), text);
 }
 
 }  // namespace vybeg::ui

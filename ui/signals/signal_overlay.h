@@ -26,7 +26,8 @@ protected:
     void draw(QCPPainter* painter) override;
 
 private:
-    void drawReadout(QCPPainter& painter, const SignalPanel& panel) const;
+    QString note(const SignalPanel& panel) const;
+    void drawNote(QCPPainter& painter, const SignalPanel& panel) const;
 
     const SignalStack& stack_;
     const TrackView& tracks_;

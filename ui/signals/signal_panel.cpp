@@ -1,29 +1,27 @@
 #include "ui/signals/signal_panel.h"
 
-#include "ui/plots/panel_frame.h"
 #include "ui/signals/signal_graph.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace vybeg::ui {
 namespace {
 
-constexpr int least_left_margin = 60;
 constexpr double unit_gap = 8;
 
 }  // namespace
 
-SignalPanel::SignalPanel(QCustomPlot* plot, SignalPart part)
+SignalPanel::SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head)
     : QCPAxisRect(plot, false),
       part_(part),
+      head_(head),
       time_ticker_(new PanelTicker(Qt::Horizontal)),
       value_ticker_(new PanelTicker(Qt::Vertical)) {
-    addFrame(*this, time_ticker_, value_ticker_);
-    timeAxis()->setTickLabelPadding(5);
-    valueAxis()->setTickLabelPadding(4);
-    setAutoMargins(QCP::msLeft);
-    setMinimumMargins({least_left_margin, 0, 0, 0});
-    setMargins({least_left_margin, head_height, right_margin, foot});
+    addStackedFrame(
+        *this, time_ticker_, value_ticker_, head,
+        [this](const AxisTicks& ticks) { return marginTexts(ticks); }, font_);
     graph_ = new SignalGraph(timeAxis(), valueAxis(), part);
 }
 
@@ -33,7 +31,7 @@ void SignalPanel::setPicture(const SignalContent& content, const SignalPicture& 
     stored_unit_ = content.unit;
     font_ = font;
     tick_font_ = tickFont(font);
-    room_ = room;
+    expected_ = room;
     empty_ = part_ == SignalPart::residual && !content.analysis ? content.no_residual : QString();
     setFrameLook(*this, theme_, tick_font_);
     timeAxis()->grid()->setZeroLinePen(Qt::NoPen);
@@ -51,32 +49,34 @@ void SignalPanel::setTimeLabels(bool shown) {
 
 void SignalPanel::update(UpdatePhase phase) {
     if (phase == upPreparation) {
-        value_ticker_->setRoom(room_.height(), tick_font_);
-        time_ticker_->setRoom(room_.width(), tick_font_, right_margin - 2);
+        value_ticker_->setRoom(expected_.height(), tick_font_);
+        time_ticker_->setRoom(expected_.width(), tick_font_, room().right - 2);
     }
     QCPAxisRect::update(phase);
 }
 
 QString SignalPanel::symbol() const {
     switch (part_) {
-        case SignalPart::c: return QStringLiteral("C") + value_ticker_->ticks().offsetText();
-        case SignalPart::d: return QStringLiteral("D") + value_ticker_->ticks().offsetText();
+        case SignalPart::c: return QStringLiteral("C");
+        case SignalPart::d: return QStringLiteral("D");
         case SignalPart::residual: break;
     }
     return QCoreApplication::translate("SignalPanel", "Residual");
 }
 
-QString SignalPanel::unit() const {
-    const int exponent = value_ticker_->ticks().exponent;
-    return scaledUnit(stored_unit_, !stored_unit_.isEmpty(), exponent);
+QString SignalPanel::unit(const AxisTicks& ticks) const {
+    return scaledUnit(stored_unit_, !stored_unit_.isEmpty(), ticks.exponent);
 }
 
-QRectF SignalPanel::readoutArea() const {
-    const QFontMetricsF metrics(font_);
-    const double used = metrics.horizontalAdvance(symbol()) + metrics.horizontalAdvance(unit());
-    const double from = rect().left() + used + 3 * unit_gap;
-    return {from, double(rect().top() - head_height), std::max(0., rect().right() - from),
-            double(head_height - 3)};
+std::vector<MarginLine> SignalPanel::marginTexts(const AxisTicks& ticks) const {
+    return marginLines(symbol(), ticks.offsetText(), unit(ticks), font_);
+}
+
+int SignalPanel::calculateAutoMargin(QCP::MarginSide side) {
+    const int margin = QCPAxisRect::calculateAutoMargin(side);
+    return head_ == PlotHead::margin && side == QCP::msLeft
+               ? std::max(margin, marginOf(marginTexts(value_ticker_->ticks())))
+               : margin;
 }
 
 void SignalPanel::draw(QCPPainter* painter) {
@@ -87,13 +87,19 @@ void SignalPanel::draw(QCPPainter* painter) {
         painter->drawText(QRectF(rect()).adjusted(12, 4, -12, -4),
                           int(Qt::AlignCenter) | Qt::TextWordWrap, empty_);
     }
+    const AxisTicks& ticks = value_ticker_->ticks();
+    if (head_ == PlotHead::margin) {
+        drawMarginLines(*painter, *this, marginTexts(ticks), theme_, font_);
+        return;
+    }
     const double base = rect().top() - 7;
+    const QString name = symbol() + ticks.offsetText();
     painter->setPen(theme_.text);
-    painter->drawText(QPointF(rect().left(), base), symbol());
+    painter->drawText(QPointF(rect().left(), base), name);
     painter->setPen(theme_.mutedText);
     painter->drawText(
-        QPointF(rect().left() + QFontMetricsF(font_).horizontalAdvance(symbol()) + unit_gap, base),
-        unit());
+        QPointF(rect().left() + QFontMetricsF(font_).horizontalAdvance(name) + unit_gap, base),
+        unit(ticks));
 }
 
 }  // namespace vybeg::ui

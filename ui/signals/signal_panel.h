@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/plots/panel_ticker.h"
+#include "ui/plots/panel_frame.h"
 #include "ui/signals/signal_picture.h"
 
 #include <qcustomplot.h>
@@ -9,12 +9,12 @@ namespace vybeg::ui {
 
 class SignalGraph;
 
-// One plot of the signals with a head line: symbol and unit, at its right end a text.
+// One plot of the signals, with its symbol and unit.
 class SignalPanel : public QCPAxisRect {
     Q_OBJECT
 
 public:
-    SignalPanel(QCustomPlot* plot, SignalPart part);
+    SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head);
 
     SignalPart part() const { return part_; }
     // Both outlive the panel or are replaced before the next drawing. `room`: size of the frame
@@ -27,23 +27,21 @@ public:
     QCPAxis* valueAxis() const { return axis(QCPAxis::atLeft); }
     const AxisTicks& timeTicks() const { return time_ticker_->ticks(); }
     const QFont& headFont() const { return font_; }
-    // Right of symbol and unit.
-    QRectF readoutArea() const;
-
-    static constexpr int head_height = 21;
-    static constexpr int right_margin = 16;
-    static constexpr int foot = 3;
+    FrameRoom room() const { return frameRoom(head_); }
 
     void update(UpdatePhase phase) override;
 
 protected:
     void draw(QCPPainter* painter) override;
+    int calculateAutoMargin(QCP::MarginSide side) override;
 
 private:
     QString symbol() const;
-    QString unit() const;
+    QString unit(const AxisTicks& ticks) const;
+    std::vector<MarginLine> marginTexts(const AxisTicks& ticks) const;
 
     SignalPart part_;
+    PlotHead head_;
     QSharedPointer<PanelTicker> time_ticker_;
     QSharedPointer<PanelTicker> value_ticker_;
     SignalGraph* graph_;
@@ -52,7 +50,7 @@ private:
     QString empty_;
     QFont font_;
     QFont tick_font_;
-    QSize room_{400, 100};
+    QSize expected_{400, 100};
 };
 
 }  // namespace vybeg::ui

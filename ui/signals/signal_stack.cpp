@@ -12,7 +12,9 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int legend_height = 24;
+constexpr int top_gap = 5;  // of the screen: a tick label at the first plot's top
 constexpr int time_height = 42;
+constexpr int time_row_height = 20;  // of the screen: ticks and name in one row
 // From the foot of the lowest panel to the name of the time axis: ticks and their labels.
 constexpr int tick_label_room = 20;
 
@@ -25,17 +27,18 @@ QString signalsText(const char* text) {
     return QCoreApplication::translate("SignalStack", text);
 }
 
-SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts)
+SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head)
     : plot_(plot),
-      legend_(new PlotStrip(&plot, legend_height)),
-      time_name_(new PlotStrip(&plot, time_height)) {
+      head_(head),
+      legend_(new PlotStrip(&plot, head == PlotHead::line ? legend_height : top_gap)),
+      time_name_(new PlotStrip(&plot, head == PlotHead::line ? time_height : time_row_height)) {
     QCPLayoutGrid& grid = *plot.plotLayout();
     auto* margins = new QCPMarginGroup(&plot);
     int row = 0;
-    legend_->setInset(8, SignalPanel::right_margin, 0);
+    legend_->setInset(8, frameRoom(head).right, 0);
     grid.addElement(row++, 0, legend_);
     for (const SignalPart part : parts) {
-        auto* panel = new SignalPanel(&plot, part);
+        auto* panel = new SignalPanel(&plot, part, head);
         panel->setMarginGroup(QCP::msLeft, margins);
         panel->setTimeLabels(part == parts.back());
         grid.addElement(row++, 0, panel);
@@ -46,23 +49,27 @@ SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts
 }
 
 int SignalStack::frameWidth(int width) const {
-    return std::max(2, width - panels_.front()->margins().left() - SignalPanel::right_margin);
+    return std::max(2, width - panels_.front()->margins().left() - frameRoom(head_).right);
 }
 
 void SignalStack::setContent(SignalContent content, QSize size) {
     content_ = std::move(content);
     const int width = frameWidth(size.width());
     const int rows = static_cast<int>(panels_.size());
-    const int each = (size.height() - legend_height - time_height) / rows;
-    const QSize room(width, std::max(1, each - SignalPanel::head_height - SignalPanel::foot));
+    const int strips = time_name_->height() + legend_->height();
+    const FrameRoom around = frameRoom(head_);
+    const int each = (size.height() - strips) / rows;
+    const QSize room(width, std::max(1, each - around.head - around.foot));
     picture_ = pictureOf(content_, width);
     const QFont font = plotFont(plot_);
     for (SignalPanel* panel : panels_) {
         panel->setPicture(content_, picture_, font, room);
     }
-    legend_->setLook(font, content_.theme.text);
     time_name_->setLook(font, content_.theme.text);
-    showLegend();
+    legend_->setLook(font, content_.theme.text);
+    if (head_ == PlotHead::line) {
+        showLegend();
+    }
 }
 
 std::vector<QCPAxisRect*> SignalStack::frames() const {
@@ -92,11 +99,12 @@ void SignalStack::showLegend() {
 
 void SignalStack::nameTime() {
     const QRect area = panels_.back()->rect();
-    time_name_->setInset(area.left() - time_name_->rect().left(), SignalPanel::right_margin,
-                         tick_label_room);
+    const bool beside = head_ == PlotHead::margin;
+    time_name_->setInset(area.left() - time_name_->rect().left(), frameRoom(head_).right,
+                         beside ? 0 : tick_label_room);
     time_name_->setEntries(
         {StripEntry{timeAxisName(panels_.back()->timeTicks()), false, false, {}, Qt::SolidLine}},
-        Qt::AlignHCenter);
+        beside ? Qt::AlignRight : Qt::AlignHCenter);
 }
 
 Figure signalFigure(SignalContent content, const std::vector<SignalPart>& parts) {
@@ -106,7 +114,7 @@ Figure signalFigure(SignalContent content, const std::vector<SignalPart>& parts)
     const Drawing draw = [content, parts](QCPPainter& painter, QSize size) {
         QCustomPlot plot;
         preparePlot(plot, content.theme);
-        SignalStack stack(plot, parts);
+        SignalStack stack(plot, parts, PlotHead::line);
         stack.setContent(content, size);
         plot.toPainter(&painter, size.width(), size.height());
     };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/plots/panel_frame.h"
 #include "ui/plots/plot_file.h"
 #include "ui/signals/signal_picture.h"
 
@@ -19,7 +20,8 @@ class SignalPanel;
 // on screen and on paper. The QCustomPlot owns the elements and goes first.
 class SignalStack {
 public:
-    SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts);
+    // On the screen without a legend: the overlay says what the curves are.
+    SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head);
 
     // Everything for a plot of that size, device-independent pixels.
     void setContent(SignalContent content, QSize size);
@@ -39,7 +41,8 @@ private:
     QCustomPlot& plot_;
     SignalContent content_;
     SignalPicture picture_;
-    PlotStrip* legend_;
+    PlotHead head_;
+    PlotStrip* legend_;  // on the screen a gap
     PlotStrip* time_name_;
     std::vector<SignalPanel*> panels_;
     QObject context_;  // of the connection to the plot

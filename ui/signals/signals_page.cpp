@@ -1,16 +1,13 @@
 #include "ui/signals/signals_page.h"
 
 #include "ui/document/document.h"
-#include "ui/panels/stale_mark.h"
 #include "ui/plots/track_view.h"
 #include "ui/signals/signal_stack.h"
 #include "ui/signals/signals_view.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
-#include <QCheckBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -38,38 +35,24 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     : QWidget(parent),
       document_(document),
       tracks_(tracks),
-      wave_(new QCheckBox(this)),
       state_(new QLabel(this)),
-      stale_(new StaleMark(document, this)),
       view_(new SignalsView(tracks, this)),
       theme_(lightTheme()) {
     setObjectName(QStringLiteral("signals"));
-    wave_->setObjectName(QStringLiteral("signalsWave"));
-    wave_->setChecked(true);
     state_->setObjectName(QStringLiteral("signalsState"));
     state_->setWordWrap(true);
+    state_->setContentsMargins(6, 2, 6, 2);
     state_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     state_->setFocusPolicy(Qt::ClickFocus);
-    auto* head = new QHBoxLayout;
-    head->setContentsMargins(6, 4, 6, 0);
-    head->setSpacing(14);
-    head->addWidget(wave_);
-    head->addWidget(state_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addLayout(head);
-    column->addWidget(stale_);
+    column->setSpacing(0);
+    column->addWidget(state_);
     column->addWidget(view_, 1);
-
-    // The keys of the view work when the page is shown.
-    setTabOrder(view_, wave_);
 
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
     connect(&pause_, &QTimer::timeout, this, &SignalsPage::request);
-    connect(wave_, &QCheckBox::toggled, this, &SignalsPage::refresh);
-    connect(stale_, &StaleMark::analyseWanted, this, &SignalsPage::analyseWanted);
     connect(view_, &SignalsView::resized, this, &SignalsPage::refresh);
     connect(&tracks_, &TrackView::timeRangeChanged, this, &SignalsPage::refresh);
     connect(&tracks_, &TrackView::cursorsChanged, this, &SignalsPage::showCursors);
@@ -133,7 +116,7 @@ SignalContent SignalsPage::content() const {
                           ? std::make_shared<CurveData>(chosen->shown.analysis, SlowVariable::rms)
                           : *rms;
     }
-    content.wave = wave_->isChecked();
+    content.wave = wave_;
     content.no_residual = tr("The residual is what an analysis leaves of the samples.");
     content.theme = theme_;
     content.time = tracks_.timeRange();
@@ -158,7 +141,7 @@ void SignalsPage::refresh() {
         return;
     }
     view_->setContent(content());
-    state_->setText(stateText());
+    showState();
     if (!pause_.isActive() && !reading_) {
         pause_.start();
     }
@@ -200,12 +183,24 @@ void SignalsPage::take(Result<ExcerptOutcome> result) {
         failure_ = result.error();
     }
     view_->setContent(content());
-    state_->setText(stateText());
+    showState();
     if (!failure_) {
         pause_.start();  // the range may have moved meanwhile
     }
 }
 
+void SignalsPage::setWave(bool shown) {
+    wave_ = shown;
+    refresh();
+}
+
+void SignalsPage::showState() {
+    const QString text = stateText();
+    state_->setText(text);
+    state_->setVisible(!text.isEmpty());
+}
+
+// What the plots and the chosen row do not say.
 QString SignalsPage::stateText() const {
     const RecordingEntry* entry = recording();
     if (!entry) {
@@ -221,10 +216,6 @@ QString SignalsPage::stateText() const {
     if (!chosen) {
         return tr("%1, samples as recorded. Analyse (F5) fits the wave.").arg(entry->name);
     }
-    if (chosen->recording_id != entry->id) {
-        return tr("%1, samples as recorded: the chosen analysis is one of %2.")
-            .arg(entry->name, chosen->shown.recording);
-    }
     const QString name = QStringLiteral("%1, %2").arg(entry->name, chosen->shown.name);
     if (!fitted()) {
         return tr("%1: the wave appears when all windows of the analysis are there.").arg(name);
@@ -237,7 +228,7 @@ QString SignalsPage::stateText() const {
                   "for the samples of the analysis.")
             .arg(name);
     }
-    return name;
+    return {};
 }
 
 FigureSource SignalsPage::figures() const {
@@ -284,10 +275,6 @@ void SignalsPage::changeEvent(QEvent* event) {
 }
 
 void SignalsPage::retranslate() {
-    wave_->setText(tr("Fitted &wave"));
-    wave_->setToolTip(
-        tr("Shows the wave of the chosen analysis over the samples: zoomed out its amplitude, "
-           "zoomed in the wave itself"));
     view_->setAccessibleName(tr("Signals over time"));
     refresh();
 }

@@ -11,14 +11,12 @@
 #include <memory>
 #include <optional>
 
-class QCheckBox;
 class QLabel;
 
 namespace vybeg::ui {
 
 class Document;
 class SignalsView;
-class StaleMark;
 class TrackView;
 struct RecordingEntry;
 struct AnalysisEntry;
@@ -35,6 +33,8 @@ public:
 
     void setAnalysis(AnalysisId id);
     void setTheme(const Theme& theme);
+    // Whether the wave of the analysis is drawn over the samples.
+    void setWave(bool shown);
     // Draws the cursors again.
     void showCursors();
     SignalsView& view() const { return *view_; }
@@ -42,9 +42,6 @@ public:
     bool reading() const { return reading_ || pause_.isActive(); }
 
     FigureSource figures() const;
-
-signals:
-    void analyseWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -59,16 +56,16 @@ private:
     void request();
     void take(Result<ExcerptOutcome> result);
     SignalContent content() const;
+    void showState();
     QString stateText() const;
     void retranslate();
 
     Document& document_;
     TrackView& tracks_;
     BackgroundJobs job_;
-    QTimer pause_;  // between the first change and the reading
-    QCheckBox* wave_;
+    QTimer pause_;      // between the first change and the reading
+    bool wave_ = true;  // of the analysis, over the samples
     QLabel* state_;
-    StaleMark* stale_;
     SignalsView* view_;
     Theme theme_;
     AnalysisId analysis_id_ = AnalysisId::none;

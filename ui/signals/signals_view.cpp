@@ -35,7 +35,7 @@ SignalsView::SignalsView(TrackView& tracks, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     preparePlot(*plot_, lightTheme());
     stack_ = std::make_unique<SignalStack>(
-        *plot_, std::vector(all_signal_parts.begin(), all_signal_parts.end()));
+        *plot_, std::vector(all_signal_parts.begin(), all_signal_parts.end()), PlotHead::margin);
     overlay_ = new SignalOverlay(plot_, *stack_, tracks_);
 }
 
@@ -176,33 +176,12 @@ void SignalsView::wheelEvent(QWheelEvent* event) {
                             Gesture::wheel_time);
 }
 
-bool SignalsView::keyMoves(QKeyEvent* event) {
-    switch (event->key()) {
-        case Qt::Key_Home: tracks_.fit(); return true;
-        case Qt::Key_Plus:
-        case Qt::Key_Equal: tracks_.zoomIn(); return true;
-        case Qt::Key_Minus: tracks_.zoomOut(); return true;
-        case Qt::Key_1:
-        case Qt::Key_2:
-            if (tracks_.tracker()) {
-                tracks_.moveCursor(event->key() == Qt::Key_1 ? Cursor::a : Cursor::b,
-                                   tracks_.tracker());
-            }
-            return true;
-        case Qt::Key_0:
-            tracks_.moveCursor(Cursor::a, std::nullopt);
-            tracks_.moveCursor(Cursor::b, std::nullopt);
-            return true;
-        default: return tracks_.zoom().takeKey(*event);
-    }
-}
-
 void SignalsView::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && drag_ == Drag::part) {
         drag_ = Drag::none;
         overlay_->setPart(std::nullopt);
         showCursors();
-    } else if (!keyMoves(event)) {
+    } else if (!tracks_.takeTimeKey(event)) {
         QWidget::keyPressEvent(event);
     }
 }

@@ -66,7 +66,6 @@ private:
     double timeAt(const QPointF& position) const;
     bool inPlots(const QPointF& position) const;
     std::optional<Cursor> cursorAt(const QPointF& position) const;
-    bool keyMoves(QKeyEvent* event);
 
     TrackView& tracks_;
     QCustomPlot* plot_;

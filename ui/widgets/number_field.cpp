@@ -145,6 +145,10 @@ void NumberField::commit() {
 
 // Whether a key that a line edit would consume, on X11 also Ctrl+E, is the shortcut of a command.
 bool NumberField::isForTheWindow(const QKeyEvent& key) const {
+    if (!key.text().isEmpty() && key.text().front().isPrint() &&
+        !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
+        return false;  // it is typed
+    }
     const bool own_undo = isModified() && isUndoAvailable() && key.matches(QKeySequence::Undo);
     const bool own_redo = isRedoAvailable() && key.matches(QKeySequence::Redo);
     if (own_undo || own_redo) {

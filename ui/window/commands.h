@@ -14,7 +14,7 @@ class QWidget;
 
 namespace vybeg::ui {
 
-// What the menus, the tool bar and the keyboard offer.
+// What the menus, the row of the window and the keyboard offer.
 enum class Command {
     open,
     import_file,
@@ -23,6 +23,7 @@ enum class Command {
     save_session,
     save_session_as,
     export_plots,
+    article_figure,
     export_track,
     report,
     save_passport,
@@ -43,12 +44,14 @@ enum class Command {
     zoom_fit,
     zoom_back,
     zoom_forward,
+    sidebar,
+    wave,
+    fitted_wave,
     sigma_bands,
     log_a_A,
     analyse,
     live,
     cancel,
-    compare,
     gyro_data,
     limits,
     identify,

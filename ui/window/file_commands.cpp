@@ -1,12 +1,12 @@
 #include "ui/window/file_commands.h"
 
+#include "core/analysis/measurement_list.h"
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
 #include "ui/import/import_dialog.h"
-#include "ui/panels/analysis_list.h"
+#include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
-#include "ui/window/compare_dialog.h"
 #include "ui/window/demonstration.h"
 #include "ui/window/export_dialog.h"
 #include "ui/window/file_questions.h"
@@ -47,12 +47,12 @@ QString trackName(const ShownAnalysis& shown) {
 }  // namespace
 
 FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView& tracks,
-                           AnalysisList& analyses, QWidget* window)
+                           Ledger& ledger, QWidget* window)
     : QObject(window),
       document_(document),
       session_(session),
       tracks_(tracks),
-      analyses_(analyses),
+      ledger_(ledger),
       ask_(*new FileQuestions(window)),
       window_(window) {
     connect(&session_, &SessionKeeper::fileWanted, this,
@@ -60,16 +60,10 @@ FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView
                 ask_.missingRecording(
                     name, [this, absent](const QString& path) { session_.supply(absent, path); });
             });
-    connect(&document_, &Document::comparisonReady, this, &FileCommands::showComparison);
-    connect(&document_, &Document::busyChanged, this, [this] {
-        if (compare_) {
-            compare_->setBusy(document_.busy());
-        }
-    });
 }
 
 void FileCommands::askForRecordings() {
-    ask_.recordings([this](const QStringList& files) { open(files); });
+    ask_.recordings([this](const QStringList& files) { openTogether(files); });
 }
 
 void FileCommands::open(const QStringList& paths, const OpenOptions& options) {
@@ -79,6 +73,30 @@ void FileCommands::open(const QStringList& paths, const OpenOptions& options) {
     } else {
         act();
     }
+}
+
+void FileCommands::openTogether(const QStringList& paths) {
+    const bool two =
+        paths.size() == 2 && std::ranges::none_of(paths, [](const QString& path) {
+            return SessionKeeper::isSession(path) || is_measurement_list(path.toStdU16String());
+        });
+    if (!two) {
+        open(paths);
+        return;
+    }
+    constexpr int key = 1;  // the import dialog's previews have another one
+    // By name: C before D, the first number before the second.
+    QStringList sorted = paths;
+    sorted.sort();
+    imports_.preview(key, sorted[0], {}, [this, paths, sorted](const auto& preview) {
+        if (preview && preview->problem && preview->problem->code == ErrorCode::too_few_channels) {
+            OpenOptions pair;
+            pair.channel_d_file = sorted[1].toStdString();
+            openImport(sorted[0], pair);
+        } else {
+            open(paths);
+        }
+    });
 }
 
 void FileCommands::openDemonstration() {
@@ -175,7 +193,7 @@ void FileCommands::askForNewDatabase() {
 }
 
 void FileCommands::askWhereToPutTrack() {
-    if (const AnalysisEntry* entry = document_.analysis(analyses_.currentAnalysis())) {
+    if (const AnalysisEntry* entry = document_.analysis(ledger_.currentAnalysis())) {
         ask_.trackTarget(trackName(entry->shown),
                          [this](const QString& path) { exportTrackTo(path); });
     }
@@ -290,19 +308,8 @@ void FileCommands::exportTrackTo(const QString& path) {
         reportSaved(possible, path);
         return;
     }
-    document_.exportTrack(analyses_.currentAnalysis(), path,
+    document_.exportTrack(ledger_.currentAnalysis(), path,
                           [this, path](const Status& status) { reportSaved(status, path); });
-}
-
-void FileCommands::exportFigureTo(const QString& path) {
-    if (compare_) {
-        FigureOptions options;
-        options.units = tracks_.units();
-        const auto& columns = compare_->columns();
-        const Figure figure{
-            figureDrawing(columns, options), figureSize(columns.size(), options), {}};
-        writeFigure(figure, {figure.size}, path);
-    }
 }
 
 void FileCommands::savePassportTo(const QString& path) {
@@ -313,34 +320,6 @@ void FileCommands::savePassportTo(const QString& path) {
     document_.sets().savePassport(
         path, document_.dossier().dossier().gyro,
         [this, path](const Status& status) { reportSaved(status, path); });
-}
-
-void FileCommands::openCompare() {
-    if (!compare_) {
-        compare_ = new CompareDialog(window_);
-        connect(compare_, &CompareDialog::compareWanted, &document_, &Document::compareWindows);
-        connect(compare_, &CompareDialog::exportWanted, this, [this] {
-            ask_.figureTarget([this](const QString& path) { exportFigureTo(path); });
-        });
-    }
-    compare_->setBusy(document_.busy());
-    compare_->show();
-    compare_->raise();
-    compare_->activateWindow();
-}
-
-void FileCommands::showComparison(const QList<AnalysisId>& analysis_ids) {
-    std::vector<FigureColumn> columns;
-    for (const AnalysisId id : analysis_ids) {
-        if (const AnalysisEntry* entry = document_.analysis(id)) {
-            columns.push_back(
-                {QStringLiteral("n = %1").arg(entry->shown.analysis->plan.length), entry->shown});
-        }
-    }
-    openCompare();
-    FigureOptions options;
-    options.units = tracks_.units();
-    compare_->showFigure(std::move(columns), options);
 }
 
 }  // namespace vybeg::ui

@@ -13,10 +13,9 @@
 
 namespace vybeg::ui {
 
-class CompareDialog;
 class FileQuestions;
 class ImportDialog;
-class AnalysisList;
+class Ledger;
 class SessionKeeper;
 class TrackView;
 
@@ -26,12 +25,15 @@ class FileCommands : public QObject {
     Q_OBJECT
 
 public:
-    FileCommands(Document& document, SessionKeeper& session, TrackView& tracks,
-                 AnalysisList& analyses, QWidget* window);
+    FileCommands(Document& document, SessionKeeper& session, TrackView& tracks, Ledger& ledger,
+                 QWidget* window);
 
     // Recordings, measurement lists and sessions. Before a session takes the place of one with
     // changes, it asks.
     void open(const QStringList& paths, const OpenOptions& options = {});
+    // Two files of which the first has one channel are one recording, which the import dialog
+    // shows.
+    void openTogether(const QStringList& paths);
     // A simulated recording.
     void openDemonstration();
     void saveSession(const std::function<void()>& then = [] {});
@@ -48,11 +50,9 @@ public:
     void askWhereToPutTrack();
     void askWhereToPutPassport();
     void openImport(const QString& path, const OpenOptions& options);
-    void openCompare();
 
     // By the ending of the path.
     void exportTrackTo(const QString& path);
-    void exportFigureTo(const QString& path);
     void savePassportTo(const QString& path);
     // By a dialog: plots, size, caption.
     void exportPlots(const FigureSource& source);
@@ -77,15 +77,13 @@ private:
     // Before the session's file loses what another program wrote into it.
     void askToReplaceAndThen(const std::function<void()>& then);
     void reportSaved(const Status& status, const QString& path);
-    void showComparison(const QList<AnalysisId>& analysis_ids);
 
     Document& document_;
     SessionKeeper& session_;
     TrackView& tracks_;
-    AnalysisList& analyses_;
+    Ledger& ledger_;
     FileQuestions& ask_;
     QWidget* window_;
-    QPointer<CompareDialog> compare_;
     BackgroundJobs imports_;  // previews of the import dialog
     QPointer<ImportDialog> import_;
     ReportWriter reports_;

@@ -172,10 +172,6 @@ void FileQuestions::picture(const QString& name, const Save& save) {
     pictureTarget(tr("Export plots"), name + QStringLiteral(".png"), save);
 }
 
-void FileQuestions::figureTarget(const Save& save) {
-    pictureTarget(tr("Export figure"), QStringLiteral("figure.pdf"), save);
-}
-
 void FileQuestions::historyTarget(const QString& name, const Save& save) {
     target(tr("Export history"), name + QStringLiteral(".csv"),
            {tr("Table (*.csv)"), tr("PDF document (*.pdf)")}, save);

@@ -43,7 +43,6 @@ public:
     void tableTarget(const QString& name, const Save& save);
     // A PNG, SVG or PDF; `name` without its ending.
     void picture(const QString& name, const Save& save);
-    void figureTarget(const Save& save);
     // A table (CSV) or a report (PDF); `name` without its ending.
     void historyTarget(const QString& name, const Save& save);
     // A PDF; `name` without its ending.

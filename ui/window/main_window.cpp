@@ -1,13 +1,11 @@
 #include "ui/window/main_window.h"
 
 #include "ui/history/history_page.h"
-#include "ui/panels/analysis_list.h"
-#include "ui/panels/cursor_panel.h"
-#include "ui/panels/events_panel.h"
-#include "ui/panels/measure_panel.h"
+#include "ui/panels/cursor_times.h"
+#include "ui/panels/findings_flag.h"
+#include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
-#include "ui/panels/recording_drag.h"
-#include "ui/panels/recording_panel.h"
+#include "ui/panels/recording_facts.h"
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
@@ -20,6 +18,7 @@
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
+#include "ui/window/overview.h"
 #include "ui/window/page_stack.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/status_line.h"
@@ -30,14 +29,14 @@
 #include "ui/window/window_title.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QSplitter>
 #include <QStatusBar>
-#include <QTabWidget>
+#include <QTabBar>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -49,31 +48,41 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     : QMainWindow(parent), document_(document) {
     setObjectName(QStringLiteral("main_window"));
     setAcceptDrops(true);
-    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    menu_bar_ = new QMenuBar(this);
     buildPages();
-    buildDocks();
+    layOut();
     session_ = new SessionKeeper(document_, *tracks_, this);
-    files_ = new FileCommands(document_, *session_, *tracks_, *analyses_, this);
+    files_ = new FileCommands(document_, *session_, *tracks_, *ledger_, this);
     batch_ = new BatchCommands(document_, this);
     status_ = new StatusLine(document_, this);
+    times_ = new CursorTimes(this);
+    statusBar()->addWidget(times_);
     statusBar()->addWidget(status_, 1);
+    statusBar()->setSizeGripEnabled(false);
     commands_ = new Commands(
-        windowCommands({document_, *tracks_, *cursor_, *measure_, *analyses_, *settings_, *status_,
-                        *files_, *batch_, [this](const DisplayUnits& units) { setUnits(units); },
+        windowCommands({document_, *tracks_, *ledger_, *settings_, *status_, *files_, *batch_,
+                        [this](const DisplayUnits& units) { setUnits(units); },
                         [this](Page page) { pages_->showPage(page); },
+                        [this](bool shown) {
+                            sidebar_wanted_ = shown;
+                            showPanels();
+                        },
+                        [this](bool shown) {
+                            wave_wanted_ = shown;
+                            showPanels();
+                        },
+                        [this](bool shown) { signals_->setWave(shown); },
                         [this] { return pages_->page(); }, [this] { return figures(); },
-                        [this] { showHelp(); },
+                        [this] { return tracks_page_->articleFigure(); }, [this] { showHelp(); },
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
         this);
-    menus_ =
-        new WindowMenus(*commands_, *tracks_, panels_, static_cast<int>(storedThemeMode()), this);
+    menus_ = new WindowMenus(*commands_, *tracks_, static_cast<int>(storedThemeMode()), menu_bar_);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
+    action(Command::fitted_wave)->setChecked(true);
     action(Command::quit)->setMenuRole(QAction::QuitRole);
     action(Command::about)->setMenuRole(QAction::AboutRole);
-    buildToolBar();
+    buildTopRow();
     connectDocument();
     connectSession();
     connectPanels();
@@ -94,73 +103,56 @@ void MainWindow::buildPages() {
     sweep_ = new SweepPage(document_, this);
     history_ = new HistoryPage(document_, this);
     pages_ = new PageStack(welcome_, this);
-    pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
-    pages_->add(signals_, QT_TRANSLATE_NOOP("Pages", "Signals"));
-    pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
-    pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
-    pages_->add(sweep_, QT_TRANSLATE_NOOP("Pages", "Windows"));
-    pages_->add(history_, QT_TRANSLATE_NOOP("Pages", "History"));
-
+    for (QWidget* page : std::initializer_list<QWidget*>{tracks_page_, signals_, residuals_, sweep_,
+                                                         resonator_, history_}) {
+        pages_->add(page);
+    }
+    settings_ = new SettingsPanel(document_, this);
+    overview_ = new Overview(document_, *tracks_, this);
+    wave_ = new WavePanel(document_, this);
+    ledger_ = new Ledger(document_, this);
     messages_ = new MessageBar(this);
+}
+
+// The settings at the left, the ledger below both: each page shows what acts on it.
+void MainWindow::layOut() {
+    wave_->setFixedWidth(260);
+    settings_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     auto* center = new QWidget(this);
-    auto* column = new QVBoxLayout(center);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addWidget(messages_);
-    column->addWidget(pages_, 1);
+    auto* grid = new QGridLayout(center);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(2);
+    grid->setVerticalSpacing(0);
+    grid->addWidget(messages_, 0, 0, 1, 3);
+    grid->addWidget(settings_, 1, 0, 2, 1);
+    grid->addWidget(overview_, 1, 1);
+    grid->addWidget(pages_, 2, 1);
+    grid->addWidget(wave_, 1, 2, 2, 1);
+    grid->addWidget(ledger_, 3, 0, 1, 3);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(2, 1);
     setCentralWidget(center);
 }
 
-void MainWindow::buildDocks() {
-    recordings_ = new RecordingPanel(document_, this);
-    settings_ = new SettingsPanel(document_, this);
-    cursor_ = new CursorPanel(document_, this);
-    measure_ = new MeasurePanel(document_, this);
-    wave_ = new WavePanel(document_, this);
-    events_ = new EventsPanel(document_, this);
-    analyses_ = new AnalysisList(document_, this);
-    auto* recordings =
-        panels_.add(recordings_, "recordings", QT_TR_NOOP("Recordings"), Qt::LeftDockWidgetArea,
-                    {Page::tracks, Page::samples, Page::resonator, Page::residuals, Page::windows});
-    auto* settings =
-        panels_.add(settings_, "analysis", QT_TR_NOOP("Analysis"), Qt::LeftDockWidgetArea,
-                    {Page::tracks, Page::samples, Page::residuals, Page::windows});
-    readings_ = new QTabWidget(this);
-    readings_->setDocumentMode(true);
-    auto* at_cursor = new QSplitter(Qt::Vertical, readings_);
-    at_cursor->addWidget(cursor_);
-    at_cursor->addWidget(measure_);
-    at_cursor->setStretchFactor(1, 1);
-    at_cursor->setSizes({270, 430});
-    readings_->addTab(at_cursor, QString());
-    readings_->addTab(wave_, QString());
-    readings_->addTab(events_, QString());
-    auto* readings = panels_.add(readings_, "readings", QT_TR_NOOP("Values and events"),
-                                 Qt::RightDockWidgetArea, {Page::tracks, Page::samples});
-    // The tabs say what the title bar would say.
-    readings->setTitleBarWidget(new QWidget(readings));
-    auto* analyses =
-        panels_.add(analyses_, "runs", QT_TR_NOOP("Analyses"), Qt::BottomDockWidgetArea,
-                    {Page::tracks, Page::samples, Page::residuals});
-    resizeDocks({recordings, settings}, {340, 420}, Qt::Vertical);
-    resizeDocks({settings, readings}, {300, 390}, Qt::Horizontal);
-    resizeDocks({analyses}, {130}, Qt::Vertical);
-}
-
-void MainWindow::buildToolBar() {
-    tools_ = new QToolBar(this);
+// Menus, pages and the commands of the mouse in one row: the plots have the height of the others.
+void MainWindow::buildTopRow() {
+    tools_ = new QToolBar;
     tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     tools_->setIconSize({16, 16});
-    for (const Command command :
-         {Command::open, Command::analyse, Command::export_plots, Command::report}) {
+    for (const Command command : {Command::open, Command::export_plots, Command::report}) {
         tools_->addAction(action(command));
     }
-    tools_->addSeparator();
-    for (QAction* language : menus_->languages()) {
-        tools_->addAction(language);
-    }
-    // In the row of the menus, whose rest is free: the plots have its height.
-    menuBar()->setCornerWidget(tools_);
+    auto* row = new QWidget(this);
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(0);
+    menu_bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    line->addWidget(menu_bar_, 0, Qt::AlignVCenter);
+    line->addStretch(1);
+    line->addWidget(pages_->tabs());
+    line->addStretch(1);
+    line->addWidget(tools_);
+    setMenuWidget(row);
 }
 
 void MainWindow::connectDocument() {
@@ -205,25 +197,25 @@ void MainWindow::connectSession() {
         }
     });
     connect(session_, &SessionKeeper::unitsWanted, this, &MainWindow::setUnits);
-    connect(session_, &SessionKeeper::analysisWanted, analyses_, &AnalysisList::setCurrentAnalysis);
+    connect(session_, &SessionKeeper::analysisWanted, ledger_, &Ledger::setCurrentAnalysis);
     session_->setViewSource([this](SessionView& view) {
-        view.trend = measure_->trendKind();
+        view.trend = ledger_->trendKind();
         view.page = pageWord(pages_->page());
     });
     connect(session_, &SessionKeeper::viewRestored, this, [this](const SessionView& view) {
-        measure_->setTrendKind(view.trend);
+        ledger_->setTrendKind(view.trend);
         if (const auto page = pageOfWord(view.page)) {
             pages_->showPage(*page);
         }
-        measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
-        signals_->showCursors();
+        ledger_->setVariables(tracks_->shownVariables());
+        showCursors();
         showTitle();
     });
 }
 
 void MainWindow::connectPanels() {
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
-    connect(pages_, &PageStack::pageShown, this, [this] { panels_.showThoseOf(pages_->page()); });
+    connect(pages_, &PageStack::pageShown, this, &MainWindow::showPanels);
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
     connect(welcome_, &WelcomePage::recentChosen, this,
             [this](const QString& path) { files_->open({path}); });
@@ -235,13 +227,14 @@ void MainWindow::connectPanels() {
     connect(menus_, &WindowMenus::themeChosen, this,
             [this](int theme) { setThemeMode(static_cast<ThemeMode>(theme)); });
     connect(menus_, &WindowMenus::languageChosen, this, &MainWindow::setLanguage);
-    connect(recordings_, &RecordingPanel::placeChosen, this, &MainWindow::goToEvent);
-    connect(recordings_, &RecordingPanel::reopenWanted, files_, &FileCommands::openImport);
-    connect(tracks_page_, &TracksPage::analyseWanted, settings_, &SettingsPanel::analyse);
-    connect(settings_, &SettingsPanel::visibleRangeWanted, tracks_page_,
-            &TracksPage::analyseVisibleRange);
-    connect(signals_, &SignalsPage::analyseWanted, settings_, &SettingsPanel::analyse);
-    connect(residuals_, &ResidualsPage::analyseWanted, settings_, &SettingsPanel::analyse);
+    connect(&overview_->flag(), &FindingsFlag::placeChosen, this, &MainWindow::goToEvent);
+    connect(ledger_, &Ledger::reopenWanted, files_, &FileCommands::openImport);
+    connect(settings_, &SettingsPanel::visibleRangeWanted, overview_,
+            &Overview::analyseVisibleRange);
+    connect(settings_, &SettingsPanel::wanted, this, [this] {
+        sidebar_wanted_ = true;
+        showPanels();
+    });
     connect(residuals_, &ResidualsPage::figuresChanged, commands_, &Commands::refresh);
     connect(resonator_, &ResonatorPage::figuresChanged, commands_, &Commands::refresh);
     connect(sweep_, &SweepPage::figuresChanged, commands_, &Commands::refresh);
@@ -262,7 +255,7 @@ void MainWindow::connectPanels() {
     connect(tracks_, &TrackView::timeRangeChanged, this,
             [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
-        cursor_->setTime(time_s);
+        ledger_->setMouse(time_s);
         wave_->setTime(time_s);
         residuals_->setCursor(tracks_->cursor(Cursor::a).value_or(time_s));
     });
@@ -270,19 +263,19 @@ void MainWindow::connectPanels() {
         if (const auto a = tracks_->cursor(Cursor::a)) {
             residuals_->setCursor(*a);
         }
-        measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
+        showCursors();
     });
-    connect(measure_, &MeasurePanel::trendsChanged, tracks_, &TrackView::setTrends);
-    connect(measure_, &MeasurePanel::cursorsEdited, this,
+    connect(tracks_, &TrackView::variablesChanged, this,
+            [this] { ledger_->setVariables(tracks_->shownVariables()); });
+    connect(ledger_, &Ledger::trendsChanged, tracks_, &TrackView::setTrends);
+    connect(times_, &CursorTimes::edited, this,
             [this](std::optional<double> a_s, std::optional<double> b_s) {
                 tracks_->setCursor(Cursor::a, a_s);
                 tracks_->setCursor(Cursor::b, b_s);
-                measure_->setCursors(a_s, b_s);
-                signals_->showCursors();
+                showCursors();
             });
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
-    connect(analyses_, &AnalysisList::currentAnalysisChanged, this, &MainWindow::showAnalysis);
-    connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
+    connect(ledger_, &Ledger::currentAnalysisChanged, this, &MainWindow::showAnalysis);
     connect(resonator_, &ResonatorPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(wave_, &WavePanel::exportWanted, files_, &FileCommands::exportPlot);
 }
@@ -299,19 +292,46 @@ void MainWindow::showCurrentRecording() {
     commands_->refresh();
 }
 
+// What the page needs, and the user has not put away. The wave has room in a wide window.
+void MainWindow::showPanels() {
+    constexpr int wide = 1600;
+    const PageNeeds needs = pages_->needs();
+    const bool wave = wave_wanted_.value_or(pages_->page() == Page::samples && width() >= wide);
+    settings_->setVisible(needs.sidebar && sidebar_wanted_);
+    overview_->setVisible(needs.overview);
+    ledger_->setVisible(needs.ledger);
+    times_->setVisible(needs.ledger && !document_.analyses().empty());
+    wave_->setVisible(needs.wave && wave);
+    action(Command::sidebar)->setChecked(sidebar_wanted_);
+    action(Command::wave)->setChecked(wave);
+}
+
+void MainWindow::showCursors() {
+    ledger_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
+    showTimes();
+    signals_->showCursors();
+}
+
+void MainWindow::showTimes() {
+    const AnalysisEntry* chosen = document_.analysis(ledger_->currentAnalysis());
+    times_->setTimes(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b),
+                     chosen ? chosen->shown.analysis.get() : nullptr);
+}
+
 void MainWindow::showTitle() {
     setWindowTitle(titleOf(document_, session_->path()));
 }
 
 void MainWindow::showAnalyses() {
-    showAnalysis(analyses_->currentAnalysis());
+    showAnalysis(ledger_->currentAnalysis());
+    showPanels();
     commands_->refresh();
 }
 
 void MainWindow::showAnalysis(AnalysisId id) {
     session_->setCurrentAnalysis(id);
-    events_->setAnalysis(id);
-    measure_->setAnalysis(id);
+    overview_->flag().setAnalysis(id);
+    showTimes();
     wave_->setAnalysis(id);
     tracks_page_->chooseAnalysis(id);
     signals_->setAnalysis(id);
@@ -321,14 +341,13 @@ void MainWindow::showAnalysis(AnalysisId id) {
 
 void MainWindow::goToEvent(double time_s, double seconds) {
     tracks_page_->goToEvent(time_s, seconds);
-    cursor_->setTime(time_s);
+    ledger_->setMouse(time_s);
     wave_->setTime(time_s);
 }
 
 void MainWindow::setUnits(const DisplayUnits& units) {
     tracks_->setUnits(units);
-    cursor_->setUnits(units);
-    measure_->setUnits(units);
+    ledger_->setUnits(units);
     resonator_->setUnits(units);
     sweep_->setUnits(units);
     history_->setUnits(units);
@@ -356,7 +375,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    files_->open(localFiles(*event->mimeData()));
+    files_->openTogether(localFiles(*event->mimeData()));
     event->acceptProposedAction();
 }
 

@@ -5,31 +5,31 @@
 #include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/commands.h"
-#include "ui/window/page_panels.h"
+#include "ui/window/page_stack.h"
 #include "ui/words/display_units.h"
 #include "ui/words/language.h"
 
 #include <QMainWindow>
 #include <QPointer>
 
-class QTabWidget;
+#include <optional>
+
+class QMenuBar;
 class QToolBar;
 
 namespace vybeg::ui {
 
 class BatchCommands;
-class CursorPanel;
-class EventsPanel;
+class CursorTimes;
 class FileCommands;
 class HistoryPage;
 class HelpView;
-class MeasurePanel;
+class Ledger;
 class MessageBar;
-class RecordingPanel;
+class Overview;
 class ResidualsPage;
 class ResonatorPage;
 class SweepPage;
-class AnalysisList;
 class SessionKeeper;
 class SettingsPanel;
 class SignalsPage;
@@ -61,18 +61,22 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     // main_window.cpp
     void buildPages();
-    void buildDocks();
-    void buildToolBar();
+    void layOut();
+    void buildTopRow();
     void connectDocument();
     void connectSession();
     void connectPanels();
     void showTitle();
+    void showPanels();
+    void showCursors();
+    void showTimes();
     void showCurrentRecording();
     void showAnalyses();
     void showAnalysis(AnalysisId id);
@@ -100,7 +104,9 @@ private:
     FileCommands* files_ = nullptr;
     BatchCommands* batch_ = nullptr;
     bool leaving_ = false;  // changes are saved or given up
-    PagePanels panels_{*this};
+    bool sidebar_wanted_ = true;
+    std::optional<bool> wave_wanted_;  // nothing: where there is room
+    QMenuBar* menu_bar_ = nullptr;
     QToolBar* tools_ = nullptr;
 
     PageStack* pages_ = nullptr;
@@ -112,15 +118,12 @@ private:
     ResidualsPage* residuals_ = nullptr;
     SweepPage* sweep_ = nullptr;
     HistoryPage* history_ = nullptr;
-    RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
-    CursorPanel* cursor_ = nullptr;
-    MeasurePanel* measure_ = nullptr;
+    Overview* overview_ = nullptr;
+    Ledger* ledger_ = nullptr;
+    CursorTimes* times_ = nullptr;
     ResonatorPage* resonator_ = nullptr;
     WavePanel* wave_ = nullptr;
-    EventsPanel* events_ = nullptr;
-    AnalysisList* analyses_ = nullptr;
-    QTabWidget* readings_ = nullptr;
     StatusLine* status_ = nullptr;
     QPointer<HelpView> help_;
 };

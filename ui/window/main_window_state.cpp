@@ -1,5 +1,6 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
 #include "ui/history/history_page.h"
+#include "ui/panels/ledger.h"
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
@@ -12,6 +13,7 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
+#include "ui/window/overview.h"
 #include "ui/window/tracks_page.h"
 #include "ui/window/window_menus.h"
 
@@ -20,22 +22,18 @@
 #include <QJsonDocument>
 #include <QScreen>
 #include <QSettings>
-#include <QTabWidget>
 #include <QToolBar>
 
 namespace vybeg::ui {
 
 namespace {
 
-// Raised when docks or tool bars change, so that an old state is not forced on a new window.
-constexpr int state_version = 2;
-
 const QString theme_key = QStringLiteral("theme");
 const QString live_key = QStringLiteral("live");
 const QString language_key = QStringLiteral("language");
 const QString view_key = QStringLiteral("window/view");
 const QString geometry_key = QStringLiteral("window/geometry");
-const QString state_key = QStringLiteral("window/state");
+const QString sidebar_key = QStringLiteral("window/sidebar");
 
 // Units and plots of the last window; degrees at the first start.
 SessionView storedView() {
@@ -73,7 +71,9 @@ void MainWindow::restoreState() {
     constexpr QSize frame(0, 40);
     resize(QSize(1400, 900).boundedTo(screen()->availableSize() - frame));
     restoreGeometry(settings.value(geometry_key).toByteArray());
-    QMainWindow::restoreState(settings.value(state_key).toByteArray(), state_version);
+    sidebar_wanted_ = settings.value(sidebar_key, true).toBool();
+    ledger_->setVariables(tracks_->shownVariables());
+    showPanels();
 }
 
 void MainWindow::saveState() {
@@ -83,8 +83,7 @@ void MainWindow::saveState() {
     view.variables = tracks_->shownVariables();
     settings.setValue(view_key, QJsonDocument(viewToJson(view)).toJson(QJsonDocument::Compact));
     settings.setValue(geometry_key, saveGeometry());
-    panels_.showAll();
-    settings.setValue(state_key, QMainWindow::saveState(state_version));
+    settings.setValue(sidebar_key, sidebar_wanted_);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -101,6 +100,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     batch_->leave();
     document_.cancel();
     QMainWindow::closeEvent(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    showPanels();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -130,6 +134,7 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
     tracks_page_->setTheme(theme_);
+    overview_->setTheme(theme_);
     signals_->setTheme(theme_);
     residuals_->setTheme(theme_);
     sweep_->setTheme(theme_);
@@ -142,10 +147,6 @@ void MainWindow::applyLook() {
 void MainWindow::retranslate() {
     commands_->retranslate();
     menus_->retranslate();
-    panels_.retranslate();
-    readings_->setTabText(0, tr("At the cursor"));
-    readings_->setTabText(1, tr("Wave"));
-    readings_->setTabText(2, tr("Events"));
     tools_->setAccessibleName(tr("Tools"));
 }
 

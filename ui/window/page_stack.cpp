@@ -14,22 +14,47 @@ namespace vybeg::ui {
 
 namespace {
 
+struct PageRow {
+    const char* word;
+    const char* title;  // of context "Pages"
+    PageNeeds needs;
+};
+
 // As Page.
-constexpr std::array page_words{"tracks",    "signals", "resonator",
-                                "residuals", "windows", "history"};
-static_assert(page_words.size() == static_cast<std::size_t>(Page::history) + 1);
+constexpr std::array page_rows{
+    PageRow{"tracks",
+            QT_TRANSLATE_NOOP("Pages", "Tracks"),
+            {.sidebar = true, .ledger = true, .overview = true, .wave = true}},
+    PageRow{"signals",
+            QT_TRANSLATE_NOOP("Pages", "Signals"),
+            {.sidebar = true, .ledger = true, .overview = true, .wave = true}},
+    PageRow{
+        "residuals", QT_TRANSLATE_NOOP("Pages", "Residuals"), {.sidebar = true, .ledger = true}},
+    PageRow{"windows", QT_TRANSLATE_NOOP("Pages", "Windows"), {.sidebar = true, .ledger = true}},
+    PageRow{"resonator", QT_TRANSLATE_NOOP("Pages", "Resonator"), {}},
+    PageRow{"history", QT_TRANSLATE_NOOP("Pages", "History"), {}},
+};
+static_assert(page_rows.size() == static_cast<std::size_t>(Page::history) + 1);
+
+const PageRow& rowOf(Page page) {
+    return page_rows.at(static_cast<std::size_t>(page));
+}
 
 }  // namespace
 
+PageNeeds needsOf(Page page) {
+    return rowOf(page).needs;
+}
+
 QString pageWord(Page page) {
-    return QLatin1String(page_words.at(static_cast<std::size_t>(page)));
+    return QLatin1String(rowOf(page).word);
 }
 
 std::optional<Page> pageOfWord(const QString& word) {
     const auto found = std::ranges::find_if(
-        page_words, [&word](const char* each) { return word == QLatin1String(each); });
-    return found == page_words.end() ? std::nullopt
-                                     : std::optional(static_cast<Page>(found - page_words.begin()));
+        page_rows, [&word](const PageRow& row) { return word == QLatin1String(row.word); });
+    return found == page_rows.end() ? std::nullopt
+                                    : std::optional(static_cast<Page>(found - page_rows.begin()));
 }
 
 PageStack::PageStack(QWidget* welcome, QWidget* parent)
@@ -38,18 +63,17 @@ PageStack::PageStack(QWidget* welcome, QWidget* parent)
     tabs_->setDocumentMode(true);
     tabs_->setExpanding(false);
     tabs_->setDrawBase(false);
+    tabs_->setUsesScrollButtons(false);
     stack_->addWidget(welcome);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(tabs_);
     column->addWidget(stack_, 1);
     connect(tabs_, &QTabBar::currentChanged, this, &PageStack::showTab);
     showTab();
 }
 
-void PageStack::add(QWidget* page, const char* title) {
-    titles_ << title;
+void PageStack::add(QWidget* page) {
     stack_->addWidget(page);
     tabs_->addTab(QString());
     retranslate();
@@ -70,12 +94,18 @@ Page PageStack::page() const {
     return static_cast<Page>(tabs_->currentIndex());
 }
 
+bool PageStack::welcomes() const {
+    return welcome_ && page() != Page::history;
+}
+
+PageNeeds PageStack::needs() const {
+    return welcomes() ? PageNeeds() : needsOf(page());
+}
+
 // Page 0 of the stack is the welcome.
 void PageStack::showTab() {
-    const int tab = tabs_->currentIndex();
-    const bool welcome = welcome_ && tab != static_cast<int>(Page::history);
-    tabs_->setVisible(!welcome);
-    stack_->setCurrentIndex(welcome ? 0 : tab + 1);
+    tabs_->setVisible(!welcomes());
+    stack_->setCurrentIndex(welcomes() ? 0 : tabs_->currentIndex() + 1);
     emit pageShown();
 }
 
@@ -88,7 +118,8 @@ void PageStack::changeEvent(QEvent* event) {
 
 void PageStack::retranslate() {
     for (int tab = 0; tab < tabs_->count(); ++tab) {
-        tabs_->setTabText(tab, QCoreApplication::translate("Pages", titles_[tab]));
+        tabs_->setTabText(
+            tab, QCoreApplication::translate("Pages", rowOf(static_cast<Page>(tab)).title));
         tabs_->setTabToolTip(tab, QKeySequence(QKeyCombination(Qt::CTRL, Qt::Key(Qt::Key_1 + tab)))
                                       .toString(QKeySequence::NativeText));
     }

@@ -10,25 +10,38 @@ class QTabBar;
 namespace vybeg::ui {
 
 // The pages in the order of their tabs. All but the last are about the open recordings.
-enum class Page { tracks, samples, resonator, residuals, windows, history };
+enum class Page { tracks, samples, residuals, windows, resonator, history };
+
+// What a page shows around itself: a page shows only what acts on it.
+struct PageNeeds {
+    bool sidebar = false;   // settings of the analysis
+    bool ledger = false;    // recordings, analyses and what they read
+    bool overview = false;  // of the current recording
+    bool wave = false;      // may stand beside
+};
+
+PageNeeds needsOf(Page page);
 
 // The word of a page in a session, and the page of a word; nothing for another word.
 QString pageWord(Page page);
 std::optional<Page> pageOfWord(const QString& word);
 
-// The middle of the window: pages under a bar of tabs. While no recording is open, the welcome
-// stands in the place of those about recordings.
+// The middle of the window: pages, and their tabs, which stand elsewhere. While no recording is
+// open, the welcome stands in the place of those about recordings.
 class PageStack : public QWidget {
     Q_OBJECT
 
 public:
     explicit PageStack(QWidget* welcome, QWidget* parent = nullptr);
 
-    // Adds the next page in the order of Page. `title`: a text of context "Pages".
-    void add(QWidget* page, const char* title);
+    // Adds the next page in the order of Page.
+    void add(QWidget* page);
     void setWelcome(bool shown);
     void showPage(Page page);
     Page page() const;
+    // Of the page that is shown; the welcome, which may stand in its place, needs nothing.
+    PageNeeds needs() const;
+    QTabBar* tabs() const { return tabs_; }
 
 signals:
     void pageShown();
@@ -37,12 +50,12 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    bool welcomes() const;
     void showTab();
     void retranslate();
 
     QTabBar* tabs_;
     QStackedWidget* stack_;
-    QList<const char*> titles_;
     bool welcome_ = true;
 };
 

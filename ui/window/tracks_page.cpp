@@ -1,26 +1,22 @@
 #include "ui/window/tracks_page.h"
 
 #include "ui/document/document.h"
-#include "ui/panels/stale_mark.h"
+#include "ui/plots/figure.h"
 #include "ui/plots/plot_export.h"
-#include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/index_text.h"
 
-#include <QEvent>
 #include <QLocale>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vybeg::ui {
 
 namespace {
-
-// Edits of the analysed range closer together than this are one drag, and one step of undo.
-constexpr qint64 one_gesture_ms = 700;
 
 // "2θ_A" as "2θA", for texts without indices.
 QString settingsText(const AnalysisEntry& entry) {
@@ -37,13 +33,30 @@ QString settingsText(const AnalysisEntry& entry) {
     return text;
 }
 
+// "σ(2θ_A) = 0.011°": the standard deviation of a window in the middle of the track, by which a
+// column tells what its length of window costs.
+QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
+    constexpr SlowVariable variable = SlowVariable::two_theta_A;
+    std::vector<double> sds(analysis.track.sds(variable).begin(),
+                            analysis.track.sds(variable).end());
+    std::erase_if(sds, [](double sd) { return !std::isfinite(sd); });
+    if (sds.empty()) {
+        return {};
+    }
+    const auto middle = sds.begin() + static_cast<std::ptrdiff_t>(sds.size() / 2);
+    std::ranges::nth_element(sds, middle);
+    const QString unit = displayUnit(variable, units);
+    return QStringLiteral("σ(%1) = %2%3")
+        .arg(displaySymbol(variable, units),
+             QLocale().toString(displayScale(variable, units, 0).sd(0, *middle), 'g', 2),
+             unit == QStringLiteral("°") ? unit : ' ' + unit);
+}
+
 }  // namespace
 
 TracksPage::TracksPage(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      signal_(new SignalView(this)),
-      stale_(new StaleMark(document, this)),
       tracks_(new TrackView(this)),
       scroll_(new QScrollArea(this)) {
     scroll_->setWidget(tracks_);
@@ -53,90 +66,16 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
     scroll_->setFocusPolicy(Qt::NoFocus);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addWidget(signal_);
-    layout->addWidget(stale_);
-    layout->addWidget(scroll_, 1);
-
-    connect(&document_, &Document::recordingsChanged, this, &TracksPage::showRecording);
-    connect(&document_, &Document::recordingChanged, this, [this](RecordingId id) {
-        if (document_.isCurrent(id)) {
-            showRecording();
-        }
-    });
-    connect(&document_, &Document::currentRecordingChanged, this, &TracksPage::showRecording);
-    connect(&document_, &Document::envelopeGrown, this, &TracksPage::showEnvelope);
-    connect(&document_, &Document::settingsChanged, this, &TracksPage::showAnalysedRange);
+    layout->addWidget(scroll_);
     connect(&document_, &Document::analysesChanged, this, &TracksPage::showAnalyses);
     connect(&document_, &Document::liveChanged, this, &TracksPage::showAnalyses);
-    connect(stale_, &StaleMark::analyseWanted, this, &TracksPage::analyseWanted);
-    connect(signal_, &SignalView::visibleRangeEdited, this, [this](double from_s, double to_s) {
-        tracks_->setTimeRange({from_s, to_s});
-        // The plots show no more than their analyses cover, and say nothing where that is what they
-        // have shown before.
-        signal_->setVisibleRange(tracks_->timeRange());
-    });
-    connect(signal_, &SignalView::analysedRangeEdited, this, &TracksPage::editAnalysedRange);
-    connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
-        signal_->setVisibleRange({from_s, to_s});
-        // Empty plots show nothing of the recording that is about to come.
-        document_.setVisibleRange(document_.analyses().empty() ? TimeRange()
-                                                               : TimeRange{from_s, to_s});
-    });
-    connect(tracks_, &TrackView::timeAxisPlaced, this, [this](int left, int right) {
-        signal_->setMargins(left, right + scroll_->width() - tracks_->width());
-    });
-    retranslate();
-    showRecording();
     showAnalyses();
-}
-
-void TracksPage::showRecording() {
-    const RecordingEntry* entry = document_.currentRecording();
-    if (entry && entry->recording) {
-        signal_->setReading(entry->recording->seconds());
-        tracks_->setRecorded({{0, entry->recording->seconds()}, entry->recording->rate_hz});
-        showEnvelope();
-        signal_->setFaults(entry->faults);
-        if (!document_.analyses().empty()) {
-            signal_->setVisibleRange(tracks_->timeRange());
-        }
-        showAnalysedRange();
-    } else if (entry && entry->envelope) {
-        const double seconds =
-            static_cast<double>(entry->envelope->frames()) / entry->envelope_rate_hz;
-        signal_->setReading(seconds);
-        tracks_->setRecorded({{0, seconds}, entry->envelope_rate_hz});
-        showEnvelope();
-    } else {
-        signal_->clear();
-        tracks_->setRecorded({});
-    }
-}
-
-void TracksPage::showEnvelope() {
-    const RecordingEntry* entry = document_.currentRecording();
-    if (entry && entry->envelope) {
-        signal_->setEnvelope(entry->envelope, entry->envelope_rate_hz);
-    }
-}
-
-void TracksPage::showAnalysedRange() {
-    const RecordingEntry* entry = document_.currentRecording();
-    if (entry && entry->recording) {
-        const Settings& settings = document_.settings();
-        signal_->setAnalysedRange(
-            {settings.from_s.value_or(0), settings.to_s.value_or(entry->recording->seconds())});
-    }
 }
 
 void TracksPage::showAnalyses() {
     std::vector<ShownAnalysis> analyses = document_.plottedAnalyses();
     const int unlike = drawnWith(chosen_, analyses);
     tracks_->setAnalyses(std::move(analyses), unlike);
-    if (!document_.analyses().empty()) {
-        signal_->setVisibleRange(tracks_->timeRange());
-    }
 }
 
 void TracksPage::chooseAnalysis(AnalysisId id) {
@@ -161,26 +100,6 @@ void TracksPage::goToEvent(double time_s, double seconds) {
     const double middle = time_s + seconds / 2;
     tracks_->setTimeRange({middle - span / 2, middle + span / 2});
     tracks_->setTracker(time_s);
-}
-
-void TracksPage::analyseVisibleRange() {
-    const AxisRange range = tracks_->timeRange();
-    editAnalysedRange(range.lower, range.upper);
-}
-
-void TracksPage::editAnalysedRange(double from_s, double to_s) {
-    const RecordingEntry* entry = document_.currentRecording();
-    if (!entry || !entry->recording) {
-        return;
-    }
-    if (!last_range_edit_.isValid() || last_range_edit_.elapsed() > one_gesture_ms) {
-        ++range_gesture_;
-    }
-    last_range_edit_.start();
-    Settings settings = document_.settings();
-    settings.from_s = from_s > 0 ? std::optional(from_s) : std::nullopt;
-    settings.to_s = to_s < entry->recording->seconds() ? std::optional(to_s) : std::nullopt;
-    document_.setSettings(settings, range_gesture_);
 }
 
 FigureSource TracksPage::figures() const {
@@ -216,20 +135,43 @@ FigureSource TracksPage::figures() const {
     return source;
 }
 
-void TracksPage::setTheme(const Theme& theme) {
-    signal_->setTheme(theme);
-    tracks_->setTheme(theme);
-}
-
-void TracksPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
+FigureSource TracksPage::articleFigure() const {
+    FigureOptions options;
+    options.units = tracks_->units();
+    std::vector<FigureColumn> columns;
+    for (const ShownAnalysis& shown : tracks_->analyses()) {
+        if (shown.visible && shown.analysis) {
+            columns.push_back({QStringLiteral("n = %1, %2")
+                                   .arg(shown.analysis->plan.length)
+                                   .arg(scatterText(*shown.analysis, options.units)),
+                               shown});
+        }
     }
+    FigureSource source;
+    if (columns.empty()) {
+        return source;
+    }
+    for (const SlowVariable variable : tracks_->shownVariables()) {
+        source.plots << indexPlain(displaySymbol(variable, options.units));
+    }
+    source.figure = [columns, options,
+                     variables = tracks_->shownVariables()](const std::vector<int>& places) {
+        FigureOptions some = options;
+        some.variables.clear();
+        for (const int place : places) {
+            some.variables.push_back(variables[static_cast<std::size_t>(place)]);
+        }
+        return Figure{figureDrawing(columns, some), figureSize(columns.size(), some),
+                      QStringLiteral("figure")};
+    };
+    const FigureSource plots = figures();
+    source.title = plots.title;
+    source.settings = plots.settings;
+    return source;
 }
 
-void TracksPage::retranslate() {
-    signal_->setAccessibleName(tr("Overview of the recording"));
+void TracksPage::setTheme(const Theme& theme) {
+    tracks_->setTheme(theme);
 }
 
 }  // namespace vybeg::ui

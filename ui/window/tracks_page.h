@@ -4,7 +4,6 @@
 #include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 class QScrollArea;
@@ -12,12 +11,9 @@ class QScrollArea;
 namespace vybeg::ui {
 
 class Document;
-class SignalView;
-class StaleMark;
 class TrackView;
 
-// The overview of the current recording over the plots of all shown analyses. It follows the
-// document, and keeps the ranges that both views show the same.
+// The plots of all shown analyses, as the document has them.
 class TracksPage : public QWidget {
     Q_OBJECT
 
@@ -30,33 +26,18 @@ public:
     void chooseAnalysis(AnalysisId id);
     // Centres the present zoom on an event, wide enough to see it from both sides.
     void goToEvent(double time_s, double seconds);
-    // Analyses from now on what the plots show.
-    void analyseVisibleRange();
     void setTheme(const Theme& theme);
     FigureSource figures() const;
-
-signals:
-    void analyseWanted();
-
-protected:
-    void changeEvent(QEvent* event) override;
+    // The article's figure, a column for each analysis that is shown.
+    FigureSource articleFigure() const;
 
 private:
-    void showRecording();
-    void showEnvelope();
-    void showAnalysedRange();
     void showAnalyses();
-    void editAnalysedRange(double from_s, double to_s);
-    void retranslate();
 
     Document& document_;
-    SignalView* signal_;
-    StaleMark* stale_;
     TrackView* tracks_;
     QScrollArea* scroll_;  // of the plots, where the page is too low for all of them
     AnalysisId chosen_ = AnalysisId::none;
-    QElapsedTimer last_range_edit_;
-    int range_gesture_ = 0;
 };
 
 }  // namespace vybeg::ui

@@ -1,9 +1,7 @@
 #include "ui/window/window_commands.h"
 
 #include "ui/document/document.h"
-#include "ui/panels/analysis_list.h"
-#include "ui/panels/cursor_panel.h"
-#include "ui/panels/measure_panel.h"
+#include "ui/panels/ledger.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
@@ -71,6 +69,14 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_E)},
          .enabled = figures,
          .act = [to] { to.files.exportPlots(to.figures()); }},
+        {.id = Command::article_figure,
+         .text = QT_TRANSLATE_NOOP("Command", "Article's &figure…"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The article's figure: a column for each analysis that is shown, "
+                                  "with the scatter of its windows"),
+         .keys = {QKeySequence(Qt::Key_F6)},
+         .enabled = plots,
+         .act = [to] { to.files.exportPlots(to.article_figure()); }},
         {.id = Command::export_track,
          .text = QT_TRANSLATE_NOOP("Command", "Export &track…"),
          .tip =
@@ -78,7 +84,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_E)},
          .enabled =
              [to] {
-                 const AnalysisEntry* chosen = to.document.analysis(to.analyses.currentAnalysis());
+                 const AnalysisEntry* chosen = to.document.analysis(to.ledger.currentAnalysis());
                  return chosen && !chosen->partial();
              },
          .act = [to] { to.files.askWhereToPutTrack(); }},
@@ -149,10 +155,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                                   "The values at the cursor to the clipboard, for a spreadsheet"),
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_T)},
          .enabled = plots,
-         .act =
-             [to] {
-                 QApplication::clipboard()->setText(to.cursor.tableText() + to.measure.tableText());
-             }},
+         .act = [to] { QApplication::clipboard()->setText(to.ledger.tableText()); }},
         {.id = Command::page_tracks,
          .text = QT_TRANSLATE_NOOP("Command", "Trac&ks"),
          .tip = QT_TRANSLATE_NOOP("Command", "The page with the slow variables over time"),
@@ -171,7 +174,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .text = QT_TRANSLATE_NOOP("Command", "Reso&nator"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with the resonator of a set: parameters, rim, drift"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_3)},
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_5)},
          .enabled = any,
          .act = [to] { to.show_page(Page::resonator); }},
         {.id = Command::page_residuals,
@@ -179,7 +182,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with spectrum, distribution and autocorrelation of "
                                   "what the waves leave of the samples"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_4)},
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_3)},
          .enabled = any,
          .act = [to] { to.show_page(Page::residuals); }},
         {.id = Command::page_windows,
@@ -187,7 +190,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with scatter, bound and leakage against the length of "
                                   "the window, and the window this recording deserves"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_5)},
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_4)},
          .enabled = any,
          .act = [to] { to.show_page(Page::windows); }},
         {.id = Command::page_history,
@@ -217,14 +220,33 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command", "Back in the zoom history (R)"),
          .icon = "zoom-back",
          .keys = {QKeyCombination(Qt::ALT, Qt::Key_Left)},
-         .enabled = [to] { return to.tracks.canZoomBack(); },
-         .act = [to] { to.tracks.zoomBack(); }},
+         .enabled = [to] { return to.tracks.zoom().canBack(); },
+         .act = [to] { to.tracks.zoom().back(); }},
         {.id = Command::zoom_forward,
          .text = QT_TRANSLATE_NOOP("Command", "Zoom fo&rward"),
          .tip = QT_TRANSLATE_NOOP("Command", "Forward in the zoom history"),
          .keys = {QKeyCombination(Qt::ALT, Qt::Key_Right)},
-         .enabled = [to] { return to.tracks.canZoomForward(); },
-         .act = [to] { to.tracks.zoomForward(); }},
+         .enabled = [to] { return to.tracks.zoom().canForward(); },
+         .act = [to] { to.tracks.zoom().forward(); }},
+        {.id = Command::sidebar,
+         .text = QT_TRANSLATE_NOOP("Command", "Settings of the anal&ysis"),
+         .tip = QT_TRANSLATE_NOOP(
+             "Command", "The settings beside the plots; without them the plots are wider"),
+         .keys = {QKeySequence(Qt::Key_F9)},
+         .switched = to.show_sidebar},
+        {.id = Command::wave,
+         .text = QT_TRANSLATE_NOOP("Command", "Wa&ve"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The waves at the mouse beside the plots, as figures: the "
+                                  "amplitude around the rim, D against C"),
+         .keys = {QKeySequence(Qt::Key_W)},
+         .switched = to.show_wave},
+        {.id = Command::fitted_wave,
+         .text = QT_TRANSLATE_NOOP("Command", "Fitted wave"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The wave of the chosen analysis over the samples of the page "
+                                  "Signals: zoomed out its amplitude, zoomed in the wave itself"),
+         .switched = to.show_fitted_wave},
         {.id = Command::sigma_bands,
          .text = QT_TRANSLATE_NOOP("Command", "One-&sigma bands"),
          .switched =
@@ -264,13 +286,6 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::SHIFT, Qt::Key_F5)},
          .enabled = [to] { return to.document.busy(); },
          .act = [to] { to.status.cancel(); }},
-        {.id = Command::compare,
-         .text = QT_TRANSLATE_NOOP("Command", "Compare &windows…"),
-         .tip = QT_TRANSLATE_NOOP("Command", "The article's figure: one column per window length"),
-         .icon = "compare",
-         .keys = {QKeySequence(Qt::Key_F6)},
-         .enabled = open,
-         .act = [to] { to.files.openCompare(); }},
         {.id = Command::gyro_data,
          .text = QT_TRANSLATE_NOOP("Command", "Gyro's &data…"),
          .tip = QT_TRANSLATE_NOOP("Command",

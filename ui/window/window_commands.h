@@ -11,11 +11,9 @@
 namespace vybeg::ui {
 
 class BatchCommands;
-class CursorPanel;
 class Document;
 class FileCommands;
-class MeasurePanel;
-class AnalysisList;
+class Ledger;
 class SettingsPanel;
 class StatusLine;
 class TrackView;
@@ -24,9 +22,7 @@ class TrackView;
 struct CommandTargets {
     Document& document;
     TrackView& tracks;
-    CursorPanel& cursor;
-    MeasurePanel& measure;
-    AnalysisList& analyses;
+    Ledger& ledger;
     SettingsPanel& settings;
     StatusLine& status;
     FileCommands& files;
@@ -34,8 +30,12 @@ struct CommandTargets {
     // What the window itself does.
     std::function<void(const DisplayUnits&)> set_units;
     std::function<void(Page)> show_page;
+    std::function<void(bool)> show_sidebar;
+    std::function<void(bool)> show_wave;
+    std::function<void(bool)> show_fitted_wave;
     std::function<Page()> page;             // that is shown
     std::function<FigureSource()> figures;  // of that page
+    std::function<FigureSource()> article_figure;
     std::function<void()> show_help;
     std::function<void()> show_about;
     std::function<QString()> diagnostics;

@@ -5,20 +5,18 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QMainWindow>
 #include <QMenuBar>
 
 #include <algorithm>
 
 namespace vybeg::ui {
 
-WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, const PagePanels& panels,
-                         int theme, QMainWindow* window)
-    : QObject(window),
+WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme, QMenuBar* bar)
+    : QObject(bar),
       commands_(commands),
       tracks_(tracks),
-      window_(window),
-      recent_(new RecentFiles(window)),
+      bar_(bar),
+      recent_(new RecentFiles(bar)),
       languages_(new QActionGroup(this)) {
     connect(recent_, &RecentFiles::chosen, this, &WindowMenus::recentChosen);
     addFile();
@@ -26,9 +24,9 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, const Page
     add(edit, {Command::undo, Command::redo});
     edit->addSeparator();
     add(edit, {Command::copy_plot, Command::copy_table});
-    addView(panels, theme);
+    addView(theme);
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
-    add(analysis, {Command::analyse, Command::live, Command::cancel, Command::compare});
+    add(analysis, {Command::analyse, Command::live, Command::cancel});
     QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
     add(gyro, {Command::gyro_data, Command::limits});
     gyro->addSeparator();
@@ -39,7 +37,7 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, const Page
 }
 
 QMenu* WindowMenus::top(const char* title) {
-    QMenu* menu = window_->menuBar()->addMenu(QString());
+    QMenu* menu = bar_->addMenu(QString());
     menu->setToolTipsVisible(true);
     titles_[menu] = title;
     return menu;
@@ -83,17 +81,18 @@ void WindowMenus::addFile() {
     file->addSeparator();
     add(file, {Command::save_session, Command::save_session_as});
     file->addSeparator();
-    add(file, {Command::export_plots, Command::export_track, Command::report});
+    add(file,
+        {Command::export_plots, Command::article_figure, Command::export_track, Command::report});
     file->addSeparator();
     add(file, {Command::save_passport, Command::compare_passport});
     file->addSeparator();
     add(file, {Command::quit});
 }
 
-void WindowMenus::addView(const PagePanels& panels, int theme) {
+void WindowMenus::addView(int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
-    add(view, {Command::page_tracks, Command::page_signals, Command::page_resonator,
-               Command::page_residuals, Command::page_windows, Command::page_history});
+    add(view, {Command::page_tracks, Command::page_signals, Command::page_residuals,
+               Command::page_windows, Command::page_resonator, Command::page_history});
     view->addSeparator();
     add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
                Command::zoom_forward});
@@ -102,7 +101,8 @@ void WindowMenus::addView(const PagePanels& panels, int theme) {
     addUnits(view);
     add(view, {Command::log_a_A, Command::sigma_bands});
     view->addSeparator();
-    sub(view, QT_TR_NOOP("Pan&els"))->addActions(panels.actions());
+    add(view, {Command::sidebar, Command::wave, Command::fitted_wave});
+    view->addSeparator();
     addChoice(
         view, QT_TR_NOOP("&Theme"),
         {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},
@@ -177,10 +177,6 @@ void WindowMenus::addLanguages(QMenu* view) {
         connect(entry, &QAction::triggered, this,
                 [this, entry] { emit languageChosen(entry->data().toString()); });
     }
-}
-
-QList<QAction*> WindowMenus::languages() const {
-    return languages_->actions();
 }
 
 void WindowMenus::setLanguage(const QString& code) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/window/commands.h"
-#include "ui/window/page_panels.h"
 #include "ui/words/display_units.h"
 
 #include <QObject>
@@ -11,25 +10,23 @@
 #include <vector>
 
 class QActionGroup;
-class QMainWindow;
 class QMenu;
+class QMenuBar;
 
 namespace vybeg::ui {
 
 class RecentFiles;
 class TrackView;
 
-// The menu bar: the commands, and choices of units, plots, panels, theme and language.
+// The menu bar: the commands, and choices of units, plots, theme and language.
 class WindowMenus : public QObject {
     Q_OBJECT
 
 public:
     // `theme`: the choice in effect, as ThemeMode.
-    WindowMenus(const Commands& commands, TrackView& tracks, const PagePanels& panels, int theme,
-                QMainWindow* window);
+    WindowMenus(const Commands& commands, TrackView& tracks, int theme, QMenuBar* bar);
 
     RecentFiles* recentFiles() const { return recent_; }
-    QList<QAction*> languages() const;
     void setLanguage(const QString& code);
     void retranslate();
 
@@ -51,14 +48,14 @@ private:
     void addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
                    const std::function<int()>& chosen, const std::function<void(int)>& choose);
     void addFile();
-    void addView(const PagePanels& panels, int theme);
+    void addView(int theme);
     void addVariables(QMenu* view);
     void addUnits(QMenu* view);
     void addLanguages(QMenu* view);
 
     const Commands& commands_;
     TrackView& tracks_;
-    QMainWindow* window_;
+    QMenuBar* bar_;
     RecentFiles* recent_;
     QActionGroup* languages_;
     std::map<QMenu*, const char*> titles_;

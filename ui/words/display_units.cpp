@@ -7,9 +7,11 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace vybeg::ui {
 namespace {
@@ -154,6 +156,22 @@ QString noiseText(double sd) {
 
 QString valueText(double value, double sd) {
     return valueText(value, sd, std::numeric_limits<double>::quiet_NaN());
+}
+
+QString conciseText(double value, double sd) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("—");
+    }
+    QuantityText quantity = quantity_text(value, sd);
+    std::string digits = std::exchange(quantity.sd, {});
+    std::erase(digits, '.');
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+    const int exponent = std::exchange(quantity.exponent, 0);
+    QString text = textOf(quantity);
+    if (!digits.empty()) {
+        text += QStringLiteral("(%1)").arg(QString::fromStdString(digits));
+    }
+    return exponent == 0 ? text : text + QStringLiteral("·") + powerOfTen(exponent);
 }
 
 QString valueText(double value, double sd, double u) {

@@ -1,6 +1,7 @@
 #include "core/recording/arrays/npy_reader.h"
 
 #include "core/base/translatable.h"
+#include "core/recording/arrays/time_column.h"
 #include "core/recording/bytes/byte_order.h"
 #include "core/recording/samples/reader_rules.h"
 
@@ -199,12 +200,18 @@ bool size_fits(const std::vector<std::int64_t>& shape) {
 }  // namespace
 
 Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
-                           const JobControl& /*job*/) {
+                           const JobControl& job) {
     const auto bytes = file_part(file, 0, file->size());
     const auto array = TRY(read_npy_header(*file, *bytes, "NPY"));
-    const auto channels = static_cast<int>(array.channels());
-    TRY(check_channels(*file, channels, options));
     FoundSamples found;
+    // Of three columns or more, the first may be the time, which is no channel.
+    if (array.channels() > 2) {
+        auto times = TRY(rate_of_times(npy_column(array, bytes, 0), 1, job));
+        found.own_rate = times;
+    }
+    const int first = found.own_rate ? 1 : 0;  // channel
+    const auto channels = static_cast<int>(array.channels()) - first;
+    TRY(check_channels(*file, channels, options));
     found.format = {FormatPart::name("NPY"), FormatPart::words(name_of(array.type)),
                     byte_order_part(array.big_endian),
                     FormatPart::words(array.fortran_order ? VYBEG_MESSAGE("Format", "Fortran order")
@@ -212,8 +219,8 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
                     FormatPart::channels(channels)};
     found.channels = numbered_channels(channels);
     found.promised_frames = array.frames();
-    found.source = column_source(npy_column(array, bytes, options.channel_c - 1),
-                                 npy_column(array, bytes, options.channel_d - 1));
+    found.source = column_source(npy_column(array, bytes, first + options.channel_c - 1),
+                                 npy_column(array, bytes, first + options.channel_d - 1));
     found.frames = found.source->frames();
     return complete_recording(*file, std::move(found), options);
 }

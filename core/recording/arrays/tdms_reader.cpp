@@ -2,6 +2,8 @@
 
 #include "core/recording/arrays/tdms_scale.h"
 #include "core/recording/arrays/tdms_segments.h"
+#include "core/recording/arrays/time_column.h"
+#include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/vocabulary.h"
@@ -33,6 +35,7 @@ struct FoundChannel {
 struct Contents {
     std::vector<TdmsObject> objects;
     std::vector<FoundChannel> channels;
+    std::optional<FoundChannel> time;  // named so, and no channel
     bool open_ended = false;
 
     const FoundChannel& channel(int number) const {
@@ -98,18 +101,19 @@ public:
         if (!status) {
             return status.error();
         }
-        Contents contents{tdms.objects(), {}, tdms.open_ended()};
+        Contents contents{tdms.objects(), {}, {}, tdms.open_ended()};
         for (const std::size_t object : order) {
             const Channel named = name_and_unit(contents.objects[object].channel);
             if (has_numbers(*first[object]) && !is_time_name(named.name)) {
                 contents.channels.push_back({object, std::move(*first[object])});
+            } else if (has_numbers(*first[object]) && !contents.time) {
+                contents.time = FoundChannel{object, std::move(*first[object])};
             }
         }
         return contents;
     }
 
-    Result<ChosenChannel> choose(const Contents& contents, int number) const {
-        const FoundChannel& found = contents.channel(number);
+    Result<ChosenChannel> choose(const Contents& contents, const FoundChannel& found) const {
         const TdmsObject& object = contents.objects[found.object];
         auto scaling = TRY(tdms_scaling(*file_, with_owners(contents, object)));
         ChosenChannel chosen{found.object, NumberType::f64, std::move(scaling)};
@@ -169,6 +173,19 @@ public:
         return both;
     }
 
+    // The rate by the channel of times; nothing where there is none, or an uneven one.
+    Result<std::optional<SampleRate>> rate_of_time(const Contents& contents) const {
+        if (!contents.time) {
+            return std::optional<SampleRate>();
+        }
+        const TdmsObject& object = contents.objects[contents.time->object];
+        const auto chosen = TRY(choose(contents, *contents.time));
+        const auto columns_twice = TRY(columns(chosen, chosen));
+        Channel named = name_and_unit(object.channel);
+        named.unit = named.unit.empty() ? text(object, "unit_string") : named.unit;
+        return rate_of_times(columns_twice.c, seconds_per(time_unit(named)).value_or(1), job_);
+    }
+
     // 1 / wf_increment of the channel, its group or the file.
     static std::optional<double> rate(const Contents& contents, const TdmsObject& channel) {
         for (const TdmsObject* object : with_owners(contents, channel)) {
@@ -179,6 +196,12 @@ public:
             }
         }
         return std::nullopt;
+    }
+
+    // Of its first sample from the start.
+    static double offset_s(const TdmsObject& channel) {
+        const double offset = number(channel, "wf_start_offset").value_or(0);
+        return std::isfinite(offset) ? offset : 0;
     }
 
     static std::string text(const TdmsObject& object, std::string_view property) {
@@ -255,14 +278,25 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (rate_c && rate_d && *rate_c != *rate_d) {
         return reader.unsupported(VYBEG_MESSAGE("Words", "C and D at different sample rates"));
     }
+    const TdmsObject& d = contents.object(options.channel_d);
+    const std::string start_c = TdmsReader::text(c, "wf_start_time");
+    const std::string start_d = TdmsReader::text(d, "wf_start_time");
+    if (!start_c.empty() && !start_d.empty() && start_c != start_d) {
+        return reader.unsupported(VYBEG_MESSAGE("Words", "C and D from different times, %1 and %2"),
+                                  {start_c, start_d});
+    }
     FoundSamples found;
     if (const auto own = rate_c ? rate_c : rate_d) {
         found.own_rate = SampleRate{*own, RateOrigin::file};
     }
+    if (!found.own_rate) {
+        auto of_time = TRY(reader.rate_of_time(contents));
+        found.own_rate = of_time;
+    }
     // Checked before the second pass.
     TRY(choose_rate(*file, found.own_rate, options));
-    const auto chosen_c = reader.choose(contents, options.channel_c);
-    const auto chosen_d = reader.choose(contents, options.channel_d);
+    const auto chosen_c = reader.choose(contents, contents.channel(options.channel_c));
+    const auto chosen_d = reader.choose(contents, contents.channel(options.channel_d));
     if (!chosen_c || !chosen_d) {
         return (chosen_c ? chosen_d : chosen_c).error();
     }
@@ -270,7 +304,7 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     found.format = {FormatPart::name("TDMS"), FormatPart::words(name_of(columns.c.type)),
                     FormatPart::channels(count)};
     found.channels = describe(contents);
-    found.start = TdmsReader::text(c, "wf_start_time");
+    found.start = start_c;
     found.never_closed = contents.open_ended;
     if (!contents.open_ended) {
         found.promised_frames = std::min(columns.promised_c, columns.promised_d);
@@ -283,6 +317,9 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     auto recording = complete_recording(*file, std::move(found), options);
     if (recording && columns.promised_c != columns.promised_d) {
         note_unequal(frames_c, frames_d, *recording);
+    }
+    if (recording) {
+        align_channels(TdmsReader::offset_s(d) - TdmsReader::offset_s(c), *recording);
     }
     return recording;
 }

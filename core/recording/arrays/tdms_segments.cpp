@@ -29,8 +29,9 @@ constexpr std::size_t most_kept = 50000;
 
 // Whether a property describes samples.
 bool is_kept(std::string_view name) {
-    constexpr std::array<std::string_view, 5> names{
-        "wf_increment", "wf_xunit_string", "wf_start_time", "unit_string", "NI_Number_Of_Scales"};
+    constexpr std::array<std::string_view, 6> names{"wf_increment",  "wf_xunit_string",
+                                                    "wf_start_time", "wf_start_offset",
+                                                    "unit_string",   "NI_Number_Of_Scales"};
     return name.starts_with("NI_Scal") ||
            std::find(names.begin(), names.end(), name) != names.end();
 }

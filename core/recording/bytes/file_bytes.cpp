@@ -46,8 +46,7 @@ Result<std::shared_ptr<const FileBytes>> FileBytes::adopt(const std::filesystem:
         return file->error(ErrorCode::file_is_directory);
     }
     if (!S_ISREG(status.st_mode)) {
-        return file->error(ErrorCode::file_read_failed,
-                           {words(VYBEG_MESSAGE("Words", "it is not a regular file"))});
+        return file->error(ErrorCode::file_not_regular);
     }
     if (status.st_size == 0) {
         return file->error(ErrorCode::file_empty);

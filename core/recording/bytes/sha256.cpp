@@ -25,9 +25,9 @@ std::string hexadecimal(std::span<const unsigned char> digest) {
     return text;
 }
 
-// `file`: null for an empty file, which has a hash too.
-Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path& path,
-                              const JobControl& job) {
+// Without files: the hash of an empty one.
+Result<std::string> sha256_of(std::span<const FileBytes* const> files,
+                              const std::filesystem::path& path, const JobControl& job) {
     const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
                                                                           &EVP_MD_CTX_free);
     if (!context) {  // which the other functions would dereference
@@ -35,17 +35,25 @@ Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path
     }
     bool ok = EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
     std::vector<char> chunk(std::size_t{1} << 20);
-    for (std::int64_t offset = 0; ok && file != nullptr && offset < file->size();) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, path.string(), {}};
+    std::int64_t size = 0;
+    for (const FileBytes* file : files) {
+        size += file->size();
+    }
+    std::int64_t done = 0;
+    for (const FileBytes* file : files) {
+        for (std::int64_t offset = 0; ok && offset < file->size();) {
+            if (job.cancelled()) {
+                return Error{ErrorCode::interrupted, path.string(), {}};
+            }
+            const auto got = TRY(file->read(offset, chunk));
+            if (got == 0) {
+                break;
+            }
+            ok = EVP_DigestUpdate(context.get(), chunk.data(), static_cast<std::size_t>(got)) == 1;
+            offset += got;
+            done += got;
+            job.report(static_cast<double>(done) / static_cast<double>(size));
         }
-        const auto got = TRY(file->read(offset, chunk));
-        if (got == 0) {
-            break;
-        }
-        ok = EVP_DigestUpdate(context.get(), chunk.data(), static_cast<std::size_t>(got)) == 1;
-        offset += got;
-        job.report(static_cast<double>(offset) / static_cast<double>(file->size()));
     }
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int length = 0;
@@ -76,11 +84,15 @@ Result<std::string> file_sha256(const std::filesystem::path& path, const JobCont
     if (!file && file.error().code != ErrorCode::file_empty) {
         return file.error();
     }
-    return sha256_of(file ? file->get() : nullptr, path, job);
+    std::vector<const FileBytes*> files;
+    if (file) {
+        files.push_back(file->get());
+    }
+    return sha256_of(files, path, job);
 }
 
-Result<std::string> file_sha256(const FileBytes& file, const JobControl& job) {
-    return sha256_of(&file, file.path(), job);
+Result<std::string> files_sha256(std::span<const FileBytes* const> files, const JobControl& job) {
+    return sha256_of(files, files.empty() ? std::filesystem::path() : files[0]->path(), job);
 }
 
 }  // namespace vybeg

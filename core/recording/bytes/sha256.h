@@ -5,6 +5,7 @@
 #include "core/recording/bytes/file_bytes.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,8 +14,8 @@ namespace vybeg {
 // Lower-case hexadecimal SHA-256 of a file's bytes.
 Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job);
 
-// The same of an open file, independent of its path.
-Result<std::string> file_sha256(const FileBytes& file, const JobControl& job);
+// The same of the bytes of open files one after the other, independent of their paths.
+Result<std::string> files_sha256(std::span<const FileBytes* const> files, const JobControl& job);
 
 // The same of a text.
 Result<std::string> text_sha256(std::string_view text);

@@ -2,6 +2,7 @@
 
 #include "core/recording/arrays/npy_reader.h"
 #include "core/recording/arrays/tdms_reader.h"
+#include "core/recording/arrays/zetlab_reader.h"
 #include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/text_encoding.h"
@@ -74,6 +75,11 @@ constexpr std::array formats{
                .endings = "tdms",
                .is = by_head<is_tdms>,
                .open = by<open_tdms>},
+    FileFormat{.name = "zetlab",
+               .group = Group::arrays,
+               .endings = "ana",
+               .is = is_zetlab,
+               .open = by<open_zetlab>},
     FileFormat{.name = "hdf5",
                .group = Group::arrays,
                .endings = "h5 hdf5",

@@ -14,7 +14,8 @@
 
 namespace vybeg {
 
-// A format that a file is recognised as by its content, never by its name.
+// A format that a file is recognised as by its content, never by its name; but for ZETLAB's samples
+// alone, whose content lies in the file beside them.
 struct FileFormat {
     enum class Group : std::uint8_t { audio, tables, arrays };
 

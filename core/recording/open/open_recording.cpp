@@ -4,6 +4,7 @@
 #include "core/recording/arrays/raw_reader.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/open/file_format.h"
+#include "core/recording/open/open_parts.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/scaled_source.h"
@@ -29,11 +30,9 @@ Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
                   : Result<Recording>(file->error(ErrorCode::format_unknown));
 }
 
-}  // namespace
-
-Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
-                                 const JobControl& job) {
-    TRY(check_options(options));
+// One file, with everything that the options say of its samples.
+Result<Recording> open_file(const std::filesystem::path& path, const OpenOptions& options,
+                            const JobControl& job) {
     const auto file = TRY(FileBytes::open(path));
     auto recording = open_by_content(file, options, job);
     if (recording) {
@@ -52,12 +51,28 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
             }
         }
         recording->file = file;
-        recording->read_with = options_text(options);
         if (!options.unit.empty()) {
             for (Channel& channel : recording->channels) {
                 channel.unit = options.unit;
             }
         }
+    }
+    return recording;
+}
+
+}  // namespace
+
+Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
+                                 const JobControl& job) {
+    TRY(check_options(options));
+    const OpenFile open = [&job](const std::filesystem::path& part, const OpenOptions& of_part) {
+        return open_file(part, of_part, job);
+    };
+    auto recording = !options.channel_d_file.empty() ? open_pair(path, options, open)
+                     : !options.join.empty()         ? open_pieces(path, options, open)
+                                                     : open(path, options);
+    if (recording) {
+        recording->read_with = options_text(options);
     }
     return recording;
 }

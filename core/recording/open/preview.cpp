@@ -120,6 +120,12 @@ void find_rate(const FileBytes& file, const OpenOptions& options, RecordingPrevi
     if (!preview.problem && preview.time_column < 0 && !preview.rate_hz) {
         preview.problem = file.error(ErrorCode::rate_unknown);
     }
+    const double stated_hz = named ? preview.used->rates[c].hz : 0;
+    if (!preview.problem && preview.time_column >= 0 && preview.rate_hz && stated_hz > 0 &&
+        !options.rate_hz && !same_written_rate(stated_hz, *preview.rate_hz, 1e-2)) {
+        preview.problem = file.error(ErrorCode::rates_differ,
+                                     {number_arg(stated_hz), number_arg(*preview.rate_hz)});
+    }
     const Status frames = check_frames(file, std::ssize(preview.c));
     if (!preview.problem && !frames) {
         preview.problem = frames.error();
@@ -266,8 +272,10 @@ Result<RecordingPreview> preview_recording(const std::filesystem::path& path,
     const auto head = TRY(file_head(*file));
     RecordingPreview preview;
     preview.file_format = find_format(head, *file);
+    // Of several files only what comes of them is shown.
     const bool text =
-        options.text || (!options.raw && preview.file_format && preview.file_format->is_text);
+        further_files(options).empty() &&
+        (options.text || (!options.raw && preview.file_format && preview.file_format->is_text));
     const Status status = text ? preview_text(file, options, job, preview)
                                : preview_opened(*file, options, job, preview);
     if (!status) {

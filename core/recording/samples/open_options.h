@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,10 @@ struct OpenOptions {
     std::optional<TextChoice> text{};  // read the file as text in any case
     std::string unit{};                // of the samples; empty: that of the file
     double scale = 1;                  // recording units per count or per unit of the file
+    // The file of channel D, where the recording's own holds C; empty: the same one. Of a file with
+    // one channel it is this one; otherwise channel_c counts in C's file and channel_d in D's.
+    std::string channel_d_file{};
+    std::vector<std::string> join{};  // the files of the recording's further pieces, in their order
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };
@@ -58,6 +63,14 @@ void describe(Archive&& archive, Owner& open) {
     archive("text", open.text);
     archive("unit", open.unit, usual.unit);
     archive("scale", open.scale, usual.scale);
+    archive("channel_d_file", open.channel_d_file, usual.channel_d_file);
+    archive("join", open.join, usual.join);
 }
+
+// Makes the names of further files absolute that are relative to `folder`.
+void find_files_from(const std::filesystem::path& folder, OpenOptions& options);
+
+// The further files: that of channel D, the pieces.
+std::vector<std::filesystem::path> further_files(const OpenOptions& options);
 
 }  // namespace vybeg

@@ -58,7 +58,7 @@ bool is_channel(double number) {
 }
 
 Status read_rate(const std::string& option, const std::string& text, OpenOptions& options) {
-    const auto rate = TRY(read_number(option, text));
+    const auto rate = TRY(read_number(option, text, "Hz"));
     options.rate_hz = rate;
     return {};
 }
@@ -82,14 +82,28 @@ std::string channels_text(const OpenOptions& options) {
     return joined({static_cast<double>(options.channel_c), static_cast<double>(options.channel_d)});
 }
 
-// The names between the commas, of which only the middle one of three may be empty.
-Status read_variables(const std::string& option, const std::string& text, OpenOptions& options) {
+std::vector<std::string> names_in(const std::string& text) {
     std::vector<std::string> names;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         names.push_back(text.substr(begin, end - begin));
         begin = end + 1;
     }
+    return names;
+}
+
+std::string names_text(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) {
+        text += &name == &names.front() ? "" : ",";
+        text += name;
+    }
+    return text;
+}
+
+// The names between the commas, of which only the middle one of three may be empty.
+Status read_variables(const std::string& option, const std::string& text, OpenOptions& options) {
+    std::vector<std::string> names = names_in(text);
     if (names.size() > 3 || names.front().empty() || names.back().empty()) {
         return refused_value(option, text,
                              "it is one to three names with commas, as in C,D,fs or XY,,fs");
@@ -99,12 +113,16 @@ Status read_variables(const std::string& option, const std::string& text, OpenOp
 }
 
 std::string variables_text(const OpenOptions& options) {
-    std::string text;
-    for (const std::string& name : options.variables) {
-        text += &name == &options.variables.front() ? "" : ",";
-        text += name;
+    return names_text(options.variables);
+}
+
+Status read_join(const std::string& option, const std::string& text, OpenOptions& options) {
+    std::vector<std::string> names = names_in(text);
+    if (std::ranges::find(names, "") != names.end()) {
+        return refused_value(option, text, "it is names of files with commas, as in 2.wav,3.wav");
     }
-    return text;
+    options.join = std::move(names);
+    return {};
 }
 
 Status read_raw(const std::string& option, const std::string& text, OpenOptions& options) {
@@ -287,6 +305,19 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
                 any_number),
         row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)", read_unit,
             [](const OpenOptions& options) { return options.unit; }),
+        row(
+            "channel-d", "FILE",
+            "File of channel D, where each channel has a file of its own; --channels then counts "
+            "in each",
+            [](const std::string& /*option*/, const std::string& text, OpenOptions& options) {
+                options.channel_d_file = text;
+                return Status();
+            },
+            [](const OpenOptions& options) { return options.channel_d_file; }),
+        row("join", "FILE[,FILE]",
+            "Files of the recording's further pieces, in their order; gaps between them are "
+            "missing samples",
+            read_join, [](const OpenOptions& options) { return names_text(options.join); }),
     };
     return rows;
 }
@@ -337,12 +368,20 @@ Status check_options(const OpenOptions& options) {
                      {"--rate", number_arg(*options.rate_hz),
                       words(VYBEG_MESSAGE("Words", "it must lie between 1e-6 and 1e12 Hz"))}};
     }
-    if (options.channel_c == options.channel_d) {
+    if (options.channel_c == options.channel_d && options.channel_d_file.empty()) {
         const std::string channel = std::to_string(options.channel_c);
         return Error{ErrorCode::setting_invalid,
                      "",
                      {"--channels", channel + "," + channel,
                       words(VYBEG_MESSAGE("Words", "C and D must be two channels"))}};
+    }
+    if (!options.channel_d_file.empty() && !options.join.empty()) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--join", names_text(options.join),
+                      words(VYBEG_MESSAGE("Words",
+                                          "it is for files with both channels, not for a file for "
+                                          "each channel"))}};
     }
     if (options.text && options.raw) {
         return Error{ErrorCode::setting_invalid,

@@ -1,6 +1,7 @@
 #include "core/recording/samples/reader_rules.h"
 
 #include "core/base/number_text.h"
+#include "core/recording/samples/partner_file.h"
 #include "core/recording/samples/scaled_source.h"
 #include "core/recording/samples/vocabulary.h"
 
@@ -88,10 +89,20 @@ Status check_signals(const FileBytes& file, const Recording& recording) {
 
 }  // namespace
 
+bool wants_one_channel(const OpenOptions& options) {
+    return options.channel_c == options.channel_d;
+}
+
+Error too_few_channels(const FileBytes& file, int found) {
+    const auto partner = partner_of(file.path());
+    return file.error(ErrorCode::too_few_channels,
+                      {count_arg(found), count_arg(channels_needed),
+                       partner ? partner->filename().string() : std::string("FILE")});
+}
+
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {
-    if (found < channels_needed) {
-        return file.error(ErrorCode::too_few_channels,
-                          {count_arg(found), count_arg(channels_needed)});
+    if (found < (wants_one_channel(options) ? 1 : channels_needed)) {
+        return too_few_channels(file, found);
     }
     for (const int channel : {options.channel_c, options.channel_d}) {
         if (channel < 1 || channel > found) {
@@ -182,6 +193,7 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
     recording.start = std::move(found.start);
+    recording.first_time_s = found.first_time_s;
     recording.diagnostics = std::move(found.diagnostics);
     recording.source = std::move(found.source);
     const auto name_of = [&](int channel) {

@@ -18,6 +18,13 @@ namespace vybeg {
 
 // Rules common to all readers, and the conversion of their results to a recording.
 
+// Whether one channel is to be read, as C and D: the other one has a file, or times, of its own.
+bool wants_one_channel(const OpenOptions& options);
+
+// The error of a file with so many channels where two are needed: too_few_channels, with the file
+// that lies beside it and may hold the other one.
+Error too_few_channels(const FileBytes& file, int found);
+
 // Checks that both chosen channels exist among the `found` channels of the file. Errors:
 // too_few_channels, channel_out_of_range.
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options);
@@ -52,6 +59,7 @@ struct FoundSamples {
     std::vector<Channel> channels;        // as Recording::channels
     std::optional<SampleRate> own_rate;   // of the file
     std::string start;                    // as Recording::start
+    std::optional<double> first_time_s;   // as Recording::first_time_s
     std::int64_t frames = 0;              // in the file; a resampled grid may have another number
     std::int64_t promised_frames = 0;     // stated by the file, which may be shorter
     bool never_closed = false;            // the file states no number of frames

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct Recording {
     std::vector<Diagnostic> diagnostics;
     std::shared_ptr<const SampleSource> source;
     std::shared_ptr<const FileBytes> file{};  // file of the samples; null: not from a file
+    // The others that it is made of: of channel D, of further pieces, of what describes them.
+    std::vector<std::shared_ptr<const FileBytes>> more_files{};
+    std::optional<double> first_time_s{};  // of the first sample, by the file's own times
 
     std::int64_t frames() const { return source->frames(); }
     double seconds() const { return static_cast<double>(frames()) / rate_hz; }

@@ -32,7 +32,7 @@ constexpr std::array meanings{
           "samplingfrequency fsample samplespersecond frequencyofsampling scanrate "
           "acquisitionrate messrate abtastrate abtastfrequenz частотадискретизации частотасбора "
           "частотаопроса частотаоцифровки частотавыборки"},
-    Words{Meaning::rate, "updaterate sampling", NamedIn::text},
+    Words{Meaning::rate, "updaterate sampling inputrate", NamedIn::text},
     Words{Meaning::step,
           "dt increment wfincrement sampleinterval samplinginterval sampleperiod samplingperiod "
           "tinc tinterval xinc xincr xincrement hinc hresolution timestep timeincrement deltat "
@@ -45,8 +45,10 @@ constexpr std::array meanings{
           "name channel channelname channelnames tracename signalname kanalname source label "
           "labels"},
     Words{Meaning::units,
-          "unit units unitstring vunit verticalunit verticalunits yunit yunits yunitlabel einheit"},
-    Words{Meaning::axis_unit, "hunit horizontalunit horizontalunits xunit xunits timeunit"},
+          "unit units unitstring vunit verticalunit verticalunits yunit yunits yunitlabel einheit "
+          "dataformat"},
+    Words{Meaning::axis_unit,
+          "hunit horizontalunit horizontalunits xunit xunits timeunit timemarkersscale"},
     Words{Meaning::unit, "a ma counts lsb"},
 };
 
@@ -300,7 +302,7 @@ Channel name_and_unit(std::string_view field) {
     if (whole.starts_with("in ") && is_any_unit(whole.substr(3))) {
         return result("", whole.substr(3));
     }
-    for (const std::string_view separator : {" in ", "/"}) {
+    for (const std::string_view separator : {" in ", " In ", "/"}) {
         const auto at = whole.rfind(separator);
         if (at != std::string_view::npos && at > 0 &&
             is_any_unit(whole.substr(at + separator.size()))) {

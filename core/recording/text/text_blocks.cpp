@@ -85,6 +85,49 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
     return {};
 }
 
+Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, std::int64_t begin,
+                                  std::int64_t end,
+                                  const std::function<bool(std::string_view line)>& is_behind) {
+    constexpr std::int64_t looked_at = 1 << 14;  // bytes
+    const std::size_t unit = encoding == TextEncoding::bytes ? 1 : 2;
+    const std::int64_t from = end - std::min(end - begin, looked_at) /
+                                        static_cast<std::int64_t>(unit * unit) *
+                                        static_cast<std::int64_t>(unit * unit);
+    std::vector<char> bytes(static_cast<std::size_t>(end - from));
+    const auto got = TRY(file.read(from, bytes));
+    const std::string_view text(bytes.data(), static_cast<std::size_t>(got));
+    const std::size_t low = encoding == TextEncoding::utf16_big ? 1 : 0;
+    const auto ends_line = [&](std::size_t at) {
+        const bool ascii = unit == 1 || text[at + 1 - low] == '\0';
+        return ascii && (text[at + low] == '\n' || text[at + low] == '\r');
+    };
+    std::size_t to = text.size();
+    while (to > 0) {
+        std::size_t last = to;  // behind the line's characters
+        while (last >= unit && ends_line(last - unit)) {
+            last -= unit;
+        }
+        std::size_t first = last;
+        while (first >= unit && !ends_line(first - unit)) {
+            first -= unit;
+        }
+        if (first < unit && from > begin) {
+            break;  // the line begins before what is looked at
+        }
+        std::string line;
+        if (encoding == TextEncoding::bytes) {
+            line = text.substr(first, last - first);
+        } else {
+            append_utf16(text.substr(first, last - first), encoding, line);
+        }
+        if (!is_behind(line)) {
+            break;
+        }
+        to = first;
+    }
+    return from + static_cast<std::int64_t>(to);
+}
+
 Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding,
                                     std::int64_t begin) {
     const std::int64_t unit = encoding == TextEncoding::bytes ? 1 : 2;

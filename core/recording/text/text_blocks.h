@@ -5,6 +5,7 @@
 #include "core/recording/bytes/text_encoding.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -52,6 +53,12 @@ private:
     std::int64_t begin_;
     std::int64_t end_;
 };
+
+// The end of the table in a text that ends at `end`: before the last lines for which `is_behind` is
+// true, of which few are looked at. Errors: file_read_failed.
+Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, std::int64_t begin,
+                                  std::int64_t end,
+                                  const std::function<bool(std::string_view line)>& is_behind);
 
 // The end of the last line that has content; spreadsheets write rows of delimiters behind it.
 // Errors: file_read_failed.

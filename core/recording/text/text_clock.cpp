@@ -132,6 +132,13 @@ std::optional<ClockField> parse_clock(std::string_view field) {
         clock.decimals = static_cast<int>(digits.size());
         clock.fraction_s = static_cast<double>(value) / std::pow(10.0, clock.decimals);
     }
+    // "12:00:05+03:00 2024-05-01": behind the time, its zone and the date.
+    const std::string_view behind = trimmed(field);
+    const std::size_t blank = dated ? std::string_view::npos : behind.rfind(' ');
+    std::string_view date = behind.substr(blank == std::string_view::npos ? 0 : blank + 1);
+    if (!dated && take_date(date) && date.empty()) {
+        field = behind.substr(0, blank == std::string_view::npos ? 0 : blank);
+    }
     return take_ending(field, clock.whole_s) ? std::optional(clock) : std::nullopt;
 }
 

@@ -17,7 +17,8 @@ namespace vybeg {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double equal_times = 1e-3;  // of a step
+constexpr double equal_times = 1e-3;     // of a step
+constexpr std::size_t enough_rows = 20;  // fewer rise within a period of a vibration, too
 
 // The first numbers of a column.
 struct ColumnStart {
@@ -159,10 +160,15 @@ private:
 
     // A ramp, or the milliseconds beside a time of day: no vibration.
     bool is_ramp(int column) const {
-        constexpr std::size_t enough_rows = 20;  // fewer rise within a period, too
         const bool rises =
             at(column).values.size() >= enough_rows && rises_evenly(at(column).values);
         return rises || (name(column).name.size() > 1 && seconds_per(name(column).name));
+    }
+
+    // Of two columns: the time of the other one.
+    bool is_time_of_one(int column) const {
+        return format_.columns - column == 2 && !is_whole(at(column).values) &&
+               at(column).values.size() >= enough_rows;
     }
 
     // Frames, if the lines above the table say how fast they follow each other: a step of one would
@@ -192,7 +198,8 @@ private:
         while (std::ranges::binary_search(words_, first)) {
             ++first;
         }
-        if (candidate != first && format_.columns - first >= 3 && rises_evenly(at(first).values) &&
+        const bool may_be_time = format_.columns - first >= 3 || is_time_of_one(first);
+        if (candidate != first && may_be_time && rises_evenly(at(first).values) &&
             can_be_time(first)) {
             const bool counts = is_whole(at(first).values) && time_unit(name(first)).empty() &&
                                 (said || !unit_said);
@@ -295,6 +302,36 @@ std::vector<int> channel_columns(const TextFormat& format) {
         }
     }
     return columns;
+}
+
+FirstColumn first_column(std::span<const std::string> rows, char delimiter, bool decimal_comma) {
+    std::vector<double> values;
+    std::vector<std::string_view> fields;
+    for (const std::string& row : rows) {
+        split_fields(row, delimiter, fields);
+        const auto value = fields.size() > 1 ? parse_field(fields[0], decimal_comma) : std::nullopt;
+        if (value) {
+            values.push_back(*value);
+        }
+    }
+    return !rises_evenly(values)   ? FirstColumn::other
+           : counts_by_one(values) ? FirstColumn::counter
+                                   : FirstColumn::time;
+}
+
+bool is_behind_table(std::string_view line, const TextFormat& format) {
+    if (trimmed(line).empty() || is_comment(line, format.delimiter)) {
+        return true;
+    }
+    std::vector<std::string_view> fields;
+    split_fields(line, format.delimiter, fields);
+    const auto is_word = [&](std::string_view field) {
+        return !field.empty() && !parse_field(field, format.decimal_comma) && !parse_clock(field);
+    };
+    const bool first_holds_words =
+        std::ranges::find(format.no_channels, 0) != format.no_channels.end();
+    return !fields.empty() && is_word(fields.front()) &&
+           (!first_holds_words || std::ssize(fields) < format.columns);
 }
 
 void find_columns(std::span<const std::string> rows, const std::vector<Channel>& columns,

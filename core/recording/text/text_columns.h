@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vybeg {
@@ -38,6 +39,15 @@ struct TextFormat {
 
 // The columns that are channels, from 0: all but the time, the counter and no_channels.
 std::vector<int> channel_columns(const TextFormat& format);
+
+// What the first column of a table is by its numbers; the rows that it counts, and the time that
+// rises evenly, need no name.
+enum class FirstColumn : std::uint8_t { other, counter, time };
+FirstColumn first_column(std::span<const std::string> rows, char delimiter, bool decimal_comma);
+
+// Whether a line at the end of a file stands behind its table: a comment, or one that begins with a
+// word where the rows begin with a number ("Total;12,5;3,1", "End of data").
+bool is_behind_table(std::string_view line, const TextFormat& format);
 
 // More are no channels: the samples stand in rows.
 inline constexpr int most_columns = 4096;

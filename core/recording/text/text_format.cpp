@@ -5,6 +5,7 @@
 #include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_columns.h"
 #include "core/recording/text/text_header.h"
+#include "core/recording/text/text_rate.h"
 
 #include <algorithm>
 #include <array>
@@ -243,6 +244,24 @@ Extent extent_of(std::span<const std::string> rows, const Rows& table) {
     return extent;
 }
 
+// A table of one column: most lines are a number each.
+std::optional<Rows> single_numbers(std::span<const std::string> lines, const auto& is_allowed) {
+    constexpr std::ptrdiff_t least_rows = 5;
+    std::optional<Rows> table;
+    std::ptrdiff_t most = std::max(least_rows, std::ssize(lines) / 2) - 1;
+    std::vector<std::string_view> fields;
+    for (const Dialect& dialect : dialects) {
+        const auto rows = std::ranges::count_if(lines, [&](const std::string& line) {
+            return is_allowed(dialect) && columns_of(line, dialect, fields) == 1;
+        });
+        if (rows > most) {
+            most = rows;
+            table = Rows{dialect, 1, {}};
+        }
+    }
+    return table;
+}
+
 // The table that most lines are rows of. Words count only where numbers alone explain few of them.
 std::optional<Rows> find_rows(std::span<const std::string> lines, const TextChoice& choice) {
     constexpr int much_more = 3;
@@ -271,7 +290,8 @@ std::optional<Rows> find_rows(std::span<const std::string> lines, const TextChoi
         }
     }
     if (table.columns == 0) {
-        return std::nullopt;
+        // A separator that was said is one between columns.
+        return choice.delimiter ? std::nullopt : single_numbers(lines, is_allowed);
     }
     return table;
 }
@@ -327,15 +347,29 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
         return columns_of(line, table->dialect, fields) > 0;
     });
     const auto names_from = above.size() - static_cast<std::size_t>(numbers - above.rbegin());
-    const auto rows = lines.subspan(skipped);
+    auto rows = lines.subspan(skipped);
+    if (table->holds_words(0)) {
+        format.no_channels.push_back(0);
+    }
+    while (!rows.empty() && is_behind_table(rows.back(), format)) {
+        rows = rows.first(rows.size() - 1);
+    }
+    format.no_channels.clear();
     const Extent extent = extent_of(rows, *table);
+    const FirstColumn first = first_column(rows, format.delimiter, format.decimal_comma);
+    const bool first_unnamed = table->holds_words(0) || first != FirstColumn::other;
     TextHeader header = read_header({.lines = above,
                                      .names_from = names_from,
                                      .delimiter = format.delimiter,
                                      .columns = format.columns,
                                      .behind = extent.longest - format.columns,
                                      .used = extent.used,
-                                     .named = extent.named});
+                                     .named = extent.named,
+                                     .first_unnamed = first_unnamed,
+                                     .first_is_time = first == FirstColumn::time});
+    if (first_unnamed && header.columns[0].name.empty() && header.columns[0].unit.empty()) {
+        header.columns[0].unit = axis_unit(above, format.delimiter);
+    }
     format.header_lines_used = header.lines_used;
     format.has_remarks = header.has_remarks;
     format.rates = header_rates(above, format.delimiter, format.columns, format.decimal_comma);

@@ -71,7 +71,9 @@ public:
           delimiter_(above.delimiter),
           table_columns_(static_cast<std::size_t>(above.columns)),
           used_(static_cast<std::size_t>(above.used)),
-          named_(static_cast<std::size_t>(above.named)) {
+          named_(static_cast<std::size_t>(above.named)),
+          first_unnamed_(above.first_unnamed),
+          first_is_time_(above.first_is_time) {
         header_.columns.resize(static_cast<std::size_t>(above.columns + above.behind));
     }
 
@@ -103,8 +105,17 @@ private:
 
     std::optional<std::vector<std::string>> row_of_names(const std::string& line,
                                                          char delimiter) const {
-        std::vector<std::string> fields = header_fields(line, delimiter);
+        std::vector<std::string> fields = name_fields(line, delimiter);
         const std::size_t columns = header_.columns.size();
+        const bool may_lack_first =
+            first_unnamed_ && (delimiter != ',' || trimmed(line).starts_with('"'));
+        const auto is_time = [this](const std::string& field) {
+            return first_is_time_ && is_time_name(name_and_unit(field).name);
+        };
+        if (may_lack_first && fields.size() + 1 == named_ &&
+            std::ranges::none_of(fields, is_number) && std::ranges::none_of(fields, is_time)) {
+            fields.insert(fields.begin(), "");
+        }
         const auto is_extra = [](const std::string& field) {
             const Meaning meaning = meaning_of(field);
             return field.empty() || meaning == Meaning::remark || meaning == Meaning::start ||
@@ -123,7 +134,10 @@ private:
 
     // Whether a line says one thing of something, or of each channel, and names no columns.
     bool is_setting(const std::string& line) const {
-        const std::vector<std::string> fields = header_fields(line, delimiter_);
+        const std::vector<std::string> fields = name_fields(line, delimiter_);
+        if (is_rate_line(line)) {
+            return true;
+        }
         if (fields.empty() || fields[0].ends_with(':') || is_rate_key(fields[0]) ||
             is_label(fields) || std::all_of(fields.begin(), fields.end(), has_equals_sign)) {
             return true;
@@ -133,7 +147,7 @@ private:
             return fields.size() > 1 && std::all_of(fields.begin() + 1, fields.end(), is_clock);
         }
         const auto is_value = [](const std::string& field) {
-            return is_clock(field) || parse_field(field, false).has_value();
+            return is_clock(field) || is_number(field);
         };
         return is_pairs(fields) || std::all_of(fields.begin() + 1, fields.end(), is_value);
     }
@@ -142,6 +156,27 @@ private:
     static bool is_pairs(const std::vector<std::string>& fields) {
         return fields.size() >= 4 && !fields[0].empty() && fields[0] == fields[2] &&
                !is_clear_name(fields[0]);
+    }
+
+    // The fields of a line, but names and their numbers between blanks as one: "Ch  1     Ch  2".
+    static std::vector<std::string> name_fields(const std::string& line, char delimiter) {
+        std::vector<std::string> fields = header_fields(line, delimiter);
+        if (delimiter != ' ' || fields.size() < 4 || fields.size() % 2 != 0) {
+            return fields;
+        }
+        std::vector<std::string> joined;
+        for (std::size_t i = 0; i < fields.size(); i += 2) {
+            const bool counted = fields[i + 1].find_first_not_of("0123456789") == std::string::npos;
+            if (!counted || fields[i] != fields[0] || is_number(fields[i])) {
+                return fields;
+            }
+            joined.push_back(fields[i] + ' ' + fields[i + 1]);
+        }
+        return joined;
+    }
+
+    static bool is_number(const std::string& field) {
+        return parse_field(field, false).has_value();
     }
 
     static bool is_clock(const std::string& field) { return parse_clock(field).has_value(); }
@@ -215,6 +250,15 @@ private:
             return;
         }
         const Meaning meaning = meaning_of(fields[0]);
+        if (const auto colon = lines_[line].find(':'); colon != std::string::npos) {
+            const std::string unit = to_utf8(trimmed(lines_[line].substr(colon + 1)));
+            if (meaning_of(lines_[line].substr(0, colon)) == Meaning::units &&
+                is_known_unit(unit)) {
+                labelled_.assign(table_columns_, unit);
+                labelled_[0] = first_unnamed_ ? "" : unit;
+                return;
+            }
+        }
         std::vector<std::string>* values = meaning == Meaning::names   ? &names_
                                            : meaning == Meaning::units ? &labelled_
                                                                        : nullptr;
@@ -249,6 +293,8 @@ private:
     std::size_t table_columns_;
     std::size_t used_;
     std::size_t named_;
+    bool first_unnamed_;
+    bool first_is_time_;
     TextHeader header_;
     std::vector<std::string> units_;
     std::vector<std::string> names_;     // of lines that say so

@@ -21,13 +21,16 @@ struct LinesAbove {
     std::size_t names_from = 0;  // lines above this one hold numbers, and do not name the columns
     char delimiter = ',';
     int columns = 0;
-    int behind = 0;  // more columns that some rows have
-    int used = 0;    // columns but for those at the end that are empty in all rows
-    int named = 0;   // of these, but for those at the end that hold words
+    int behind = 0;              // more columns that some rows have
+    int used = 0;                // columns but for those at the end that are empty in all rows
+    int named = 0;               // of these, but for those at the end that hold words
+    bool first_unnamed = false;  // the first one counts the rows, rises as a time or holds words
+    bool first_is_time = false;  // it rises and counts no rows: no other one is the time
 };
 
 // Names and units from the lines above the first row of numbers, of which the last ones count:
-// "t [s];S_C [V]", "C (V)", "# C, V", or names and below them a line of units; for what these leave
+// "t [s];S_C [V]", "C (V)", "# C, V", "Ch 1 Ch 2", without the first of them where that column may
+// have none, or names and below them a line of units; for what these leave
 // open, lines that say what they hold ("TraceName,C,D", "Vertical Units,V,V").
 TextHeader read_header(const LinesAbove& above);
 

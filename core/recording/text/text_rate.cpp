@@ -116,20 +116,24 @@ std::optional<double> rate_factor(Meaning meaning, const std::string& unit) {
     return meaning == Meaning::step ? seconds_per(unit) : hertz_per(unit);
 }
 
-// The unit of a step that has none itself, from a line like "HUnit,ms"; empty where no line names
-// one of time.
-std::string axis_unit(std::span<const std::string> lines, char delimiter) {
-    for (const std::string& line : lines) {
-        const std::vector<std::string> fields = header_fields(line, delimiter);
-        if (fields.size() < 2) {
-            continue;
-        }
-        const std::string unit = to_utf8(trimmed(fields[1]));
-        if (meaning_of(fields[0]) == Meaning::axis_unit && seconds_per(unit)) {
-            return unit;
-        }
+// "Sample rate 33333 Hz": a key and, behind a blank, its number with its unit.
+struct RateLine {
+    Key key;
+    std::string_view value;
+};
+
+std::optional<RateLine> rate_line(std::string_view text) {
+    const std::size_t digit = text.find_first_of("0123456789");
+    if (digit == 0 || digit == std::string_view::npos || text[digit - 1] != ' ') {
+        return std::nullopt;
     }
-    return {};
+    RateLine found{key_of(text.substr(0, digit)), text.substr(digit)};
+    const auto number = number_at_start(found.value, '\0');
+    const std::size_t blank = found.value.find(' ');
+    const std::string_view behind =
+        blank == std::string_view::npos ? "" : trimmed(found.value.substr(blank));
+    const bool is_alone = behind.empty() || (number && behind == number->unit);
+    return found.key.meaning != Meaning::other && is_alone ? std::optional(found) : std::nullopt;
 }
 
 std::optional<WrittenRate> written(const Key& key, const NumberText& number,
@@ -172,7 +176,8 @@ public:
                 in_words(i);
             }
         }
-        return agree_ ? found_ : std::vector<WrittenRate>{};
+        // The samples follow each other more slowly than an input from which some are left out.
+        return agree_ && !(of_input_ && decimated_) ? found_ : std::vector<WrittenRate>{};
     }
 
 private:
@@ -217,6 +222,9 @@ private:
     // "key: value" and "key = value" within a line.
     void in_words(std::size_t line) {
         const std::string text = to_utf8(without_comment_mark(lines_[line]));
+        if (const auto rate = rate_line(text)) {
+            add_value(rate->key, rate->value);
+        }
         for (std::size_t at = text.find_first_of(":="); at != std::string::npos;
              at = text.find_first_of(":=", at + 1)) {
             const std::string_view before = std::string_view(text).substr(0, at);
@@ -224,15 +232,22 @@ private:
             if (key.meaning == Meaning::other) {
                 key = key_of(behind_last(before, {"\t", ";", "|", "  ", "\"", ",", ". "}));
             }
+            std::string_view value = std::string_view(text).substr(at + 1);
+            decimated_ =
+                decimated_ || (normal_name(before) == "decimation" && trimmed(value) != "1");
+            of_input_ = of_input_ || normal_name(before).starts_with("inputrate");
             if (key.meaning == Meaning::other) {
                 continue;
             }
-            std::string_view value = std::string_view(text).substr(at + 1);
             value.remove_prefix(std::min(value.find_first_not_of(" \t,;|\""), value.size()));
-            const auto number = number_at_start(value, group(key));
-            if (const auto rate = number ? written(key, *number, "", axis_unit_) : std::nullopt) {
-                add(std::vector<WrittenRate>(columns_, *rate));
-            }
+            add_value(key, value);
+        }
+    }
+
+    void add_value(const Key& key, std::string_view value) {
+        const auto number = number_at_start(value, group(key));
+        if (const auto rate = number ? written(key, *number, "", axis_unit_) : std::nullopt) {
+            add(std::vector<WrittenRate>(columns_, *rate));
         }
     }
 
@@ -281,6 +296,8 @@ private:
     std::string axis_unit_;
     std::vector<WrittenRate> found_;
     bool agree_ = true;
+    bool of_input_ = false;
+    bool decimated_ = false;
 };
 
 }  // namespace
@@ -288,6 +305,27 @@ private:
 std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char delimiter,
                                       int columns, bool decimal_comma) {
     return RateSearch(lines, delimiter, columns, decimal_comma).run();
+}
+
+std::string axis_unit(std::span<const std::string> lines, char delimiter) {
+    for (const std::string& line : lines) {
+        std::vector<std::string> fields = header_fields(line, delimiter);
+        if (const auto colon = line.find(':'); fields.size() != 2 && colon != std::string::npos) {
+            fields = {line.substr(0, colon), line.substr(colon + 1)};
+        }
+        if (fields.size() < 2) {
+            continue;
+        }
+        const std::string unit = to_utf8(trimmed(fields[1]));
+        if (meaning_of(fields[0]) == Meaning::axis_unit && seconds_per(unit)) {
+            return unit;
+        }
+    }
+    return {};
+}
+
+bool is_rate_line(std::string_view line) {
+    return rate_line(to_utf8(without_comment_mark(line))).has_value();
 }
 
 bool is_rate_key(std::string_view text) {

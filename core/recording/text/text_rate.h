@@ -22,6 +22,13 @@ struct WrittenRate {
 std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char delimiter,
                                       int columns, bool decimal_comma);
 
+// The unit of the times by a line that says so ("HUnit,ms", "Time markers scale: ms"); empty where
+// no line names one of time.
+std::string axis_unit(std::span<const std::string> lines, char delimiter);
+
+// Whether a line says a rate or a step and nothing else: "Sample rate 33333 Hz".
+bool is_rate_line(std::string_view line);
+
 // Whether a text is the name of a rate or of a step: "Sample Rate (kHz)", "XInc:", "dt".
 bool is_rate_key(std::string_view text);
 

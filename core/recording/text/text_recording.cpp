@@ -1,6 +1,7 @@
 #include "core/recording/text/text_recording.h"
 
 #include "core/base/number_text.h"
+#include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/scaled_source.h"
@@ -79,26 +80,24 @@ std::optional<SampleRate> better_rate(const std::optional<SampleRate>& of_times,
     return agree && named.relative_sd < of_times->relative_sd ? named : *of_times;
 }
 
-// Where the lines above the table state another rate than the times have: one of them counts in
-// another unit. A stated rate may be rounded.
-void note_disagreement(const std::optional<SampleRate>& of_times, const TextTable& table,
-                       FoundSamples& found) {
-    constexpr double rounding = 2e-3;
-    const TextFormat& format = table.format;
-    if (of_times && !format.unknown_time_unit.empty()) {
-        found.diagnostics.push_back(
-            {DiagnosticKind::time_unit_unknown, {format.unknown_time_unit}, -1, 0});
+// The rate of a table whose times have this one. Where the lines above the table state another one,
+// one of the two counts in another unit, and the option says which holds. Errors: rates_differ.
+Result<std::optional<SampleRate>> agreed_rate(const std::optional<SampleRate>& of_times,
+                                              const TextTable& table, const OpenOptions& options) {
+    if (!of_times || table.format.rates.empty()) {
+        return better_rate(of_times, table);
     }
-    if (!of_times || format.rates.empty()) {
-        return;
+    const double stated_hz = table.format.rates[static_cast<std::size_t>(table.columns.c)].hz;
+    if (same_written_rate(stated_hz, of_times->hz, of_times->relative_sd)) {
+        return better_rate(of_times, table);
     }
-    const double stated_hz = format.rates[static_cast<std::size_t>(table.columns.c)].hz;
-    if (std::abs(stated_hz / of_times->hz - 1) > rounding + 5 * of_times->relative_sd) {
-        found.diagnostics.push_back({DiagnosticKind::rates_disagree,
-                                     {number_arg(stated_hz), number_arg(of_times->hz)},
-                                     -1,
-                                     0});
+    for (const double hz : {of_times->hz, stated_hz}) {
+        if (options.rate_hz && same_written_rate(*options.rate_hz, hz, of_times->relative_sd)) {
+            return std::optional(SampleRate{hz, RateOrigin::option, of_times->relative_sd});
+        }
     }
+    return table.blocks.file().error(ErrorCode::rates_differ,
+                                     {number_arg(stated_hz), number_arg(of_times->hz)});
 }
 
 const Channel& channel_of(const FoundSamples& found, int number) {
@@ -129,7 +128,11 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     // Nobody needs to be told of lines that were said to be skipped.
     const bool said = options.text && options.text->lines_to_skip;
     const std::int64_t above = said ? 0 : table.header_lines - table.format.header_lines_used;
-    const std::int64_t lines_ignored = above + scan.lines_ignored;
+    const std::int64_t lines_ignored = above + scan.lines_ignored + table.footer_lines;
+    if (table.columns.time >= 0) {
+        found.first_time_s = scan.first_time * table.format.time_unit_s +
+                             static_cast<double>(table.format.clock_from_s.value_or(0));
+    }
     const auto over_range = scan.over_range;
     const auto written = [&](int number, int column) {
         return Channel{channel_of(found, number).name,
@@ -142,9 +145,13 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     const bool uneven = table.columns.time >= 0 && !scan.even;
     auto samples = TRY(uneven ? resampled(table, scan, job)
                               : Result(streamed(std::move(table), std::move(scan))));
+    const auto rate = TRY(agreed_rate(samples.rate, looked_at, options));
     // Samples that were brought onto a grid have its rate.
-    found.own_rate = uneven ? samples.rate : better_rate(samples.rate, looked_at);
-    note_disagreement(samples.rate, looked_at, found);
+    found.own_rate = uneven ? samples.rate : rate;
+    if (samples.rate && !looked_at.format.unknown_time_unit.empty()) {
+        found.diagnostics.push_back(
+            {DiagnosticKind::time_unit_unknown, {looked_at.format.unknown_time_unit}, -1, 0});
+    }
     found.diagnostics.insert(found.diagnostics.end(), samples.diagnostics.begin(),
                              samples.diagnostics.end());
     if (missing > 0) {
@@ -173,6 +180,26 @@ void note_words(const TextFormat& format, FoundSamples& found) {
     }
 }
 
+// C and D with a time column each.
+Result<Recording> open_apart(const std::shared_ptr<const FileBytes>& file,
+                             const OpenOptions& options, const JobControl& job) {
+    const auto alone = [&](int channel) {
+        OpenOptions one = options;
+        one.channel_c = channel;
+        one.channel_d = channel;
+        return open_text(file, one, job);
+    };
+    auto c = TRY(alone(options.channel_c));
+    auto d = TRY(alone(options.channel_d));
+    const std::vector<Channel> channels = c.channels;
+    const std::string name_d = channels[static_cast<std::size_t>(options.channel_d - 1)].name;
+    auto pair = TRY(pair_channels(std::move(c), std::move(d), name_d));
+    pair.channels = channels;
+    pair.channel_c = options.channel_c;
+    pair.channel_d = options.channel_d;
+    return pair;
+}
+
 }  // namespace
 
 Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
@@ -189,9 +216,6 @@ Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
             {"text", words(text, {count_arg(chosen.c + 1), count_arg(chosen.d + 1)})});
     };
     if (!format.own_times.empty()) {
-        if (format.own_times[c] != format.own_times[d]) {
-            return differ(VYBEG_MESSAGE("Words", "columns %1 and %2 of different times"));
-        }
         chosen.time = format.own_times[c];
     }
     constexpr double same_rate = 1e-9;
@@ -225,9 +249,19 @@ Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
     return find_table(file, used, chosen);
 }
 
+bool same_written_rate(double stated_hz, double hz, double relative_sd) {
+    constexpr double rounding = 2e-3;
+    return std::abs(stated_hz / hz - 1) <= rounding + 5 * relative_sd;
+}
+
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
     auto table = TRY(choose_table(file, options, job));
+    const std::vector<int>& own_times = table.format.own_times;
+    if (!own_times.empty() && own_times[static_cast<std::size_t>(table.columns.c)] !=
+                                  own_times[static_cast<std::size_t>(table.columns.d)]) {
+        return open_apart(file, options, job);
+    }
     FoundSamples found;
     found.format = format_of(table.format);
     found.channels = channels_of(table.format);

@@ -13,13 +13,18 @@ namespace vybeg {
 
 // A text file as a recording: finds the format, by options.text and its content, and looks at every
 // row once; the samples are then read on demand. Only uneven times are read into memory, to bring
-// them onto a uniform grid. Errors: those of find_text_format(), too_few_channels,
+// them onto a uniform grid. Channels with times of their own are a pair (pair_channels()), and a
+// rate above the table that contradicts the times is refused (rates_differ), unless options.rate_hz
+// says which of the two holds. Errors: those of find_text_format(), too_few_channels,
 // channel_out_of_range, too_few_frames, rate_unknown and those of scan_text().
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job);
 
-// The columns of the chosen channels, which exist, with their time. Errors: format_unsupported
-// where C and D have different times or rates.
+// Whether a rate that a header states, perhaps rounded, is one known to that relative deviation.
+bool same_written_rate(double stated_hz, double hz, double relative_sd);
+
+// The columns of the chosen channels, which exist, with C's time. Errors: format_unsupported where
+// C and D have different rates.
 Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
                                 const OpenOptions& options);
 

@@ -49,7 +49,7 @@ public:
     double time() const { return time_; }  // in the column's unit
     NumberDigits time_digits() const { return clock_ ? *clock_ : digits_of(time_text_); }
     double c() const { return c_; }
-    double d() const { return d_ * columns_.d_factor; }
+    double d() const { return columns_.d == columns_.c ? c_ : d_ * columns_.d_factor; }
     // Whether the sample is missing because it lies beyond the range.
     bool c_over_range() const { return over_c_; }
     bool d_over_range() const { return over_d_; }

@@ -111,10 +111,11 @@ private:
         if (table_.columns.time >= 0 && !take_time(row, found)) {
             return;
         }
-        const int missing = (std::isnan(row.c()) ? 1 : 0) + (std::isnan(row.d()) ? 1 : 0);
+        const bool two = table_.columns.d != table_.columns.c;
+        const int missing = (std::isnan(row.c()) ? 1 : 0) + (two && std::isnan(row.d()) ? 1 : 0);
         if (missing > 0) {
             found.over_range[0] += row.c_over_range() ? 1 : 0;
-            found.over_range[1] += row.d_over_range() ? 1 : 0;
+            found.over_range[1] += two && row.d_over_range() ? 1 : 0;
             found.missing_samples += missing;
             if (found.rows_with_missing++ == 0) {
                 found.first_missing_row = found.rows;
@@ -186,6 +187,7 @@ public:
         scan_.lines_ignored += block.lines_ignored;
         lines_ += block.lines;
         if (timed) {
+            scan_.first_time = scan_.rows() == 0 ? block.first_time : scan_.first_time;
             last_time_ = block.last_time;
             digits_.add(block.digits);
             times_.append(block.times);

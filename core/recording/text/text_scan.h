@@ -20,6 +20,7 @@ struct TextScan {
     std::int64_t rows_with_missing = 0;       // rows that have one or two of them
     std::int64_t first_missing_row = -1;
     std::array<std::int64_t, 2> over_range{};  // of the missing samples, those of C and of D
+    double first_time = 0;                     // in the time column's unit
     TimeResolution resolution;                 // of the time column
     std::optional<EvenTimes> even;  // nothing where there is no time column, or an uneven one
 

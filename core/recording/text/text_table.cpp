@@ -24,9 +24,16 @@ Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFo
         header_lines += trimmed(*line).empty() ? 0 : 1;
         begin = lines.position();
     }
-    const auto end = TRY(end_of_content(*file, encoding_of(head), begin));
-    return TextTable{TextBlocks(file, encoding_of(head), begin, end), format, columns,
-                     header_lines};
+    const auto content = TRY(end_of_content(*file, encoding_of(head), begin));
+    std::int64_t footer_lines = 0;
+    const auto end =
+        TRY(end_of_table(*file, encoding_of(head), begin, content, [&](std::string_view line) {
+            const bool behind = is_behind_table(line, format);
+            footer_lines += behind && !trimmed(line).empty() ? 1 : 0;
+            return behind;
+        }));
+    return TextTable{TextBlocks(file, encoding_of(head), begin, end), format, columns, header_lines,
+                     footer_lines};
 }
 
 }  // namespace vybeg

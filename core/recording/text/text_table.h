@@ -16,9 +16,11 @@ struct TextTable {
     TextFormat format;
     TextColumns columns;
     std::int64_t header_lines = 0;  // of those above the table, the ones that are not blank
+    std::int64_t footer_lines = 0;  // of those behind it
 };
 
-// Finds the first line below those that `format` skips. Errors: file_read_failed, format_limit.
+// Finds the first line below those that `format` skips, and the last one before those that stand
+// behind the table (is_behind_table()). Errors: file_read_failed, format_limit.
 Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
                              const TextColumns& columns);
 

@@ -147,7 +147,9 @@ private:
         }
         std::sort(lengths.rbegin(), lengths.rend());
         const auto pair = std::adjacent_find(lengths.begin(), lengths.end());
-        if (pair != lengths.end() && (!array || *pair >= variable(*array).frames)) {
+        if (wants_one_channel(options_) && pair == lengths.end() && !array && !lengths.empty()) {
+            choice_.channels.push_back({vectors_of(lengths.front()).front(), 0});
+        } else if (pair != lengths.end() && (!array || *pair >= variable(*array).frames)) {
             for (const std::int64_t place : vectors_of(*pair)) {
                 choice_.channels.push_back({place, 0});
             }
@@ -187,8 +189,7 @@ private:
                 return unsupported(candidate);
             }
         }
-        return file_.error(ErrorCode::too_few_channels,
-                           {count_arg(std::min<std::size_t>(vectors, 1)), "2"});
+        return too_few_channels(file_, static_cast<int>(std::min<std::size_t>(vectors, 1)));
     }
 
     Error unsupported(const FileVariable& of) const {
@@ -230,6 +231,26 @@ private:
         }
         if (choice_.time) {
             choice_.time_unit_s = unit_of_times(variable(*choice_.time)).value_or(1);
+        }
+        return check_rate_of(d, own);
+    }
+
+    // Whether what stands beside D in a struct or group of its own contradicts what C has.
+    Status check_rate_of(const FileVariable& d, const std::string& own_of_c) {
+        const std::string own = d.name.substr(0, d.name.size() - last_name(d.name).size());
+        for (std::int64_t i = 0; i < count() && own != own_of_c; ++i) {
+            const FileVariable& of = variable(i);
+            if (!of.name.starts_with(own) || (own.empty() && of.name.starts_with(own_of_c))) {
+                continue;
+            }
+            const auto rate =
+                of.value ? rate_by_name(last_name(of.name), *of.value, of.unit) : std::nullopt;
+            if (rate && choice_.rate && !same_rate(*rate, choice_.rate->hz)) {
+                return rates_differ(choice_.rate->hz, *rate);
+            }
+            if (is_time(of) && choice_.time && *choice_.time != i) {
+                choice_.time_of_d = i;
+            }
         }
         return {};
     }

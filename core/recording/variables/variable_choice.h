@@ -24,8 +24,9 @@ struct VariableChoice {
     std::int64_t frames = 0;
     std::vector<Channel> names;  // of each channel
     std::optional<SampleRate> rate;
-    std::optional<std::int64_t> time;  // the variable that holds the times
-    double time_unit_s = 1;            // in which those count
+    std::optional<std::int64_t> time;       // the variable that holds the times
+    double time_unit_s = 1;                 // in which those count
+    std::optional<std::int64_t> time_of_d;  // where D's struct or group has times of its own
 };
 
 // The variables that options.variables name: two vectors (or more general: C's and D's channels

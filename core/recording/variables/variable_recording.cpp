@@ -172,9 +172,38 @@ Status check_times(const Opening& opening, double rate_hz) {
                : read;
 }
 
+// Whether D's own times, of which C has others, begin and end as C's do.
+Status check_times_of_d(const Opening& opening) {
+    constexpr double allowed = 1e-3;  // of a step
+    const auto frames = opening.choice.frames;
+    TimeVariable of_d = *opening.time;
+    of_d.place.variable = *opening.choice.time_of_d;
+    std::array<double, 2> ends_c{};
+    std::array<double, 2> ends_d{};
+    for (const auto& [time, ends] : {std::pair(&*opening.time, &ends_c), {&of_d, &ends_d}}) {
+        TRY(time->read(*opening.variables.reader, 0, std::span(*ends).first(1)));
+        TRY(time->read(*opening.variables.reader, frames - 1, std::span(*ends).last(1)));
+    }
+    const double step_s = (ends_c[1] - ends_c[0]) / static_cast<double>(frames - 1);
+    const bool same = std::abs(ends_c[0] - ends_d[0]) <= allowed * step_s &&
+                      std::abs(ends_c[1] - ends_d[1]) <= allowed * step_s;
+    return same ? Status()
+                : opening.variables.file->error(
+                      ErrorCode::format_unsupported,
+                      {opening.variables.format,
+                       words(VYBEG_MESSAGE("Words",
+                                           "C and D at different times (%1 to %2 s and "
+                                           "%3 to %4 s)"),
+                             {number_arg(ends_c[0], 9), number_arg(ends_c[1], 9),
+                              number_arg(ends_d[0], 9), number_arg(ends_d[1], 9)})});
+}
+
 Status take_samples(const Opening& opening, const OpenOptions& options, const JobControl& job,
                     FoundSamples& found) {
     found.own_rate = opening.choice.rate;
+    if (opening.time && opening.choice.time_of_d) {
+        TRY(check_times_of_d(opening));
+    }
     if (opening.time && found.own_rate) {
         TRY(check_times(opening, found.own_rate->hz));
     } else if (opening.time) {

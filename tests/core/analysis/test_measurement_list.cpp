@@ -253,8 +253,8 @@ private slots:
             QTest::newRow(QByteArray(text).replace('\n', " / ")) << text << sentence;
         };
         row("file,from\na.wav,x\n",
-            ", line 2, column \"from\": \"x\" is not possible: it must be a number, with a point "
-            "and without a unit.");
+            ", line 2, column \"from\": \"x\" is not possible: it must be a number, with a point, "
+            "in s or with its unit behind it.");
         row("file,set,filter\na.wav,A,\nb.wav,A,\"6000,5000\"\n",
             ", line 3, column \"filter\": \"6000\" is not possible: a band needs a low edge of at "
             "least 0 Hz and a higher edge.");

@@ -18,6 +18,7 @@ inline OpenOptions made_opening() {
     options.text->time_column = 1;
     options.text->time_unit_s = 1e-3;
     options.unit = "mV";
+    options.channel_d_file = "/data/канал, D.csv";
     return options;
 }
 

@@ -29,6 +29,7 @@ struct CommandLine {
     std::vector<std::string> files;
     std::vector<std::string> sizes{"1280x720", "1600x1000", "1920x1080", "2560x1440"};
     std::vector<int> scales{1, 2};
+    std::vector<std::string> pages;
     bool session = false;
     OpenOptions open;
 };
@@ -64,6 +65,9 @@ void describe(CLI::App& app, CommandLine& line) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->capture_default_str();
+    app.add_option("--page", line.pages, "Pages to show, NAME,...; all if none is named")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app.add_flag("--session", line.session,
                  "Write the session of the recordings into DIR, and no pictures");
     cli::add_open_options(app, line.open);
@@ -94,12 +98,15 @@ int run_scales(const CommandLine& line, int argc, char** argv) {
 int run_one(const CommandLine& line, int argc, char** argv) {
     QApplication application(argc, argv);
     QCoreApplication::setApplicationVersion(QStringLiteral(VYBEG_VERSION));
-    test::PictureRequest request{QDir(line.folder), {}, line.open, {}};
+    test::PictureRequest request{QDir(line.folder), {}, line.open, {}, {}};
     for (const std::string& file : line.files) {
         request.recordings << absolute(file);
     }
     for (const std::string& size : line.sizes) {
         request.sizes.push_back(size_of(size));
+    }
+    for (const std::string& page : line.pages) {
+        request.pages << QString::fromStdString(page);
     }
     if (!QDir().mkpath(line.folder)) {
         throw std::runtime_error("The folder cannot be made: " + line.folder.toStdString());

@@ -9,7 +9,6 @@
 #include "ui/batch/batch_window.h"
 #include "ui/document/document.h"
 #include "ui/history/history_page.h"
-#include "ui/panels/analysis_list.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
 #include "ui/session/session_keeper.h"
@@ -27,9 +26,7 @@
 #include <QLockFile>
 #include <QPushButton>
 #include <QSaveFile>
-#include <QSignalBlocker>
 #include <QTabBar>
-#include <QTabWidget>
 #include <QTimer>
 
 #include <functional>
@@ -54,20 +51,6 @@ bool working(MainWindow& window) {
            window.findChild<HistoryPage*>()->reading() || (batch && batch->running());
 }
 
-// The times that the analyses took, which no two runs share, become equal.
-void level_times(const MainWindow& window) {
-    auto* list = window.findChild<AnalysisList*>();
-    const QSignalBlocker quiet(list);  // a changed text is a new name
-    for (int column = 0; column < list->columnCount(); ++column) {
-        const QString head = list->headerItem()->text(column);
-        if (head.endsWith(QStringLiteral(", ms")) || head.endsWith(QStringLiteral(", мс"))) {
-            for (int row = 0; row < list->topLevelItemCount(); ++row) {
-                list->topLevelItem(row)->setText(column, QStringLiteral("1"));
-            }
-        }
-    }
-}
-
 // Runs the event loop until the window has no work left and its picture, or that of its window
 // `pictured`, stays the same.
 QImage settled(MainWindow& window, QWidget& pictured) {
@@ -82,7 +65,6 @@ QImage settled(MainWindow& window, QWidget& pictured) {
         }
         QCoreApplication::processEvents();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        level_times(window);
         const QImage now = pictured.grab().toImage();
         if (now == last && !working(window)) {
             return now;
@@ -126,7 +108,7 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
                                    {"history", page(Command::page_history)}};
     pages.push_back({"wave", [](MainWindow& shown) {
                          shown.action(Command::page_tracks)->trigger();
-                         shown.findChild<QTabWidget*>()->setCurrentIndex(1);
+                         shown.action(Command::wave)->trigger();
                      }});
     pages.push_back({"periods", [](MainWindow& shown) {
                          shown.action(Command::page_signals)->trigger();
@@ -233,10 +215,19 @@ private:
     std::map<QString, QString> rows_;
 };
 
-void picture_pages(MainWindow& window, const QString& name, const QDir& folder,
+bool shows(const PictureRequest& request, const char* page) {
+    return request.pages.isEmpty() || request.pages.contains(QLatin1String(page));
+}
+
+void picture_pages(MainWindow& window, const QString& name, const PictureRequest& request,
                    LayoutTable& table) {
     for (const PagePicture& page : pages_of(window)) {
-        window.findChild<QTabWidget*>()->setCurrentIndex(0);
+        if (!shows(request, page.name)) {
+            continue;
+        }
+        if (window.action(Command::wave)->isChecked()) {
+            window.action(Command::wave)->trigger();
+        }
         window.findChild<TrackView*>()->fit();
         page.show(window);
         QWidget& pictured = page.of ? *page.of : window;
@@ -244,7 +235,7 @@ void picture_pages(MainWindow& window, const QString& name, const QDir& folder,
         const QString file = QStringLiteral("%1-%2@%3.png")
                                  .arg(QLatin1String(page.name), name)
                                  .arg(pictured.devicePixelRatioF());
-        write_file(folder.filePath(file),
+        write_file(request.folder.filePath(file),
                    [&image](QIODevice& device) { return image.save(&device, "PNG"); });
         table.set(file, measure_layout(pictured, image));
     }
@@ -264,7 +255,7 @@ void picture_all(MainWindow& window, const char* content, const PictureRequest& 
                                               QLatin1String(theme_name))
                                          .arg(size.width())
                                          .arg(size.height());
-                picture_pages(window, name, request.folder, table);
+                picture_pages(window, name, request, table);
             }
         }
     }
@@ -353,8 +344,12 @@ void make_pictures(const PictureRequest& request) {
         fill(window, recordings, request.open);
         // The page without a database belongs to one recording.
         if (recordings.size() > 1) {
-            show_history(window, database);
-            start_pictured_batch(window, recordings);
+            if (shows(request, "history")) {
+                show_history(window, database);
+            }
+            if (shows(request, "batch")) {
+                start_pictured_batch(window, recordings);
+            }
             settle(window);
         }
         clear_status(window);

@@ -17,6 +17,7 @@ struct PictureRequest {
     QStringList recordings;  // none: simulated ones
     OpenOptions open;
     std::vector<QSize> sizes;
+    QStringList pages;  // by the names of their pictures; none: all
 };
 
 // Writes PAGE-CONTENT-LANGUAGE-THEME-WIDTHxHEIGHT@SCALE.png, the scale being that of the

@@ -234,22 +234,6 @@ private slots:
         QCOMPARE(document.settings().from_s, std::optional(0.3));
     }
 
-    void comparing_windows_makes_a_run_for_each_length() {
-        Document document;
-        document.open({home_.recording("compare.wav")});
-        QVERIFY(idle(document, 1));
-        QSignalSpy ready(&document, &Document::comparisonReady);
-        document.compareWindows({8, 16, 80});
-        QVERIFY(ready.wait(20000));
-        const auto ids = ready.first().first().value<QList<AnalysisId>>();
-        QCOMPARE(ids.size(), 3);
-        QList<qint64> lengths;
-        for (const AnalysisId id : ids) {
-            lengths << document.analysis(id)->shown.analysis->plan.length;
-        }
-        QCOMPARE(lengths, (QList<qint64>{8, 16, 80}));
-    }
-
     void an_impossible_setting_is_told_and_leaves_no_run() {
         Document document;
         document.open({home_.recording("impossible.wav")});

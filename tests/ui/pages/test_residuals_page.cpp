@@ -4,8 +4,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/analysis_list.h"
-#include "ui/panels/stale_mark.h"
+#include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/residuals_page.h"
@@ -75,7 +74,7 @@ class TestResidualsPage : public QObject {
     }
 
     void goToResiduals() {
-        QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
+        QTest::keyClick(window_.get(), Qt::Key_3, Qt::ControlModifier);
         QVERIFY(page().isVisible());
     }
 
@@ -116,11 +115,11 @@ private slots:
         QVERIFY(tabs.isVisible());
         QCOMPARE(tabs.count(), 6);
         goToResiduals();
-        QCOMPARE(tabs.currentIndex(), 3);
+        QCOMPARE(tabs.currentIndex(), 2);
         QVERIFY(!the<TrackView>().isVisible());
         QTest::keyClick(window_.get(), Qt::Key_1, Qt::ControlModifier);
         QVERIFY(the<TrackView>().isVisible() && !page().isVisible());
-        QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(3).center());
+        QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(2).center());
         QVERIFY(page().isVisible());
         document().closeRecording(document().currentRecording()->id);
         QVERIFY(!tabs.isVisible() && !page().isVisible());
@@ -206,8 +205,8 @@ private slots:
         VYBEG_LESS(band->low_hz, 1000);
         VYBEG_MORE(band->high_hz, 1000);
         VYBEG_LESS(band->high_hz, 2345);
-        // The mark of older plots stands on this page, too.
-        const auto& mark = childOf<StaleMark>(page());
+        // Beside this page, too, the settings say that the plots are older.
+        const auto& mark = the<QLabel>("stale");
         QTRY_VERIFY(mark.isVisible() && mark.text().contains("filter"));
         QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(!document().settings().filter);
@@ -233,9 +232,9 @@ private slots:
         QVERIFY(idle(2));
         const auto second = document().currentRecording()->id;
         QVERIFY(second != first);
-        auto& runs = the<AnalysisList>();
-        runs.setCurrentAnalysis(document().analyses().front().shown.id);
-        document().setCurrentRecording(second);
+        // A row is an analysis and its recording.
+        the<Ledger>().setCurrentAnalysis(document().analyses().front().shown.id);
+        QCOMPARE(document().currentRecording()->id, first);
         QVERIFY(computed(533 * 60));
         clickLine(2345);
         QTest::mouseClick(&filter(), Qt::LeftButton);
@@ -296,7 +295,7 @@ private slots:
         window_->setLanguage("ru");
         QTRY_VERIFY2(sentence().contains("Гц"), qPrintable(sentence()));
         QCOMPARE(page().residuals()->lines.size(), lines.size());
-        QTRY_COMPARE(the<QTabBar>("pages").tabText(3), QString("Невязки"));
+        QTRY_COMPARE(the<QTabBar>("pages").tabText(2), QString("Невязки"));
         window_->setLanguage("en");
         QTRY_VERIFY(sentence().contains("Hz"));
     }

@@ -1,11 +1,11 @@
 // Sets of runs, their identification and the passport, through the window's own widgets.
+#include "core/resonator/results/resonator_parameters.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
-#include "ui/panels/measure_panel.h"
+#include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
-#include "ui/panels/recording_drag.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_page.h"
@@ -20,7 +20,6 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QLabel>
-#include <QMenu>
 #include <QMimeData>
 #include <QTest>
 
@@ -134,25 +133,50 @@ private slots:
     // Where no damped sinusoid follows a swing, the split says how it beats.
     void the_beat_between_the_cursors_knows_the_split() {
         showIdentified();
-        auto& panel = the<MeasurePanel>();
-        panel.setTrendKind(TrendKind::beat);
-        panel.setCursors(1, 2);
+        auto& ledger = the<Ledger>();
+        ledger.setTrendKind(TrendKind::beat);
+        ledger.setCursors(1, 2);
         const Estimate& split = outcome()->identification.fit.resonator.split_hz;
         QVERIFY(split.given());
         const QString value = valueText(split.value, split.uncertainty());
-        const auto labels = panel.findChildren<QLabel*>();
-        QVERIFY(std::ranges::any_of(
-            labels, [&](const QLabel* label) { return label->text().contains(value); }));
-        panel.setTrendKind(TrendKind::line);
-        panel.setCursors({}, {});
+        const QTreeWidgetItem& row = *ledger.currentItem();
+        QVERIFY2(row.toolTip(Ledger::trend).contains(value),
+                 qPrintable(row.toolTip(Ledger::trend)));
+        ledger.setTrendKind(TrendKind::line);
+        ledger.setCursors({}, {});
+    }
+
+    // In the smallest window, in both languages, with nothing to scroll.
+    void all_parameters_of_a_set_are_seen_at_once() {
+        showIdentified();
+        window_->action(Command::page_resonator)->trigger();
+        window_->resize(1280, 720);
+        for (const char* language : {"en", "ru"}) {
+            window_->setLanguage(language);
+            auto& table = the<QuantityTable>("resonator");
+            QCOMPARE(table.rowCount(), static_cast<int>(resonator_parameters.size()));
+            const auto seen = [&table] {
+                const QRegion visible = table.viewport()->visibleRegion();
+                for (int row = 0; row < table.rowCount(); ++row) {
+                    const QRect whole = table.visualItemRect(table.item(row, 1)) |
+                                        table.visualItemRect(table.item(row, 0));
+                    if (QRegion(whole).subtracted(visible).boundingRect().height() > 0) {
+                        return false;
+                    }
+                }
+                return true;
+            };
+            QTRY_VERIFY2(seen(), language);
+        }
+        window_->setLanguage(QStringLiteral("en"));
+        window_->resize(1400, 900);
     }
 
     void a_set_is_built_by_dropping_recordings_and_files() {
         openRuns({files_[0], files_[1]});
-        std::unique_ptr<QMimeData> recordings(recordingMimeData(ids()));
-        drop(*recordings);
+        setStore().addToCurrent(ids());
         QCOMPARE(setStore().current()->recordings, ids());
-        drop(*recordings);  // once more changes nothing
+        setStore().addToCurrent(ids());  // once more changes nothing
         QCOMPARE(the<SetMembers>().count(), 2);
         QMimeData urls;
         urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
@@ -162,29 +186,28 @@ private slots:
         QCOMPARE(the<SetMembers>().count(), 3);
         QVERIFY(setStore().canIdentify());
         // The list follows the current recording with one row, however many were dragged.
-        QCOMPARE(the<RecordingDragList>().selectedRecordings(),
+        QCOMPARE(the<Ledger>().selectedRecordings(),
                  std::vector<RecordingId>{document().currentRecording()->id});
     }
 
-    void a_set_is_edited_by_keyboard_and_menu() {
+    void a_set_is_edited_by_keyboard() {
         openRuns(files_);
-        window_->action(Command::page_resonator)->trigger();
-        auto& list = the<RecordingDragList>();
+        window_->action(Command::page_tracks)->trigger();
+        auto& list = the<Ledger>();
         list.setFocus();
         list.selectAll();
         QTest::keyClick(&list, Qt::Key_Insert);
         QCOMPARE(setStore().current()->recordings, ids());
+        window_->action(Command::page_resonator)->trigger();
         auto& members = the<SetMembers>();
         members.setFocus();
         members.setCurrentRow(1);
-        QTest::keyClick(&members, Qt::Key_Delete);
-        QCOMPARE(setStore().current()->recordings.size(), std::size_t(3));
-        auto* menu = the<SetPanel>().findChild<QMenu*>();
-        emit menu->aboutToShow();
-        QCOMPARE(menu->actions().size(), 4);
-        QVERIFY(!menu->actions().at(1)->isChecked());
-        menu->actions().at(1)->trigger();
-        QCOMPARE(setStore().current()->recordings.size(), std::size_t(4));
+        QTest::keyClick(&members, Qt::Key_Space);
+        QTRY_COMPARE(setStore().current()->recordings.size(), std::size_t(3));
+        QCOMPARE(members.item(1)->checkState(), Qt::Unchecked);
+        QCOMPARE(members.currentRow(), 1);
+        QTest::keyClick(&members, Qt::Key_Space);
+        QTRY_COMPARE(setStore().current()->recordings.size(), std::size_t(4));
         document().closeRecording(ids().front());
         QCOMPARE(setStore().current()->recordings.size(), std::size_t(3));
     }
@@ -236,8 +259,9 @@ private slots:
         QCOMPARE(split.at(3).toDouble(), found.u);
     }
 
-    // What a recording's wave did stands first, free of the model; sd is never mistaken for all.
-    void waves_stand_first_and_sensitivities_beside_the_parameters() {
+    // Below the parameters stands what each recording's wave did, free of the model; sd is never
+    // mistaken for all.
+    void parameters_stand_first_then_waves_and_sensitivities() {
         showIdentified();
         const Identification& found = outcome()->identification;
         auto& waves = the<QuantityTable>("waves");
@@ -246,8 +270,8 @@ private slots:
         const auto top = [this](QWidget& widget) {
             return widget.mapTo(&the<ResonatorPage>(), QPoint()).y();
         };
-        VYBEG_LESS(top(waves), top(resonator));
-        VYBEG_LESS(top(resonator), top(sensitivities));
+        VYBEG_LESS(top(resonator), top(waves));
+        VYBEG_LESS(top(waves), top(sensitivities));
         QCOMPARE(waves.rowCount(), 4);
         QCOMPARE(waves.columnCount(), 5);
         const Estimate& f = found.runs[2].wave.f_hz;
@@ -310,6 +334,22 @@ private slots:
         QVERIFY(field("Tolerance of the gain ratio")->text().isEmpty());
         field("Tolerance of the delay")->setText("-1");
         QVERIFY(!field("Tolerance of the delay")->isValid());
+    }
+
+    // Opened together they are a set: one key identifies. One opened by itself is one by itself.
+    void recordings_opened_together_are_identified_by_one_key() {
+        openRuns({files_[0], files_[1]});
+        QVERIFY(!setStore().current());
+        QTest::keyClick(window_.get(), Qt::Key_F7);
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && outcome(); }, 60000));
+        QCOMPARE(setStore().current()->recordings, ids());
+        document().open({files_[2]});
+        QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
+        setStore().add();
+        document().setCurrentRecording(ids().back());
+        QVERIFY(setStore().canIdentify());
+        setStore().identify();
+        QCOMPARE(setStore().current()->recordings, std::vector<RecordingId>{ids().back()});
     }
 
     void one_still_run_says_what_it_cannot_tell_and_what_would_help() {

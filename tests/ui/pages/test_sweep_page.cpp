@@ -46,7 +46,7 @@ class TestSweepPage : public QObject {
     }
 
     void goToSweep() {
-        QTest::keyClick(window_.get(), Qt::Key_5, Qt::ControlModifier);
+        QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
         QVERIFY(page().isVisible());
     }
 
@@ -98,7 +98,7 @@ private slots:
         QVERIFY(!window_->action(Command::page_windows)->isEnabled());
         open(home_.recording("demo.wav"));
         goToSweep();
-        QCOMPARE(the<QTabBar>("pages").tabText(4), QString("Windows"));
+        QCOMPARE(the<QTabBar>("pages").tabText(3), QString("Windows"));
         QVERIFY(!page().sweep());
         QVERIFY(!the<QTableWidget>("sweepTable").isVisible());
         QVERIFY(text("sweepState").contains("Compute estimates"));
@@ -276,7 +276,7 @@ private slots:
         goToSweep();
         sweep("24, 96", 2);
         window_->setLanguage("ru");
-        QTRY_COMPARE(the<QTabBar>("pages").tabText(4), QString("Окна"));
+        QTRY_COMPARE(the<QTabBar>("pages").tabText(3), QString("Окна"));
         QTRY_VERIFY2(text("sweepAdvice").contains("мс"), qPrintable(text("sweepAdvice")));
         window_->setLanguage("en");
         QTRY_VERIFY(text("sweepAdvice").contains("ms"));

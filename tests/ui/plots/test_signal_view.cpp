@@ -42,7 +42,7 @@ struct Bench {
     QSignalSpy analysed{&view, &SignalView::analysedRangeEdited};
 
     Bench() {
-        view.resize(1016, 84);
+        view.resize(1016, 69);
         view.setMargins(8, 8);
         view.setTheme(lightTheme());
         const auto envelope = build_envelope(Swing(), {});

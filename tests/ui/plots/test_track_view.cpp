@@ -86,7 +86,7 @@ private slots:
         VYBEG_WITHIN(bench.view.timeRange().lower, 0, 1e-9);
         VYBEG_WITHIN(bench.view.timeRange().upper, 10, 60 / 33333.);
         QCOMPARE(bench.plot->axisRectCount(), 5);
-        QVERIFY(!bench.view.canZoomBack());
+        QVERIFY(!bench.view.zoom().canBack());
     }
 
     void the_wheel_zooms_time_about_the_mouse() {
@@ -207,7 +207,7 @@ private slots:
         for (int i = 0; i < 6; ++i) {
             bench.wheel(bench.at(0, 0.5, 0.5), 1);
         }
-        bench.view.zoomBack();
+        bench.view.zoom().back();
         QCOMPARE(bench.view.timeRange(), bench.view.fullTimeRange());
     }
 

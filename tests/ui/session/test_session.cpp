@@ -1,7 +1,7 @@
 // Sessions: reopened they show the same picture and numbers; nothing of them is lost.
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/measure_panel.h"
+#include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_json.h"
@@ -125,7 +125,7 @@ class TestSession : public QObject {
         tracks.setTracker(1.25);
         QTest::keyClick(&tracks, Qt::Key_2);
         tracks.setTracker(std::nullopt);
-        the<MeasurePanel>().setTrendKind(TrendKind::parabola);
+        the<Ledger>().setTrendKind(TrendKind::parabola);
         document().dossier().setGyro({"HRG-17", "30 mm", "Orlova", "after annealing"});
         document().dossier().setLimits({{"split_hz", std::nullopt, 0.001}, {"q", 1e7, 2e7}});
     }
@@ -142,7 +142,7 @@ private slots:
         QVERIFY(!session().isModified());
         const QImage before = picture();
         QVERIFY(!before.isNull());
-        const QString table = the<MeasurePanel>().tableText();
+        const QString table = the<Ledger>().tableText();
         const Settings settings = document().settings();
         std::vector<ShownAnalysis> runs;
         for (const AnalysisEntry& entry : document().analyses()) {
@@ -171,11 +171,11 @@ private slots:
         QVERIFY(set->model == FitOptions::Model::free);
         QCOMPARE(set->recordings, (std::vector<RecordingId>{document().recordings()[1].id,
                                                             document().recordings()[0].id}));
-        QCOMPARE(the<MeasurePanel>().tableText(), table);
+        QCOMPARE(the<Ledger>().tableText(), table);
         QCOMPARE(picture(), before);
         QVERIFY(!session().isModified());
         QVERIFY(window_->windowTitle().startsWith("one.vybeg — HRG-17 — "));
-        QCOMPARE(the<MeasurePanel>().trendKind(), TrendKind::parabola);
+        QCOMPARE(the<Ledger>().trendKind(), TrendKind::parabola);
         const Dossier& dossier = document().dossier().dossier();
         QCOMPARE(dossier.gyro, (GyroData{"HRG-17", "30 mm", "Orlova", "after annealing"}));
         QCOMPARE(dossier.limits,

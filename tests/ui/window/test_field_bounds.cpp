@@ -10,6 +10,7 @@
 #include "ui/settings/start_fields.h"
 #include "ui/settings/window_fields.h"
 
+#include <QComboBox>
 #include <QSpinBox>
 #include <QTest>
 
@@ -150,17 +151,20 @@ private slots:
         state.rate_hz = 20000;
         state.f0_hz = 5000;
         fields.setState(state);
-        compare(fields,
-                {{"Length", "window", 0, 1, "%1", true},
-                 {"Length in periods", "periods"},
-                 {"Hop", "hop", 0, 1, "%1", true}},
-                2);
+        compare(fields, {{"Length", "window", 0, 1, "%1", true}, {"Hop", "hop", 0, 1, "%1", true}},
+                1);
+        auto& unit = childOf<QComboBox>(fields, QStringLiteral("lengthUnit"));
+        unit.setCurrentIndex(1);
+        emit unit.activated(1);
+        compare(fields, {{"Length", "periods"}}, 2);
+        unit.setCurrentIndex(2);
+        emit unit.activated(2);
         // The others are of the same window: what they take, core takes.
         Settings last;
         connect(&fields, &SettingsFields::edited, this,
                 [&last](const Settings& settings) { last = settings; });
         for (const char* text : {"0", "0.2", "0.2499", "0.25", "0.26", "5e10", "6e13"}) {
-            NumberField& field = fieldOf(fields, "Length in milliseconds");
+            NumberField& field = fieldOf(fields, "Length");
             field.setText(text);
             field.setModified(true);
             const bool taken = field.isValid();

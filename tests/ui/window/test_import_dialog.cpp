@@ -126,6 +126,34 @@ private slots:
         QCOMPARE(told(), QString("text, 2 columns, semicolon, decimal comma"));
     }
 
+    void the_file_of_the_other_channel_is_found_by_its_name_and_makes_a_pair() {
+        const QTemporaryDir folder;
+        const auto write = [&folder](const QString& name, double shift) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("t,U\n");
+            for (int i = 0; i < 200; ++i) {
+                file.write(QByteArray::number(1e-4 * i, 'f', 6) + ',' +
+                           QByteArray::number(std::cos(0.9 * i + shift), 'f', 6) + '\n');
+            }
+        };
+        write("run_C.csv", 0);
+        show(folder.filePath("run_C.csv"));
+        QTRY_VERIFY(told().contains("Import"));
+        QVERIFY(!openButton().isEnabled());
+        write("run_D.csv", 1.1);
+        show(folder.filePath("run_C.csv"));
+        QTRY_VERIFY(openButton().isEnabled());
+        QCOMPARE(dialog_->options().channel_d_file, folder.filePath("run_D.csv").toStdString());
+        QCOMPARE(cell(0, 1), QString("0.453596"));
+        // Another file may have none beside it.
+        dialog_->accept();
+        write("alone_C.csv", 0);
+        show(folder.filePath("alone_C.csv"));
+        QTRY_VERIFY(told().contains("Import"));
+        QVERIFY(dialog_->options().channel_d_file.empty());
+    }
+
     void another_delimiter_is_another_preview() {
         OpenOptions rate;
         rate.rate_hz = 8000;
@@ -279,6 +307,8 @@ private slots:
         options.scale = -0.125;
         options.unit = "мкВ";
         options.variables = {"XY", "", "fs"};
+        options.channel_d_file = "/данные/d.ana";
+        options.join = {"/data/2.wav", "/data/3.wav"};
         QCOMPARE(optionsFromJson(optionsToJson(options)), options);
         OpenOptions raw;
         raw.raw = RawLayout{RawType::i32, true, 5, std::int64_t{1} << 40};
@@ -341,7 +371,7 @@ private slots:
                 ++named;
             }
         }
-        QCOMPARE(named, 16);
+        QCOMPARE(named, 17);
     }
 
     // Every key starts a preview; the window must not make any itself. 100 ms is what a person

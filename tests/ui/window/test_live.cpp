@@ -2,7 +2,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/analysis_list.h"
+#include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/status_line.h"
@@ -159,7 +159,7 @@ private slots:
         document.setLive(true);
         document.open({short_});
         QTRY_VERIFY(!document.busy() && document.analyses().size() == 1);
-        auto& list = childOf<AnalysisList>(*window);
+        auto& list = childOf<Ledger>(*window);
         list.setFocus();
         QTest::keyClick(&list, Qt::Key_Delete);
         deliverPosted();
@@ -379,7 +379,7 @@ private slots:
         QVERIFY(idle(document, 1));
         auto& tracks = *window->findChild<TrackView*>();
         auto& messages = *window->findChild<MessageBar*>();
-        auto& list = *window->findChild<AnalysisList*>();
+        auto& list = *window->findChild<Ledger*>();
         tracks.setTimeRange({0.5, 1.0});
         tracks.setCursor(Cursor::a, 0.7);
         NumberField& length = fieldOf(*window, "Length");

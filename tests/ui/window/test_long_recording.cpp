@@ -7,7 +7,6 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/heartbeat.h"
-#include "ui/panels/analysis_list.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"

@@ -2,14 +2,14 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/analysis_list.h"
-#include "ui/panels/cursor_panel.h"
-#include "ui/panels/events_panel.h"
+#include "ui/import/import_dialog.h"
+#include "ui/panels/findings_flag.h"
+#include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
-#include "ui/window/compare_dialog.h"
+#include "ui/window/export_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -17,6 +17,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -26,6 +27,8 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <qcustomplot.h>
+
+#include <cmath>
 
 namespace test_main_window {
 
@@ -79,22 +82,52 @@ private slots:
         QCOMPARE(the<TrackView>().shownVariables().size(), std::size_t(5));
     }
 
+    void two_files_of_one_channel_dropped_together_are_one_recording() {
+        const QTemporaryDir folder;
+        QMimeData data;
+        QList<QUrl> urls;
+        for (const char* name : {"run_D.csv", "run_C.csv"}) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("t,U\n");
+            for (int i = 0; i < 4000; ++i) {
+                const double shift = QByteArray(name) == "run_C.csv" ? 0 : 0.2;
+                file.write(QByteArray::number(1e-4 * i, 'f', 6) + ',' +
+                           QByteArray::number(std::cos(0.9 * i + shift), 'f', 6) + '\n');
+            }
+            urls << QUrl::fromLocalFile(folder.filePath(name));
+        }
+        data.setUrls(urls);
+        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &drop);
+        QTRY_VERIFY(window_->findChild<ImportDialog*>());
+        auto& dialog = the<ImportDialog>();
+        auto* open = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
+        QTRY_VERIFY(open->isEnabled());
+        open->click();
+        QVERIFY(idle(1));
+        const auto& recordings = document().recordings();
+        QCOMPARE(recordings.size(), std::size_t(1));
+        QCOMPARE(recordings[0].name, QString("run_C.csv"));
+        QCOMPARE(recordings[0].options.channel_d_file, folder.filePath("run_D.csv").toStdString());
+    }
+
     void leakage_that_limits_the_mean_stands_in_the_row_with_its_cure() {
         openOne();
-        auto& list = the<AnalysisList>();
+        auto& list = the<Ledger>();
         const auto notes_of = [&list](int row) {
-            const int column = list.columnCount() - 1;
-            const auto* item = list.topLevelItem(row);
-            QWidget* cell = list.itemWidget(list.topLevelItem(row), column);
-            return cell ? cell->findChild<QLabel*>(QStringLiteral("note"))->text()
-                        : item->text(column);
+            const auto& item = *list.topLevelItem(row);
+            return item.data(list.notesColumn(), Qt::AccessibleTextRole).toString();
         };
         // 60 samples are 15 half-periods.
         QCOMPARE(list.topLevelItemCount(), 1);
         QVERIFY2(notes_of(0).isEmpty(), qPrintable(notes_of(0)));
-        QCOMPARE(list.headerItem()->text(6), QString("Noise"));
-        const double noise = QLocale().toDouble(list.topLevelItem(0)->text(6));
-        VYBEG_CLOSE_RATIO(noise, 1e-3, 0.05, qPrintable(list.topLevelItem(0)->text(6)));
+        QCOMPARE(list.headerItem()->text(list.noiseColumn()), QString("Noise"));
+        const QString text = list.topLevelItem(0)->text(list.noiseColumn());
+        VYBEG_CLOSE_RATIO(QLocale().toDouble(text), 1e-3, 0.05, qPrintable(text));
 
         Settings settings = document().settings();
         settings.window = 62;
@@ -162,19 +195,31 @@ private slots:
                 return entry.shown.analysis->settings.algorithm == wanted;
             }));
         }
-        QCOMPARE(the<AnalysisList>().topLevelItemCount(), 6);
+        QCOMPARE(the<Ledger>().topLevelItemCount(), 6);
     }
 
     void the_window_is_tied_together_in_samples_periods_and_milliseconds() {
         openOne();
         typeInto(field("Length"), "80");
-        VYBEG_CLOSE(*field("Length in periods").value(), 10, 1e-3);
-        QCOMPARE(*field("Length in milliseconds").value(), 10.0);
-        typeInto(field("Length in milliseconds"), "5,5");
+        const auto in_unit = [this](int unit) -> NumberField& {
+            auto& units = the<QComboBox>("lengthUnit");
+            units.setFocus();
+            QTest::keyClick(&units, Qt::Key_Home);
+            for (int step = 0; step < unit; ++step) {
+                QTest::keyClick(&units, Qt::Key_Down);
+            }
+            return field("Length");
+        };
+        const auto& others = the<QLabel>("otherLengths");
+        QCOMPARE(others.text(), QStringLiteral("10 periods · 10 ms"));
+        VYBEG_CLOSE(*in_unit(1).value(), 10, 1e-3);
+        QCOMPARE(others.text(), QStringLiteral("80 samples · 10 ms"));
+        QCOMPARE(*in_unit(2).value(), 10.0);
+        typeInto(field("Length"), "5,5");
         QCOMPARE(document().settings().window, 44);
-        typeInto(field("Length in periods"), "7.5");
+        typeInto(in_unit(1), "7.5");
         QCOMPARE(document().settings().periods, std::optional(7.5));
-        QCOMPARE(*field("Length").value(), 60.0);
+        QCOMPARE(*in_unit(0).value(), 60.0);
         typeInto(field("Length"), "4");
         QVERIFY(!field("Length").isValid());
         QCOMPARE(document().settings().periods, std::optional(7.5));
@@ -257,7 +302,7 @@ private slots:
 
     void runs_are_hidden_renamed_and_removed() {
         openOne();
-        auto& runs = the<AnalysisList>();
+        auto& runs = the<Ledger>();
         QTreeWidgetItem* item = runs.topLevelItem(0);
         item->setCheckState(0, Qt::Unchecked);
         QVERIFY(QTest::qWaitFor([&] { return !document().analyses().front().shown.visible; }));
@@ -324,16 +369,11 @@ private slots:
         openOne();
         window_->setThemeMode(ThemeMode::light);
         const auto ground = [this] {
-            return the<AnalysisList>().topLevelItem(0)->icon(0).pixmap(28, 14).toImage().pixelColor(
-                1, 1);
+            return the<Ledger>().topLevelItem(0)->icon(0).pixmap(28, 14).toImage().pixelColor(1, 1);
         };
         QCOMPARE(ground(), lightTheme().palette.color(QPalette::Base));
         window_->setThemeMode(ThemeMode::dark);
         QTRY_COMPARE(ground(), darkTheme().palette.color(QPalette::Base));
-        const auto* table = the<CursorPanel>().findChild<QTableWidget*>();
-        QTRY_COMPARE(
-            table->horizontalHeaderItem(1)->icon().pixmap(28, 14).toImage().pixelColor(1, 1),
-            darkTheme().palette.color(QPalette::Base));
         window_->setThemeMode(ThemeMode::light);
     }
 
@@ -351,26 +391,42 @@ private slots:
         QCOMPARE(lines.size() - header - 1, qsizetype(16000 / 60));
     }
 
-    void windows_are_compared_and_the_figure_exported() {
+    // A column for each analysis that is shown, with its scatter, exported as other plots are.
+    void the_articles_figure_compares_the_analyses() {
         openOne();
-        window_->action(Command::compare)->trigger();
-        auto& dialog = the<CompareDialog>();
-        QVERIFY(!dialog.isModal());
-        dialog.setLengths("8; 80 160");
-        QCOMPARE(dialog.lengths(), (std::vector<std::int64_t>{8, 80, 160}));
-        emit dialog.compareWanted(dialog.lengths());
-        QVERIFY(QTest::qWaitFor([&] { return dialog.columns().size() == 3; }, 20000));
-        QCOMPARE(dialog.columns().front().title, QStringLiteral("n = 8"));
-        window_->files().exportFigureTo(home_.path("figure.svg"));
-        VYBEG_MORE(QFileInfo(home_.path("figure.svg")).size(), 1000);
-        dialog.setLengths("8, x");
-        QVERIFY(dialog.lengths().empty());
+        for (const int length : {8, 160}) {
+            Settings settings = document().settings();
+            settings.window = length;
+            document().setSettings(settings);
+            document().analyse();
+            QTRY_VERIFY(!document().busy());
+        }
+        QVERIFY(idle(3));
+        const auto width = [this] {
+            window_->action(Command::article_figure)->trigger();
+            auto& dialog = the<ExportDialog>();
+            const Figure figure = dialog.figure();
+            const bool written =
+                bool(writeDrawing(figure.draw, {figure.size}, home_.path("figure.svg")));
+            dialog.reject();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            return written ? figure.size.width() : 0;
+        };
+        const int three = width();
+        QVERIFY(three > 0);
+        QFile svg(home_.path("figure.svg"));
+        QVERIFY(svg.open(QIODevice::ReadOnly));
+        VYBEG_MORE(svg.size(), 1000);
+        document().setAnalysisVisible(document().analyses().front().shown.id, false);
+        QTRY_VERIFY(!the<TrackView>().analyses().front().visible);
+        QCOMPARE(width(), three * 2 / 3);
+        QVERIFY(window_->action(Command::article_figure)->shortcut() == QKeySequence(Qt::Key_F6));
     }
 
     void an_event_takes_the_plots_there() {
         openOne();
         window_->action(Command::zoom_in)->trigger();
-        emit the<EventsPanel>().eventChosen(1.5, 0);
+        emit the<FindingsFlag>().placeChosen(1.5, 0);
         QVERIFY(the<TrackView>().timeRange().contains(1.5));
         QCOMPARE(the<TrackView>().tracker(), std::optional(1.5));
     }

@@ -4,8 +4,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/analysis_list.h"
-#include "ui/panels/measure_panel.h"
+#include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"
 
@@ -13,8 +12,8 @@
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QLabel>
-#include <QTableWidget>
 #include <QTest>
+#include <QToolButton>
 #include <qcustomplot.h>
 
 namespace test_measuring {
@@ -32,17 +31,59 @@ class TestMeasuring : public QObject {
     Widget& the() {
         return childOf<Widget>(*window_);
     }
-    MeasurePanel& panel() { return the<MeasurePanel>(); }
-    QTableWidget& table() { return childOf<QTableWidget>(panel()); }
+    Ledger& ledger() { return the<Ledger>(); }
     const Analysis& analysis() { return *window_->document().analyses().front().shown.analysis; }
-    QString cell(int row, int column) { return table().item(row, column)->text(); }
-    // "1.234 ± 0.005" as its two numbers.
-    static std::pair<double, double> number(QString text) {
-        const QStringList parts = text.replace(QChar(0x2212), '-').split(QStringLiteral("±"));
+
+    // Chooses by mouse where the columns read.
+    void read(const char* button) {
+        auto& choice = childOf<QToolButton>(ledger(), button);
+        QVERIFY(choice.isEnabled());
+        QTest::mouseClick(&choice, Qt::LeftButton);
+    }
+
+    // The power of ten in the head of a column: "ω_cp/2π, mHz/s", "a_A, ×10⁻³ 1/s".
+    double scaleOf(SlowVariable variable) {
+        const QString head =
+            ledger().headerItem()->text(ledger().columnOf(variable)).section(", ", 1);
+        for (const auto& [text, factor] :
+             {std::pair{"×10⁻³", 1e-3}, std::pair{"×10⁻⁶", 1e-6}, std::pair{"×10⁻⁹", 1e-9},
+              std::pair{"mHz", 1e-3}, std::pair{"µHz", 1e-6}, std::pair{"nHz", 1e-9}}) {
+            if (head.startsWith(QString::fromUtf8(text))) {
+                return factor;
+            }
+        }
+        return 1;
+    }
+
+    QString cell(SlowVariable variable) {
+        return ledger().topLevelItem(0)->text(ledger().columnOf(variable));
+    }
+
+    // "1.234 ± 0.005" or "1.234(5)" as its two numbers.
+    std::pair<double, double> number(SlowVariable variable) {
+        QString text = cell(variable).replace(QChar(0x2212), '-');
+        const double scale = scaleOf(variable);
+        const qsizetype bracket = text.indexOf('(');
+        QStringList parts = text.split(QStringLiteral("±"));
+        if (bracket > 0) {
+            const qsizetype dot = text.indexOf('.');
+            const QString digits = text.mid(bracket + 1, text.indexOf(')') - bracket - 1);
+            const qsizetype decimals = dot < 0 ? 0 : bracket - dot - 1;
+            parts = {text.left(bracket),
+                     QString::number(digits.toDouble() * std::pow(10., -double(decimals)), 'g', 9)};
+        }
         const auto value = readNumber(parts.value(0).trimmed());
         const auto sd = readNumber(parts.value(1).trimmed());
-        return {value.value_or(std::nan("")), sd.value_or(std::nan(""))};
+        return {scale * value.value_or(std::nan("")), scale * sd.value_or(std::nan(""))};
     }
+
+    // A cell shows a value and its deviation, with the digits of a quantity.
+    void compare(SlowVariable variable, double value, double sd) {
+        const auto [shown, shown_sd] = number(variable);
+        VYBEG_WITHIN(shown, value, 0.6 * sd, qPrintable(cell(variable)));
+        VYBEG_CLOSE_RATIO(shown_sd, sd, 0.3, qPrintable(cell(variable)));
+    }
+
     void setCursors(double a_s, double b_s) {
         TrackView& tracks = the<TrackView>();
         tracks.setFocus();
@@ -63,13 +104,12 @@ private slots:
         QTRY_VERIFY(!window_->document().busy() && window_->document().analyses().size() == 1);
     }
 
-    void keys_place_cursors_and_the_table_reads_them() {
-        QVERIFY(panel().isVisibleTo(window_.get()));
-        QVERIFY(!table().isVisibleTo(&panel()));
+    void keys_place_cursors_and_the_columns_read_them() {
+        QVERIFY(ledger().isVisibleTo(window_.get()));
+        QVERIFY(!childOf<QToolButton>(ledger(), "readDifference").isEnabled());
         setCursors(0.5, 1.5);
-        QVERIFY(table().isVisibleTo(&panel()));
-        QCOMPARE(fieldOf(panel(), "Time of cursor A").value(), std::optional(0.5));
-        QCOMPARE(fieldOf(panel(), "Time of cursor B").value(), std::optional(1.5));
+        QCOMPARE(fieldOf(*window_, "Time of cursor A").value(), std::optional(0.5));
+        QCOMPARE(fieldOf(*window_, "Time of cursor B").value(), std::optional(1.5));
         // a_A: its values, their difference and its rate.
         const Track& track = analysis().track;
         const auto times = track.time_s();
@@ -80,15 +120,32 @@ private slots:
                 times.begin());
         };
         const auto values = track.values(SlowVariable::a_A);
-        VYBEG_WITHIN(number(cell(0, 1)).first, values[row(0.5)], number(cell(0, 1)).second);
-        VYBEG_WITHIN(number(cell(0, 2)).first, values[row(1.5)], number(cell(0, 2)).second);
-        VYBEG_WITHIN(number(cell(0, 3)).first, values[row(1.5)] - values[row(0.5)],
-                     number(cell(0, 3)).second);
+        constexpr SlowVariable a_A = SlowVariable::a_A;
+        read("readA");
+        VYBEG_WITHIN(number(a_A).first, values[row(0.5)], number(a_A).second);
+        read("readB");
+        VYBEG_WITHIN(number(a_A).first, values[row(1.5)], number(a_A).second);
+        read("readDifference");
+        VYBEG_WITHIN(number(a_A).first, values[row(1.5)] - values[row(0.5)], number(a_A).second);
         constexpr double degrees = 180 / std::numbers::pi;  // the unit of the first start
         const Trend angle = expected(SlowVariable::two_theta_A, 0.5, 1.5);
-        QCOMPARE(cell(2, 4).replace('\n', ' '),
-                 valueText(angle.slope_per_s * degrees, angle.sd_slope_per_s * degrees));
-        QVERIFY(the<AnalysisList>().currentAnalysis() != AnalysisId::none);
+        read("readRate");
+        compare(SlowVariable::two_theta_A, angle.slope_per_s * degrees,
+                angle.sd_slope_per_s * degrees);
+        QVERIFY(ledger().currentAnalysis() != AnalysisId::none);
+        // The cell of the row says decay time and drift.
+        const Trend decay = expected(a_A, 0.5, 1.5, TrendOf::logarithm);
+        const auto tau = decay_time(decay);
+        const QString told = ledger().topLevelItem(0)->text(Ledger::trend);
+        QVERIFY2(!tau || told.contains(conciseText(tau->tau_s, tau->sd_s)), qPrintable(told));
+        QVERIFY2(told.contains("°/h"), qPrintable(told));
+    }
+
+    void a_deviation_in_brackets_counts_the_last_digit() {
+        QCOMPARE(conciseText(5300.00012, 0.00071), QStringLiteral("5300.0001(7)"));
+        QCOMPARE(conciseText(-0.02196, 0.00012), QStringLiteral("−0.02196(12)"));
+        QCOMPARE(conciseText(123.4, 1.2), QStringLiteral("123.4(12)"));
+        QCOMPARE(conciseText(std::nan(""), 1), QStringLiteral("—"));
     }
 
     void trends_are_drawn_and_go_with_the_cursors() {
@@ -105,42 +162,43 @@ private slots:
         VYBEG_CLOSE(drawn->value.back(), f.at(1.6), 1e-9);
         QTest::keyClick(&tracks, Qt::Key_0);
         QVERIFY(tracks.content().trends.empty());
-        QVERIFY(!table().isVisibleTo(&panel()));
+        QVERIFY(!childOf<QToolButton>(ledger(), "readRate").isEnabled());
+        QVERIFY(ledger().readAt() == ReadAt::mouse);
     }
 
-    // The readings name their analysis, and the trends know it.
+    // The trends know their analysis, whose row reads them.
     void readings_and_trends_say_whose_they_are() {
         setCursors(0.5, 1.5);
         const ShownAnalysis& first = window_->document().analyses().front().shown;
-        const auto& owner = childOf<QLabel>(panel(), "owner");
-        QVERIFY2(owner.text().contains(first.name), qPrintable(owner.text()));
+        QCOMPARE(ledger().topLevelItem(0)->text(Ledger::name), first.name);
         for (const TrendCurve& curve : the<TrackView>().content().trends) {
             QCOMPARE(curve.of, first.id);
         }
         window_->document().renameAnalysis(first.id, QStringLiteral("warm"));
-        QTRY_VERIFY(owner.text().contains("warm"));
+        QTRY_COMPARE(ledger().topLevelItem(0)->text(Ledger::name), QStringLiteral("warm"));
     }
 
     void typed_times_place_cursors() {
-        typeInto(fieldOf(panel(), "Time of cursor A"), "0,25");
-        typeInto(fieldOf(panel(), "Time of cursor B"), "1.75");
+        typeInto(fieldOf(*window_, "Time of cursor A"), "0,25");
+        typeInto(fieldOf(*window_, "Time of cursor B"), "1.75");
         const TrackView& tracks = the<TrackView>();
         QCOMPARE(tracks.cursor(Cursor::a), std::optional(0.25));
         QCOMPARE(tracks.cursor(Cursor::b), std::optional(1.75));
         QVERIFY(!tracks.content().trends.empty());
-        NumberField& b = fieldOf(panel(), "Time of cursor B");
+        NumberField& b = fieldOf(*window_, "Time of cursor B");
         b.clear();
         b.commit();
         QVERIFY(!tracks.cursor(Cursor::b));
         QVERIFY(tracks.content().trends.empty());
-        QVERIFY(table().isColumnHidden(2));
-        QVERIFY(!table().isColumnHidden(1));
+        QVERIFY(!childOf<QToolButton>(ledger(), "readB").isEnabled());
+        QVERIFY(childOf<QToolButton>(ledger(), "readA").isEnabled());
     }
 
     void a_dragged_cursor_measures() {
         setCursors(0.5, 1.0);
         TrackView& tracks = the<TrackView>();
-        const QString before = cell(3, 4);
+        read("readRate");
+        const QString before = cell(SlowVariable::f);
         const auto rect = childOf<QCustomPlot>(tracks).axisRects().front()->rect();
         const auto pixel = [&](double time_s) {
             const AxisRange shown = tracks.timeRange();
@@ -152,7 +210,7 @@ private slots:
         QTest::mouseMove(&tracks, pixel(1.5));
         QTest::mouseRelease(&tracks, Qt::LeftButton, {}, pixel(1.5));
         VYBEG_CLOSE(*tracks.cursor(Cursor::b), 1.5, 0.02);
-        QTRY_VERIFY(cell(3, 4) != before);
+        QTRY_VERIFY(cell(SlowVariable::f) != before);
     }
 
     void the_table_is_copied_with_all_digits() {
@@ -171,20 +229,23 @@ private slots:
     }
 
     void a_beat_is_offered() {
-        auto& kind = childOf<QComboBox>(panel());
-        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        auto& kind = childOf<QComboBox>(ledger(), "trend");
+        QVERIFY(!kind.isVisible());
         setCursors(0.5, 1.5);
+        read("readRate");
         kind.setFocus();
         QTest::keyClick(&kind, Qt::Key_End);
-        QCOMPARE(panel().trendKind(), TrendKind::beat);
-        QTRY_COMPARE(table().horizontalHeaderItem(4)->text(), QStringLiteral("Beat, Hz"));
-        for (int row = 0; row < table().rowCount(); ++row) {
-            const SlowVariable variable = main_slow_variables[static_cast<std::size_t>(row)];
+        QVERIFY(ledger().trendKind() == TrendKind::beat);
+        for (const SlowVariable variable : main_slow_variables) {
+            const QString head = ledger().headerItem()->text(ledger().columnOf(variable));
+            QVERIFY2(head.endsWith("Hz"), qPrintable(head));
             const auto beat = find_beat(analysis().track, variable, 0.5, 1.5,
                                         windows_apart(analysis().plan.length, analysis().plan.hop));
-            QCOMPARE(
-                cell(row, 4).replace('\n', ' '),
-                beat ? valueText(beat->frequency_hz, beat->sd_frequency_hz) : valueText(nan, nan));
+            if (beat) {
+                compare(variable, beat->frequency_hz, beat->sd_frequency_hz);
+            } else {
+                QCOMPARE(cell(variable), QStringLiteral("—"));
+            }
         }
     }
 
@@ -197,8 +258,9 @@ private slots:
     void a_polynomial_is_offered() {
         QFETCH(int, steps);
         QFETCH(int, degree);
-        auto& kind = childOf<QComboBox>(panel());
+        auto& kind = childOf<QComboBox>(ledger(), "trend");
         setCursors(0.5, 1.5);
+        read("readRate");
         kind.setFocus();
         for (int k = 0; k < steps; ++k) {
             QTest::keyClick(&kind, Qt::Key_Down);
@@ -207,40 +269,41 @@ private slots:
             polynomial_trend(analysis().track, SlowVariable::f, 0.5, 1.5,
                              windows_apart(analysis().plan.length, analysis().plan.hop), degree);
         QVERIFY(f);
-        QCOMPARE(cell(3, 4).replace('\n', ' '), valueText(f->coefficient[1], f->sd[1]));
+        compare(SlowVariable::f, f->coefficient[1], f->sd[1]);
         const std::vector<TrendCurve> curves = the<TrackView>().content().trends;
         const auto drawn = std::ranges::find(curves, SlowVariable::f, &TrendCurve::variable);
         QVERIFY(drawn != curves.end());
         VYBEG_CLOSE(drawn->value[50], f->at(drawn->time_s[50]), 1e-9);
-        // The second derivative is said in words.
-        const auto labels = panel().findChildren<QLabel*>();
+        // The second derivative is said in words, at the cell of the trend.
         const QString second = valueText(2 * f->coefficient[2], 2 * f->sd[2]);
-        QVERIFY2(std::ranges::any_of(
-                     labels, [&](const QLabel* label) { return label->text().contains(second); }),
-                 qPrintable(second));
+        const QString told = ledger().topLevelItem(0)->toolTip(Ledger::trend);
+        QVERIFY2(told.contains(second), qPrintable(told));
     }
 
     void a_cursor_outside_the_run_reads_nothing() {
+        constexpr SlowVariable a_A = SlowVariable::a_A;
         setCursors(0.5, 1.5);
-        const QString inside = cell(0, 1);
-        typeInto(fieldOf(panel(), "Time of cursor B"), "7");  // the recording ends at 2 s
-        QCOMPARE(cell(0, 1), inside);
-        for (const int column : {2, 3, 4}) {
-            QVERIFY2(std::isnan(number(cell(0, column)).first), qPrintable(cell(0, column)));
+        read("readA");
+        const QString inside = cell(a_A);
+        typeInto(fieldOf(*window_, "Time of cursor B"), "7");  // the recording ends at 2 s
+        QCOMPARE(cell(a_A), inside);
+        for (const char* at : {"readB", "readDifference", "readRate"}) {
+            read(at);
+            QVERIFY2(std::isnan(number(a_A).first), qPrintable(cell(a_A)));
         }
-        const auto labels = panel().findChildren<QLabel*>();
-        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
-            return label->isVisible() && label->text().contains("no windows");
-        }));
+        QVERIFY(ledger().topLevelItem(0)->text(Ledger::trend).contains("no windows"));
+        QVERIFY(childOf<QLabel>(*window_, "cursorDifference").text().contains("no windows"));
         QVERIFY(the<TrackView>().content().trends.empty());
-        QVERIFY(panel().tableText().isEmpty());
+        QVERIFY(!ledger().tableText().contains("B = 7"));
     }
 
     void a_hidden_run_is_not_measured() {
         setCursors(0.5, 1.5);
         window_->document().setAnalysisVisible(window_->document().analyses().front().shown.id,
                                                false);
-        QVERIFY(!panel().isVisibleTo(window_.get()));
+        read("readA");
+        QVERIFY(std::isnan(number(SlowVariable::a_A).first));
+        QVERIFY(ledger().topLevelItem(0)->text(Ledger::trend).isEmpty());
         QVERIFY(the<TrackView>().content().trends.empty());
     }
 };

@@ -2,7 +2,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/stale_mark.h"
+#include "ui/panels/ledger.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/widgets/section.h"
 #include "ui/window/tracks_page.h"
@@ -196,7 +196,7 @@ private slots:
 
     void plots_older_than_the_panel_say_so_until_they_are_analysed() {
         openOne();
-        const auto& mark = childOf<StaleMark>(childOf<TracksPage>(*window_));
+        const auto& mark = childOf<QLabel>(*window_, "stale");
         const auto shown = [&](bool wanted) {
             return QTest::qWaitFor([&] { return mark.isVisible() == wanted; });
         };
@@ -204,7 +204,7 @@ private slots:
         typeInto(field("Length"), "80");
         QVERIFY(shown(true));
         QCOMPARE(mark.text(),
-                 QStringLiteral("The plots are older than the Analysis panel. Changed since: "
+                 QStringLiteral("The plots are older than these settings. Changed since: "
                                 "window."));
         typeInto(field("Range from"), "0.5");
         QVERIFY(QTest::qWaitFor([&] { return mark.text().endsWith("window, range."); }));
@@ -213,7 +213,7 @@ private slots:
         QVERIFY2(shown(false), "what the plots show is what the panel says");
         window_->action(Command::redo)->trigger();
         QVERIFY(shown(true));
-        QTest::mouseClick(mark.findChild<QPushButton*>(), Qt::LeftButton);
+        QTest::mouseClick(&childOf<QPushButton>(*window_, "analyse"), Qt::LeftButton);
         QVERIFY(idle(2));
         QVERIFY(shown(false));
         document().setAnalysisVisible(document().analyses().back().shown.id, false);

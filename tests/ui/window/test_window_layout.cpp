@@ -3,14 +3,14 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/analysis_list.h"
-#include "ui/panels/cursor_panel.h"
+#include "ui/panels/ledger.h"
+#include "ui/panels/wave_panel.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
+#include "ui/settings/settings_panel.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_menus.h"
 
-#include <QDockWidget>
 #include <QFileInfo>
 #include <QListWidget>
 #include <QPushButton>
@@ -18,7 +18,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
-#include <QTableWidget>
 #include <QTest>
 #include <qcustomplot.h>
 
@@ -60,10 +59,10 @@ private slots:
         QTest::addColumn<QSize>("window");
         QTest::addColumn<int>("least");
         QTest::addColumn<bool>("scrolls");
-        QTest::newRow("1600x1000") << QSize(1600, 1000) << 110 << false;
-        QTest::newRow("1400x900") << QSize(1400, 900) << 90 << false;
-        QTest::newRow("1280x720") << QSize(1280, 720) << 55 << false;
-        QTest::newRow("1280x600") << QSize(1280, 600) << 50 << true;
+        QTest::newRow("1600x1000") << QSize(1600, 1000) << 150 << false;
+        QTest::newRow("1400x900") << QSize(1400, 900) << 130 << false;
+        QTest::newRow("1280x720") << QSize(1280, 720) << 95 << false;
+        QTest::newRow("1280x420") << QSize(1280, 420) << 45 << true;
     }
     void plots_have_room() {
         QFETCH(QSize, window);
@@ -99,7 +98,6 @@ private slots:
 
     void the_overview_stands_over_the_plots() {
         window_ = shownWindow();
-        QTRY_COMPARE(overviewSpan(), plotSpan());
         Document& document = window_->document();
         document.open({home_.recording("demo.wav")});
         QTRY_VERIFY(!document.busy() && document.analyses().size() == 1);
@@ -112,51 +110,72 @@ private slots:
         }
     }
 
-    void the_values_of_two_runs_at_the_cursor_are_not_cut() {
-        window_ = shownWindow();
-        Document& document = window_->document();
-        document.open({home_.recording("demo.wav"), home_.recording("other.wav")});
-        QTRY_VERIFY(!document.busy() && document.analyses().size() == 2);
-        const auto& table = childOf<QTableWidget>(childOf<CursorPanel>(*window_));
-        QTRY_COMPARE(table.columnCount(), 3);
-        QTRY_COMPARE(table.horizontalScrollBar()->maximum(), 0);
-        QVERIFY(table.item(0, 1)->text().contains("\n± "));
-    }
-
-    // A reason is longer than the numbers above it, and is wrapped under them.
+    // A reason is longer than the numbers beside it, and has the column that takes the rest.
     void a_reason_does_not_widen_the_columns() {
         window_ = shownWindow();
         Document& document = window_->document();
         document.open({home_.recording("short.wav", 1.0), home_.recording("long.wav", 3.0)});
         QTRY_VERIFY(!document.busy() && document.analyses().size() == 2);
-        auto& cursor = the<CursorPanel>();
-        const auto& table = childOf<QTableWidget>(cursor);
-        cursor.setTime(0.5);
-        const int reason = table.rowCount() - 1;
-        QVERIFY(table.isRowHidden(reason));
-        cursor.setTime(2.5);
-        QVERIFY(!table.isRowHidden(reason));
-        const QString text = table.item(reason, 1)->text();
-        VYBEG_LESS(table.columnWidth(1), table.fontMetrics().horizontalAdvance(text),
-                   qPrintable(text));
-        VYBEG_AT_LEAST(table.rowHeight(reason), 2 * table.fontMetrics().height());
+        auto& ledger = the<Ledger>();
+        ledger.setMouse(0.5);
+        const int column = ledger.columnOf(SlowVariable::a_A);
+        const int width = ledger.columnWidth(column);
+        const auto reason = [&ledger](int row) {
+            return ledger.topLevelItem(row)->text(Ledger::trend);
+        };
+        QVERIFY(reason(0).isEmpty() && reason(1).isEmpty());
+        ledger.setMouse(2.5);
+        QCOMPARE(reason(0), QStringLiteral("no windows there"));
+        QVERIFY(reason(1).isEmpty());
+        QCOMPARE(ledger.columnWidth(column), width);
     }
 
+    void numbers_of_analyses_are_not_cut_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QSize>("size");
+        for (const char* language : {"en", "ru"}) {
+            QTest::addRow("%s, small", language) << language << QSize(1280, 720);
+            QTest::addRow("%s, large", language) << language << QSize(1920, 1080);
+        }
+    }
     void numbers_of_analyses_are_not_cut() {
+        QFETCH(QString, language);
+        QFETCH(QSize, size);
         window_ = shownWindow();
-        window_->resize(1280, 720);
+        window_->setLanguage(language);
+        window_->resize(size);
         Document& document = window_->document();
         document.open({home_.recording("a_recording_with_a_long_name_1.wav"),
                        home_.recording("a_recording_with_a_long_name_2.wav")});
         QTRY_VERIFY(!document.busy() && document.analyses().size() == 2);
-        auto& list = the<AnalysisList>();
-        for (int column = 2; column < list.columnCount(); ++column) {
-            for (int row = 0; row < list.topLevelItemCount(); ++row) {
-                const QString text = list.topLevelItem(row)->text(column);
-                VYBEG_AT_LEAST(list.columnWidth(column), list.fontMetrics().horizontalAdvance(text),
-                               qPrintable(text));
+        auto& tracks = the<TrackView>();
+        tracks.setFocus();
+        for (const auto& [time_s, key] : {std::pair{0.5, Qt::Key_1}, std::pair{1.5, Qt::Key_2}}) {
+            tracks.setTracker(time_s);
+            QTest::keyClick(&tracks, key);
+        }
+        auto& ledger = the<Ledger>();
+        for (const ReadAt at : {ReadAt::mouse, ReadAt::a, ReadAt::difference, ReadAt::rate}) {
+            ledger.setReadAt(at);
+            QCoreApplication::processEvents();
+            int right = 0;
+            for (int column = 0; column < ledger.columnCount(); ++column) {
+                right += ledger.isColumnHidden(column) ? 0 : ledger.columnWidth(column);
+                if (column == Ledger::name || ledger.isColumnHidden(column)) {
+                    continue;
+                }
+                for (int row = 0; row < ledger.topLevelItemCount(); ++row) {
+                    const QString text = ledger.topLevelItem(row)->text(column);
+                    VYBEG_AT_LEAST(ledger.columnWidth(column),
+                                   ledger.fontMetrics().horizontalAdvance(text), qPrintable(text));
+                }
+            }
+            VYBEG_AT_MOST(right, ledger.viewport()->width());
+            for (const SlowVariable variable : main_slow_variables) {
+                QVERIFY(!ledger.isColumnHidden(ledger.columnOf(variable)));
             }
         }
+        window_->setLanguage(QStringLiteral("en"));
     }
 
     // Recordings that are five times as long or as short are drawn alone, the chosen one.
@@ -180,7 +199,7 @@ private slots:
         QTRY_COMPARE(drawn(), QStringList{"short.wav"});
         VYBEG_AT_MOST(tracks.timeRange().upper, 1);
         QCOMPARE(tracks.content().unlike, 1);
-        auto& list = the<AnalysisList>();
+        auto& list = the<Ledger>();
         list.setCurrentItem(list.topLevelItem(0));
         QTRY_COMPARE(drawn(), QStringList{"long.wav"});
         VYBEG_AT_LEAST(tracks.timeRange().upper, 19);
@@ -190,41 +209,66 @@ private slots:
         QTRY_COMPARE(tracks.content().unlike, 0);
     }
 
-    void a_page_shows_the_panels_that_act_on_it() {
+    void a_page_shows_what_acts_on_it() {
         window_ = shownWindow();
-        window_->document().open({home_.recording("demo.wav")});
-        QTRY_VERIFY(!window_->document().busy() && window_->document().analyses().size() == 1);
         const auto shown = [this] {
             QStringList names;
-            for (const QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
-                if (!dock->isHidden()) {
-                    names << dock->objectName();
+            const auto add = [&](const QWidget& part, const char* name) {
+                if (part.isVisible()) {
+                    names << QLatin1String(name);
                 }
-            }
-            names.sort();
-            return names;
+            };
+            add(the<SettingsPanel>(), "settings");
+            add(the<Ledger>(), "ledger");
+            add(the<SignalView>(), "overview");
+            add(the<WavePanel>(), "wave");
+            return names.join(' ');
         };
-        const QStringList all{"analysis", "readings", "recordings", "runs"};
-        QCOMPARE(shown(), all);
-        const int width = childOf<QDockWidget>(*window_, "readings").width();
+        QCOMPARE(shown(), QString());  // the start page has the window for itself
+        window_->document().open({home_.recording("demo.wav")});
+        QTRY_VERIFY(!window_->document().busy() && window_->document().analyses().size() == 1);
+        QCOMPARE(shown(), QStringLiteral("settings ledger overview"));
+        window_->action(Command::page_residuals)->trigger();
+        QCOMPARE(shown(), QStringLiteral("settings ledger"));
         window_->action(Command::page_resonator)->trigger();
-        QCOMPARE(shown(), QStringList{"recordings"});
+        QCOMPARE(shown(), QString());
         window_->action(Command::page_history)->trigger();
-        QCOMPARE(shown(), QStringList());
+        QCOMPARE(shown(), QString());
+        // By keys: the wave beside the plots, and plots without settings.
         window_->action(Command::page_tracks)->trigger();
-        QCOMPARE(shown(), all);
-        QTRY_COMPARE(childOf<QDockWidget>(*window_, "readings").width(), width);
-        // What the user has closed stays closed, in the next window, too.
-        childOf<QDockWidget>(*window_, "runs").close();
-        window_->action(Command::page_history)->trigger();
-        window_->action(Command::page_tracks)->trigger();
-        const QStringList rest{"analysis", "readings", "recordings"};
-        QCOMPARE(shown(), rest);
+        const int width = the<TrackView>().width();
+        QTest::keyClick(window_.get(), Qt::Key_W);
+        QCOMPARE(shown(), QStringLiteral("settings ledger overview wave"));
+        QTest::keyClick(window_.get(), Qt::Key_W);
+        QTest::keyClick(window_.get(), Qt::Key_F9);
+        QCOMPARE(shown(), QStringLiteral("ledger overview"));
+        QTRY_VERIFY(the<TrackView>().width() > width + 200);
+        QTest::keyClick(&fieldOf(*window_, "Time of cursor A"), Qt::Key_W);
+        QCOMPARE(shown(), QStringLiteral("ledger overview"));  // a letter that is typed
+        // What the user has put away stays so, in the next window, too.
         window_->action(Command::page_history)->trigger();
         QVERIFY(window_->close());
         window_ = std::make_unique<TestWindow>();
         window_->show();
-        QCOMPARE(shown(), rest);
+        window_->document().open({home_.recording("demo.wav")});
+        QTRY_VERIFY(!window_->document().busy() && window_->document().analyses().size() == 1);
+        QCOMPARE(shown(), QStringLiteral("ledger overview"));
+        QTest::keyClick(window_.get(), Qt::Key_F9);
+        QCOMPARE(shown(), QStringLiteral("settings ledger overview"));
+    }
+
+    // In a wide window the wave has room beside the signals.
+    void the_wave_stands_beside_the_signals_of_a_wide_window() {
+        window_ = shownWindow();
+        window_->document().open({home_.recording("demo.wav")});
+        QTRY_VERIFY(!window_->document().busy() && window_->document().analyses().size() == 1);
+        window_->action(Command::page_signals)->trigger();
+        window_->resize(1500, 900);
+        QTRY_VERIFY(!the<WavePanel>().isVisible());
+        window_->resize(1600, 1000);
+        QTRY_VERIFY(the<WavePanel>().isVisible());
+        window_->action(Command::page_tracks)->trigger();
+        QVERIFY(!the<WavePanel>().isVisible());
     }
 
     void the_first_window_is_not_larger_than_the_screen() {
@@ -285,15 +329,60 @@ private slots:
             {home_.recording("short.wav", 1.0), home_.recording("long.wav", 3.0)});
         QTRY_VERIFY_WITH_TIMEOUT(
             !window_->document().busy() && window_->document().analyses().size() == 2, 20000);
-        auto& cursor = the<CursorPanel>();
-        cursor.setTime(2.5);
+        auto& ledger = the<Ledger>();
+        ledger.setMouse(2.5);
         // Symbol, then value and deviation of each run.
-        const QStringList cells = cursor.tableText().split('\n')[1].split('\t');
+        const QStringList cells = ledger.tableText().split('\n')[1].split('\t');
         QCOMPARE(cells[1], QString());
         QCOMPARE(cells[2], QString());
-        QVERIFY2(!cells[3].isEmpty(), qPrintable(cursor.tableText()));
-        cursor.setTime(0.5);
-        QVERIFY(!cursor.tableText().split('\n')[1].split('\t')[1].isEmpty());
+        QVERIFY2(!cells[3].isEmpty(), qPrintable(ledger.tableText()));
+        ledger.setMouse(0.5);
+        QVERIFY(!ledger.tableText().split('\n')[1].split('\t')[1].isEmpty());
+    }
+
+    // One row of a recording with its analysis; with more, a row each below the first.
+    void recordings_and_analyses_are_rows_of_one_list() {
+        window_ = shownWindow();
+        Document& document = window_->document();
+        document.open({home_.recording("first.wav"), home_.recording("second.wav")});
+        QTRY_VERIFY(!document.busy() && document.analyses().size() == 2);
+        auto& ledger = the<Ledger>();
+        QCOMPARE(ledger.topLevelItemCount(), 2);
+        // A click on a row chooses recording and analysis.
+        const auto click = [&ledger](int row) {
+            const QRect place = ledger.visualItemRect(ledger.topLevelItem(row));
+            QTest::mouseClick(
+                ledger.viewport(), Qt::LeftButton, {},
+                {ledger.columnViewportPosition(Ledger::window) + 4, place.center().y()});
+        };
+        for (const int row : {0, 1, 0}) {
+            click(row);
+            const AnalysisEntry& entry = document.analyses()[static_cast<std::size_t>(row)];
+            QCOMPARE(ledger.currentAnalysis(), entry.shown.id);
+            QCOMPARE(document.currentRecording()->id, entry.recording_id);
+        }
+        Settings settings = document.settings();
+        settings.window = 80;
+        document.setSettings(settings);
+        document.analyse();
+        QTRY_VERIFY(!document.busy() && document.analyses().size() == 3);
+        QCOMPARE(ledger.topLevelItemCount(), 3);
+        // Below its sibling, chosen, and its recording's row is the bold one.
+        QCOMPARE(ledger.topLevelItem(1)->text(Ledger::window), QStringLiteral("80"));
+        QCOMPARE(ledger.currentItem(), ledger.topLevelItem(1));
+        QVERIFY(ledger.topLevelItem(0)->font(Ledger::name).bold());
+        QVERIFY(!ledger.topLevelItem(1)->font(Ledger::name).bold());
+        // By keys: down to the other recording; without its analysis it keeps its row.
+        ledger.setFocus();
+        QTest::keyClick(&ledger, Qt::Key_Down);
+        QCOMPARE(document.currentRecording()->id, document.recordings()[1].id);
+        QTest::keyClick(&ledger, Qt::Key_Delete);
+        QTRY_COMPARE(document.analyses().size(), std::size_t(2));
+        QCOMPARE(ledger.topLevelItemCount(), 3);
+        QCOMPARE(ledger.currentAnalysis(), AnalysisId::none);
+        QTest::keyClick(&ledger, Qt::Key_Delete);
+        QTRY_COMPARE(document.recordings().size(), std::size_t(1));
+        QCOMPARE(ledger.topLevelItemCount(), 2);
     }
 };
 

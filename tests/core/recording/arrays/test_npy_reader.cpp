@@ -48,6 +48,7 @@ private slots:
     void every_version_of_the_format_is_read();
     void the_header_may_have_any_order_and_blanks();
     void channels_are_chosen_from_more_than_two();
+    void a_first_column_that_counts_seconds_is_the_time();
     void missing_and_infinite_samples_are_nan();
     void the_longer_axis_is_time();
     void a_file_cut_short_opens_with_what_is_there_data();
@@ -218,6 +219,24 @@ void TestNpyReader::channels_are_chosen_from_more_than_two() {
     options.channel_d = 4;
     QCOMPARE(open(folder_.file("three.npy"), options).error().code,
              ErrorCode::channel_out_of_range);
+}
+
+void TestNpyReader::a_first_column_that_counts_seconds_is_the_time() {
+    std::string data;
+    const Samples samples = wave(300);
+    for (int i = 0; i < 300; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        data += store(i / 8000.0, false) + store(samples.c[k], false) + store(samples.d[k], false);
+    }
+    const auto path = folder_.write(
+        "timed.npy",
+        npy_bytes("{'descr': '<f8', 'fortran_order': False, 'shape': (300, 3), }", data));
+    const Recording recording = opened(path);
+    QCOMPARE(recording.rate_from, RateOrigin::time_column);
+    VYBEG_CLOSE_RATIO(recording.rate_hz, 8000, 1e-9);
+    QCOMPARE(recording.channels.size(), 2u);
+    QCOMPARE(read_all(recording).c, samples.c);
+    QCOMPARE(read_all(recording).d, samples.d);
 }
 
 void TestNpyReader::missing_and_infinite_samples_are_nan() {

@@ -51,6 +51,8 @@ private slots:
     void groups_and_quotes_stand_in_names();
     void other_channels_are_passed_over();
     void a_linear_scale_is_applied();
+    void a_channel_of_times_gives_the_rate();
+    void channels_of_different_times_are_told_or_refused();
     void opening_stops_when_it_is_told_to();
 
 private:
@@ -249,6 +251,49 @@ void TestTdmsReader::a_linear_scale_is_applied() {
     const auto refused = open(file("unscaled", "Strain"));
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::format_unsupported);
+}
+
+void TestTdmsReader::a_channel_of_times_gives_the_rate() {
+    const Tdms t;
+    constexpr int count = 40;
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) {
+        values.push_back(i * 0.5);  // ms
+    }
+    for (const double scale : {1.0, 2.0}) {
+        for (int i = 0; i < count; ++i) {
+            values.push_back(scale * i * (i % 3));
+        }
+    }
+    const std::string metadata = t.metadata(
+        {t.object("/'Run'/'Time'", t.values(tds_f64, count), {t.words("unit_string", "ms")}),
+         t.object(path_c, t.values(tds_f64, count)), t.object(path_d, t.values(tds_f64, count))});
+    const Recording recording =
+        opened(folder_.write("run", t.segment(first_segment, metadata, t.raw<double>(values))));
+    QCOMPARE(recording.rate_from, RateOrigin::time_column);
+    VYBEG_CLOSE_RATIO(recording.rate_hz, 2000, 1e-9);
+    QCOMPARE(recording.channels.size(), 2u);
+}
+
+void TestTdmsReader::channels_of_different_times_are_told_or_refused() {
+    const Tdms t;
+    constexpr int count = 400;
+    std::vector<double> values;
+    const Samples samples = wave(count);
+    values.insert(values.end(), samples.c.begin(), samples.c.end());
+    values.insert(values.end(), samples.d.begin(), samples.d.end());
+    const auto file = [&](const std::vector<std::string>& of_d) {
+        const std::string metadata =
+            t.metadata({t.object(path_c, t.values(tds_f64, count), {t.real("wf_increment", 1e-3)}),
+                        t.object(path_d, t.values(tds_f64, count), of_d)});
+        return folder_.write("run", t.segment(first_segment, metadata, t.raw<double>(values)));
+    };
+    QCOMPARE(open(file({t.real("wf_increment", 2e-3)})).error().code,
+             ErrorCode::format_unsupported);
+    const Recording late =
+        opened(file({t.real("wf_increment", 1e-3), t.real("wf_start_offset", 5e-3)}));
+    QVERIFY(find(late, DiagnosticKind::channel_delayed));
+    VYBEG_CLOSE(read_all(late).d[200], samples.d[195], 1e-9);
 }
 
 void TestTdmsReader::opening_stops_when_it_is_told_to() {

@@ -84,9 +84,9 @@ void TestBadInput::each_bad_file_has_its_error_and_one_line_that_names_it_data()
     add("prose", "Dear Sir,\n\nthe gyro is well.\n", ErrorCode::text_no_data);
     add("blank lines", "\n\n \n", ErrorCode::text_no_data);
     add("a byte order mark alone", "\xEF\xBB\xBF", ErrorCode::text_no_data);
-    add("one column", "1.5\n2.5\n3.5\n4.5\n5.5\n", ErrorCode::text_no_data);
+    add("one column", "1.5\n2.5\n3.5\n4.5\n5.5\n", ErrorCode::too_few_channels, {"1", "2", "FILE"});
     add("time and one channel", "t,C\n0,1\n0.1,2\n0.2,1\n0.3,2\n0.4,2\n",
-        ErrorCode::too_few_channels, {"1", "2"});
+        ErrorCode::too_few_channels, {"1", "2", "FILE"});
     add("no number", rows + "0.5,oops,2\n0.6,1,2\n", ErrorCode::text_not_a_number,
         {"7", "2", "oops"});
     add("no number in the second row", "t,C,D\n0,1,2\n0.1,1,x\n0.2,1,2\n0.3,1,2\n0.4,1,2\n",
@@ -137,7 +137,8 @@ void TestBadInput::a_missing_file_a_folder_and_a_pipe_are_told_apart() {
     verifyError(folder.write("file", "1") / "inside.wav", {}, ErrorCode::file_missing, {});
     verifyError(folder.file(""), {}, ErrorCode::file_is_directory, {});
     QCOMPARE(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
-    verifyError(folder.file("pipe"), {}, ErrorCode::file_read_failed, {"it is not a regular file"});
+    verifyError(folder.file("pipe"), {}, ErrorCode::file_not_regular, {});
+    verifyError("/dev/zero", {}, ErrorCode::file_not_regular, {});
 }
 
 void TestBadInput::a_file_without_permission_is_told_apart() {
@@ -156,7 +157,7 @@ void TestBadInput::bad_audio_has_its_error_data() {
     QTest::addColumn<int>("code");
     QTest::addColumn<QStringList>("args");
     QTest::newRow("mono") << 1 << 100 << 2 << static_cast<int>(ErrorCode::too_few_channels)
-                          << QStringList{"1", "2"};
+                          << QStringList{"1", "2", "FILE"};
     QTest::newRow("third of two") << 2 << 100 << 3
                                   << static_cast<int>(ErrorCode::channel_out_of_range)
                                   << QStringList{"3", "2"};

@@ -243,7 +243,7 @@ private slots:
         const auto path = folder.write("run.csv", text);
         const auto wrong = open(path);
         QVERIFY(!wrong);
-        QCOMPARE(wrong.error().code, ErrorCode::format_unsupported);
+        QCOMPARE(wrong.error().code, ErrorCode::parts_differ);
         // D and E share their times, which are those of their rate.
         OpenOptions options;
         options.channel_c = 2;
@@ -258,9 +258,68 @@ private slots:
         QVERIFY(!wrong);
         QCOMPARE(wrong.error().code, ErrorCode::rate_unknown);
         const std::string times = "# sample rate: 2000 Hz\nt,C,D\n" + rows("T,C,D\n");
-        const Recording recording = opened(folder.write("times.csv", times));
-        QCOMPARE(recording.rate_from, RateOrigin::time_column);
-        VYBEG_CLOSE(recording.rate_hz, 1000, 1e-6);
+        const auto refused = open(folder.write("times.csv", times));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::rates_differ);
+    }
+
+    void lines_behind_the_table_are_passed_over_and_counted_data() {
+        QTest::addColumn<QString>("behind");
+        QTest::addColumn<int>("lines");
+        QTest::newRow("words") << "End of data\n" << 1;
+        QTest::newRow("without line end") << "End of data" << 1;
+        QTest::newRow("totals") << "Total,1.25,3.5\n" << 1;
+        QTest::newRow("statistics") << "\nMean,,0.1,0.2\nSD,,1.5,2.5\n\n" << 2;
+        QTest::newRow("comments") << "# stopped by hand\n# 12:30\n" << 2;
+        QTest::newRow("Russian") << "Конец записи\r\n" << 1;
+    }
+    void lines_behind_the_table_are_passed_over_and_counted() {
+        QFETCH(QString, behind);
+        QFETCH(int, lines);
+        const Folder folder;
+        const Recording recording =
+            opened(folder.write("run.csv", "t,C,D\n" + rows("T,C,D\n") + behind.toStdString()));
+        const Recording plain = opened(folder.write("plain.csv", "t,C,D\n" + rows("T,C,D\n")));
+        QCOMPARE(recording.frames(), plain.frames());
+        QCOMPARE(recording.rate_hz, plain.rate_hz);
+        const Diagnostic* passed = find(recording, DiagnosticKind::text_lines_ignored);
+        QVERIFY(passed);
+        QCOMPARE(passed->args, (std::vector<MessageArg>{std::to_string(lines)}));
+    }
+
+    void numbers_of_rows_need_no_name() {
+        const Folder folder;
+        std::string text = "\"t\" \"C\" \"D\"\n";
+        for (int i = 0; i < 30; ++i) {
+            text += QString("\"%1\" %2 %3 %4\n")
+                        .arg(i + 1)
+                        .arg(i * 1e-3)
+                        .arg(std::cos(0.7 * i))
+                        .arg(std::sin(0.7 * i))
+                        .toStdString();
+        }
+        const Recording recording = opened(folder.write("run.txt", text));
+        QCOMPARE(channels_text(recording), QString("C [], D []"));
+        VYBEG_CLOSE(recording.rate_hz, 1000, 1e-3);
+        VYBEG_CLOSE(read_all(recording).c[7], std::cos(4.9), 1e-5);
+    }
+
+    void midnight_passes_between_a_date_and_a_time_in_columns_of_their_own() {
+        const Folder folder;
+        std::string text = "Date;Time;C;D\n";
+        for (int i = 0; i < 40; ++i) {
+            const int ms = 59900 + 10 * i;  // from 23:59 on
+            const QTime time = QTime(23, 59).addMSecs(ms);
+            text += QString("%1;%2;%3;%4\n")
+                        .arg(ms < 60000 ? "31.12.2025" : "01.01.2026")
+                        .arg(time.toString("HH:mm:ss.zzz"))
+                        .arg(std::cos(0.7 * i))
+                        .arg(std::sin(0.7 * i))
+                        .toStdString();
+        }
+        const Recording recording = opened(folder.write("run.csv", text));
+        VYBEG_CLOSE(recording.rate_hz, 100, 1e-6);
+        QCOMPARE(recording.frames(), 40);
     }
 
     void whole_numbers_that_rise_by_one_and_times_again_are_no_channels() {
@@ -325,6 +384,14 @@ private slots:
         QTest::newRow("ISO") << QByteArray("2024-05-01T01:02:03.000001Z") << 3723.000001;
         QTest::newRow("zone") << QByteArray("2024-05-01 01:02:03+03:00") << 3723.0;
         QTest::newRow("Russian") << QByteArray("01.05.2024 01:02:03") << 3723.0;
+        QTest::newRow("zone behind a blank")
+            << QByteArray("2024-05-01 01:02:03.5 +03:00") << 3723.5;
+        QTest::newRow("date behind") << QByteArray("01:02:03 01.05.2024") << 3723.0;
+        QTest::newRow("zone and date behind")
+            << QByteArray("01:02:03.25+03:00 2024-05-01") << 3723.25;
+        QTest::newRow("zone apart and date behind")
+            << QByteArray("01:02:03 UTC+03:00 01.05.2024") << 3723.0;
+        QTest::newRow("afternoon and date behind") << QByteArray("1:02:03 PM 5/1/2024") << 46923.0;
         QTest::newRow("afternoon") << QByteArray("5/1/2024 1:02:03.5 PM") << 46923.5;
         QTest::newRow("midnight") << QByteArray("12:00:01 AM") << 1.0;
         QTest::newRow("inserted second") << QByteArray("23:59:60") << 86400.0;

@@ -248,18 +248,39 @@ private slots:
             "run2.csv", "Sample rate: 33333 Hz\n" + table("Ramp (V),C (V),D (V)", 2, 1))));
     }
 
-    void a_rate_above_the_table_that_contradicts_its_times_is_named() {
+    void a_rate_above_the_table_that_contradicts_its_times_is_refused() {
         const Folder folder;
         const std::string times_in_ms = table("Time,C (V),D (V)", 1e-3, 1);
-        const Recording recording =
-            opened(folder.write("run.csv", "Sample Rate: 33333 Hz\n" + times_in_ms));
-        const Diagnostic* differ = find(recording, DiagnosticKind::rates_disagree);
-        QVERIFY(differ);
-        QCOMPARE(differ->args, (std::vector<MessageArg>{"33333", "33.333"}));
+        const auto path = folder.write("run.csv", "Sample Rate: 33333 Hz\n" + times_in_ms);
+        const auto refused = open(path);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::rates_differ);
+        QCOMPARE(refused.error().args, (std::vector<MessageArg>{"33333", "33.333"}));
+        // The unit of the times, or the rate that holds, settles it.
+        OpenOptions in_ms;
+        in_ms.text = TextChoice{.time_unit_s = 1e-3};
+        check_samples(opened(path, in_ms));
+        OpenOptions stated;
+        stated.rate_hz = 33333;
+        VYBEG_CLOSE_RATIO(opened(path, stated).rate_hz, rate_hz, 1e-9);
         for (const char* agreeing : {"Sample Rate: 33333 Hz\n", "Sample Rate: 33.3 kHz\n"}) {
-            QVERIFY(!find(opened(folder.write("ok.csv", agreeing + table("Time,C,D", 1, 1))),
-                          DiagnosticKind::rates_disagree));
+            QVERIFY(open(folder.write("ok.csv", agreeing + table("Time,C,D", 1, 1))));
         }
+    }
+
+    void a_rate_needs_no_colon_data() {
+        QTest::addColumn<QString>("line");
+        for (const char* line :
+             {"Sample rate 33333 Hz", "# Sample rate 33.333 kHz", "Fs=33333", "fs = 33333 Hz",
+              "Sampling frequency 33333", "Частота дискретизации 33333 Гц"}) {
+            QTest::newRow(line) << line;
+        }
+    }
+    void a_rate_needs_no_colon() {
+        QFETCH(QString, line);
+        const Folder folder;
+        check_samples(opened(folder.write(
+            "run.csv", line.toStdString() + "\n" + table("Ramp (V),C (V),D (V)", 2, 1))));
     }
 
     void thousands_in_a_rate_are_read_data() {

@@ -416,7 +416,7 @@ void TestHdf5Reader::what_cannot_be_read_is_refused_by_name_data() {
     QTest::newRow("cut.h5") << "format-damaged"
                             << "it is shorter than its header says: cut off, or never closed";
     QTest::newRow("empty.h5") << "too-few-channels"
-                              << "2";
+                              << "FILE";
 }
 
 void TestHdf5Reader::what_cannot_be_read_is_refused_by_name() {

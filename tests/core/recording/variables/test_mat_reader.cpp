@@ -39,6 +39,11 @@ sio.savemat('complex.mat', {'z': c + 1j * d, 'fs': fs})
 sio.savemat('cube.mat', {'x': np.zeros((100, 2, 3))})
 sio.savemat('alone.mat', {'C': c, 'fs': fs})
 sio.savemat('no_rate.mat', {'C': c, 'D': d})
+times = np.arange(len(c)) / fs
+for name, rate_d, late in (('together', fs, 0), ('two_rates', 2 * fs, 0), ('late', fs, 0.01)):
+    sio.savemat(name + '_fs.mat', {'C': {'data': c, 'fs': fs}, 'D': {'data': d, 'fs': rate_d}})
+    sio.savemat(name + '_t.mat', {'C': {'data': c, 't': times},
+                                  'D': {'data': d, 't': times * fs / rate_d + late}})
 types = ['i1', 'u1', 'i2', 'u2', 'i4', 'u4', 'i8', 'u8', 'f4', 'f8']
 ramp = np.arange(100)
 for packed in (False, True):
@@ -96,6 +101,7 @@ private slots:
     void every_number_type_is_read_data();
     void every_number_type_is_read();
     void named_variables_are_the_ones_that_are_read();
+    void structs_of_different_times_are_refused();
     void any_part_of_a_file_is_the_same_part_of_its_samples_data();
     void any_part_of_a_file_is_the_same_part_of_its_samples();
     void blocks_of_a_long_compressed_variable_join_without_a_seam();
@@ -206,6 +212,18 @@ void TestMatReader::named_variables_are_the_ones_that_are_read() {
     QVERIFY(!missing);
     QCOMPARE(missing.error().code, ErrorCode::variable_missing);
     QCOMPARE(missing.error().args, (std::vector<MessageArg>{"run.E", "run.C, run.D, run.fs"}));
+}
+
+void TestMatReader::structs_of_different_times_are_refused() {
+    for (const char* file : {"together_fs.mat", "together_t.mat", "late_fs.mat"}) {
+        VYBEG_CLOSE_RATIO(opened(folder_.file(file)).rate_hz,
+                          opened(folder_.file("v5.mat")).rate_hz, 1e-9);
+    }
+    for (const char* file : {"two_rates_fs.mat", "two_rates_t.mat", "late_t.mat"}) {
+        const auto refused = open(folder_.file(file));
+        QVERIFY2(!refused, file);
+        QCOMPARE(refused.error().code, ErrorCode::format_unsupported);
+    }
 }
 
 void TestMatReader::any_part_of_a_file_is_the_same_part_of_its_samples_data() {

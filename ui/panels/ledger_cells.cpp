@@ -1,0 +1,107 @@
+#include "ui/panels/ledger_cells.h"
+
+#include "ui/plots/axis_ticks.h"
+#include "ui/words/index_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+struct CellWords {
+    Q_DECLARE_TR_FUNCTIONS(LedgerCells)
+};
+
+// The power of ten of a column, so that its numbers have no more than seven digits before or three
+// zeros behind the decimal sign.
+int exponentOf(const std::vector<Reading>& readings) {
+    double largest = 0;
+    for (const Reading& reading : readings) {
+        for (const double number : {std::abs(reading.value), reading.sd}) {
+            largest = std::isfinite(number) ? std::max(largest, number) : largest;
+        }
+    }
+    const bool ordinary = largest == 0 || (largest >= 1e-3 && largest < 1e7);
+    return ordinary
+               ? 0
+               : std::clamp(3 * static_cast<int>(std::floor(std::log10(largest) / 3)), -15, 12);
+}
+
+Reading read(const LedgerReader& reader, const AnalysisEntry* entry, SlowVariable variable) {
+    if (!entry || !entry->shown.visible) {
+        return {};
+    }
+    const Analysis& analysis = *entry->shown.analysis;
+    Measuring here = reader.measuring;
+    if (!here.mouse_s && analysis.track.rows() > 0) {
+        here.mouse_s = analysis.track.time_s().front();
+    }
+    return readingOf(analysis, variable, reader.at, here, reader.trends.of(entry->shown.id),
+                     reader.units);
+}
+
+// Symbol and unit, with the prefix or power of ten of the column.
+QString headOf(const LedgerReader& reader, SlowVariable variable, int exponent) {
+    const bool beat = reader.at == ReadAt::rate && reader.measuring.kind == TrendKind::beat;
+    QString unit = displayUnit(variable, reader.units);
+    if (beat) {
+        unit = CellWords::tr("Hz");
+    } else if (reader.at == ReadAt::rate) {
+        unit = unit.isEmpty() ? CellWords::tr("1/s") : CellWords::tr("%1/s").arg(unit);
+    }
+    const QString scaled = scaledUnit(unit, beat || takesPrefix(variable, reader.units), exponent);
+    const QString symbol = indexPlain(displaySymbol(variable, reader.units));
+    return scaled.isEmpty() ? symbol : QStringLiteral("%1, %2").arg(symbol, scaled);
+}
+
+}  // namespace
+
+CellColumn variableColumn(const LedgerReader& reader, const std::vector<const AnalysisEntry*>& rows,
+                          SlowVariable variable, bool concise) {
+    std::vector<Reading> readings;
+    for (const AnalysisEntry* entry : rows) {
+        readings.push_back(read(reader, entry, variable));
+    }
+    const int exponent = exponentOf(readings);
+    const double scale = std::pow(10., -exponent);
+    CellColumn column{headOf(reader, variable, exponent), {}};
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const double value = scale * readings[row].value;
+        const double sd = scale * readings[row].sd;
+        column.cells << (!rows[row] ? QString()
+                         : concise  ? conciseText(value, sd)
+                                    : valueText(value, sd));
+    }
+    return column;
+}
+
+std::pair<QString, QString> trendCell(const LedgerReader& reader, const AnalysisEntry* entry) {
+    if (!entry || !entry->shown.visible) {
+        return {};
+    }
+    const Analysis& analysis = *entry->shown.analysis;
+    const Measuring& measuring = reader.measuring;
+    const auto& time_s = reader.at == ReadAt::a   ? measuring.a_s
+                         : reader.at == ReadAt::b ? measuring.b_s
+                                                  : measuring.mouse_s;
+    const bool between = reader.at == ReadAt::difference || reader.at == ReadAt::rate;
+    QString text = !between && time_s ? reasonAt(analysis, *time_s) : QString();
+    if (text.isEmpty() && measuring.both()) {
+        if (isInside(analysis, measuring.a_s) && isInside(analysis, measuring.b_s)) {
+            const auto& trends = reader.trends.of(entry->shown.id);
+            QString all =
+                measuredSentences(reader.document, *entry, measuring, trends, reader.units)
+                    .join(QStringLiteral("<br>"));
+            return {trendSummary(measuring.kind, trends, reader.units), richTip(all)};
+        }
+        text = CellWords::tr("no windows there");
+    }
+    return {text, plainTip(text)};
+}
+
+}  // namespace vybeg::ui

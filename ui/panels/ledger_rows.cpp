@@ -1,0 +1,178 @@
+#include "ui/panels/ledger_rows.h"
+
+#include "ui/panels/recording_facts.h"
+#include "ui/widgets/theme.h"
+#include "ui/words/algorithm_text.h"
+#include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QLocale>
+#include <QPainter>
+
+namespace vybeg::ui {
+
+namespace {
+
+struct RowWords {
+    Q_DECLARE_TR_FUNCTIONS(LedgerRows)
+};
+
+constexpr int analysis_role = Qt::UserRole;
+constexpr int recording_role = Qt::UserRole + 1;
+constexpr int short_name_role = Qt::UserRole + 2;
+
+// The name of an analysis as its row shows it: without the ending that other columns tell, where it
+// is alone, and only by its ending below its recording. Null: as it is.
+QVariant shortName(const LedgerRow& row) {
+    const QString own = QFileInfo(row.recording->path).completeBaseName();
+    const QString& name = row.analysis->shown.name;
+    if (!name.startsWith(own + QStringLiteral(", "))) {
+        return {};
+    }
+    return !row.first  ? QStringLiteral("   ") + name.mid(own.size() + 2)
+           : row.alone ? QVariant(own)
+                       : QVariant();
+}
+
+QStringList analysisFacts(const AnalysisEntry& entry, bool live) {
+    const QLocale locale;
+    const Analysis& analysis = *entry.shown.analysis;
+    const auto count = static_cast<qint64>(entry.summary.windows);
+    QStringList facts{entry.shown.name, algorithmText(analysis.settings.algorithm)};
+    facts << (entry.partial() ? RowWords::tr("%1 of %2 windows")
+                                    .arg(locale.toString(count),
+                                         locale.toString(static_cast<qint64>(analysis.plan.count)))
+                              : RowWords::tr("%n window(s), %1 flagged, in %2 ms", nullptr,
+                                             static_cast<int>(count))
+                                    .arg(entry.summary.flagged)
+                                    .arg(locale.toString(1e3 * entry.shown.seconds_taken, 'g', 3)));
+    if (live) {
+        facts << RowWords::tr(
+            "Follows the settings while Live is on; Keep keeps an analysis as it is");
+    }
+    return facts << QString();
+}
+
+// A sample of an analysis's line: its colour and shade.
+QIcon curveIcon(const ShownAnalysis& shown) {
+    constexpr int width = 28;
+    constexpr int height = 14;
+    constexpr int scale = 2;
+    QPixmap pixmap(width * scale, height * scale);
+    pixmap.setDevicePixelRatio(scale);
+    // An opaque background, so that the line is visible on a selected row.
+    pixmap.fill(QGuiApplication::palette().color(QPalette::Base));
+    QPainter painter(&pixmap);
+    const Theme theme = isDark(QGuiApplication::palette()) ? darkTheme() : lightTheme();
+    painter.setPen(
+        QPen(readable(shown.color, theme, shown.shade), 2.5, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(2, height / 2.0), QPointF(width - 2, height / 2.0));
+    painter.end();
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);
+    return icon;
+}
+
+}  // namespace
+
+std::vector<LedgerRow> ledgerRows(const Document& document) {
+    std::vector<LedgerRow> rows;
+    for (const RecordingEntry& recording : document.recordings()) {
+        bool first = true;
+        for (const AnalysisEntry& entry : document.analyses()) {
+            if (entry.recording_id == recording.id) {
+                if (!first) {
+                    rows.back().alone = false;
+                }
+                rows.push_back({&recording, &entry, first, first});
+                first = false;
+            }
+        }
+        if (first) {
+            rows.push_back({&recording, nullptr, true, true});
+        }
+    }
+    return rows;
+}
+
+void nameRow(const LedgerRow& row, bool live, QTreeWidgetItem& item) {
+    constexpr int name = name_column;
+    const RecordingEntry& recording = *row.recording;
+    const AnalysisEntry* entry = row.analysis;
+    item.setData(name, recording_role, number(recording.id));
+    item.setData(name, analysis_role, number(entry ? entry->shown.id : AnalysisId::none));
+    item.setData(name, short_name_role, entry ? shortName(row) : QVariant());
+    QFont font = item.treeWidget()->font();
+    font.setBold(row.first);
+    font.setItalic(entry && entry->live && live);
+    item.setFont(name, font);
+    QStringList tip;
+    if (entry) {
+        item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
+                      Qt::ItemIsEditable);
+        item.setCheckState(name, entry->shown.visible ? Qt::Checked : Qt::Unchecked);
+        item.setIcon(name, curveIcon(entry->shown));
+        item.setText(name, entry->shown.name);
+        tip = analysisFacts(*entry, entry->live && live);
+    } else {
+        item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+        item.setData(name, Qt::CheckStateRole, QVariant());
+        item.setIcon(name, {});
+        item.setText(name, recording.recording ? recording.name
+                                               : RowWords::tr("%1 (opening)").arg(recording.name));
+    }
+    tip << recordingFacts(recording);
+    item.setToolTip(name, plainTip(tip.join(QLatin1Char('\n'))));
+}
+
+QString rowNotes(const LedgerRow& row) {
+    QStringList sentences;
+    if (row.analysis) {
+        const TrackSummary& summary = row.analysis->summary;
+        if (summary.leakage_limits()) {
+            sentences << RowWords::tr("Leakage of the window limits the mean frequency, by %1 Hz.")
+                             .arg(QLocale().toString(summary.leakage_f_hz, 'g', 2));
+        }
+        if (summary.at_bound > 0) {
+            sentences << RowWords::tr(
+                "The frequency of %n window(s) lies at the bound of the search; the mean's "
+                "deviation allows for them.",
+                nullptr, static_cast<int>(summary.at_bound));
+        }
+        for (const Finding& finding : findings_of(row.analysis->shown.analysis->diagnostics)) {
+            sentences << findingText(finding);
+        }
+    }
+    if (row.first && hasFindings(*row.recording)) {
+        const auto& found = row.recording->faults ? row.recording->faults->findings
+                                                  : row.recording->recording->diagnostics;
+        for (const Finding& finding : findings_of(found)) {
+            sentences << findingText(finding);
+        }
+    }
+    if (const auto count = static_cast<std::size_t>(sentences.size()); count > most_shown) {
+        sentences.resize(most_shown);
+        sentences << moreText(count - most_shown);
+    }
+    return sentences.join(QLatin1Char('\n'));
+}
+
+RecordingId recordingOf(const QTreeWidgetItem& item) {
+    return static_cast<RecordingId>(item.data(name_column, recording_role).toInt());
+}
+
+AnalysisId analysisIdOf(const QTreeWidgetItem& item) {
+    return static_cast<AnalysisId>(item.data(name_column, analysis_role).toInt());
+}
+
+void LedgerNames::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    NameDelegate::initStyleOption(option, index);
+    if (const QString text = index.data(short_name_role).toString(); !text.isEmpty()) {
+        option->text = text;
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/values/ids.h"
+#include "ui/words/short_names.h"
+
+#include <QTreeWidgetItem>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// Of the names, by which the ledger knows its rows.
+inline constexpr int name_column = 0;
+
+// One row of the ledger: an analysis, or a recording without one.
+struct LedgerRow {
+    const RecordingEntry* recording = nullptr;
+    const AnalysisEntry* analysis = nullptr;
+    bool first = false;  // of its recording
+    bool alone = false;  // the recording has no other
+};
+
+// The rows in the order of the recordings, those of each in the order of its analyses.
+std::vector<LedgerRow> ledgerRows(const Document& document);
+
+// Name, colour and facts of a row, in the first column of its item.
+void nameRow(const LedgerRow& row, bool live, QTreeWidgetItem& item);
+// The worst warnings of a row, a line each; empty without any.
+QString rowNotes(const LedgerRow& row);
+
+// What an item is the row of.
+RecordingId recordingOf(const QTreeWidgetItem& item);
+AnalysisId analysisIdOf(const QTreeWidgetItem& item);
+
+// Draws names without what they share with the recording above them.
+class LedgerNames : public NameDelegate {
+public:
+    using NameDelegate::NameDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+};
+
+}  // namespace vybeg::ui
