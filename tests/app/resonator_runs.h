@@ -45,7 +45,7 @@ inline bool simulate_set(const QString& folder, const QString& prefix, const QSt
                      "--theta-tau",
                      "-0.3",
                      "--omega",
-                     "2e-4",
+                     "5e-5",
                      "--f0",
                      QString::number(5300 + 0.01 * static_cast<double>(k), 'g', 17),
                      "--two-theta-A",

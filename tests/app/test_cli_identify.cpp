@@ -62,7 +62,7 @@ private slots:
         VYBEG_LESS(deviations(resonator["q"], pi * 5300.015 * 400), 4);
         VYBEG_LESS(deviations(resonator["damping_anisotropy_per_s"], 3e-4), 4);
         VYBEG_LESS(deviations(resonator["theta_tau_rad"], -0.3, pi / 2), 4);
-        VYBEG_LESS(deviations(resonator["angle_rate_rad_s"], -0.277 * 2e-4), 4);
+        VYBEG_LESS(deviations(resonator["angle_rate_rad_s"], -0.277 * 5e-5), 4);
         VYBEG_LESS(resonator["split_hz"]["sd"].toDouble(), 3e-6);
         for (int k = 0; k < 4; ++k) {
             const QJsonValue of_run = json["runs"][k];
@@ -76,7 +76,7 @@ private slots:
         VYBEG_LESS(deviations(json["modes"][1]["f_hz"], 5300.015 - 0.5e-3), 4.5);
         const QJsonValue harmonics = json["drift_function"]["harmonics"];
         QCOMPARE(json["drift_function"]["order"].toInt(), 4);
-        VYBEG_LESS(deviations(harmonics["mean_rad_s"], -0.277 * 2e-4), 4);
+        VYBEG_LESS(deviations(harmonics["mean_rad_s"], -0.277 * 5e-5), 4);
         VYBEG_LESS(deviations(harmonics["sin4_rad_s"], 0.75e-4 * std::cos(1.2)), 4);
         VYBEG_LESS(deviations(harmonics["cos4_rad_s"], 0.75e-4 * std::sin(1.2)), 4);
     }

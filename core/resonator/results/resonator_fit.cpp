@@ -216,10 +216,10 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     std::unique_ptr<SetFit> set = solved_set(good, scale, stated, job);
     bool by_usual = false;
     if (usual.tolerance != stated.tolerance &&
-        !(set->is_in_order() && set->keeps_tolerances() && set->unexplained_breaks().empty())) {
+        !(set->explains() && set->is_white() && set->unexplained_breaks().empty())) {
         // What channels within their usual tolerances explain is no finding.
         std::unique_ptr<SetFit> open = solved_set(good, scale, usual, job);
-        by_usual = open->is_in_order();
+        by_usual = open->explains();
         if (by_usual) {
             set = std::move(open);
         }

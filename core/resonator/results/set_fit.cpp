@@ -150,13 +150,15 @@ bool SetFit::is_white() const {
            NoiseEstimate(problem_, posterior(problem_, main_), job_).noise().as_expected();
 }
 
-bool SetFit::keeps_tolerances() const {
+bool SetFit::explains() const {
     constexpr double most_tolerances = 3;
     const Priors& priors = problem_.priors;
-    return std::ranges::all_of(channel_errors, [&](const ChannelError& error) {
+    const auto is_usual = [&](const ChannelError& error) {
         const double off = main_.p[error.parameter] - priors.mean[error.parameter];
         return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
-    });
+    };
+    return examination_.verdict == SetVerdict::fits && at_noise() &&
+           std::ranges::all_of(channel_errors, is_usual);
 }
 
 ResonatorFit SetFit::described() const {

@@ -61,11 +61,9 @@ public:
         return fitted_size(problem_, main_.p, each);
     }
 
-    // Whether the runs agree and the residual is noise.
-    bool is_in_order() const { return examination_.verdict == SetVerdict::fits && is_white(); }
-
-    // Whether the channel errors lie within three of their tolerances.
-    bool keeps_tolerances() const;
+    // Whether the runs agree, the residual has the size of the noise, and the channel errors lie
+    // within three of their tolerances.
+    bool explains() const;
 
     FittedMotion motion() const { return motion_of(solved()); }
 
