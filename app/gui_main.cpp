@@ -55,10 +55,7 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
 // What the command line asks for.
 struct Requested {
     FigureRequest figure;
-    ReportRequest report;  // its own part
-    std::string gyro;
-    std::string engineer;
-    std::string comment;
+    ReportRequest report;       // its own part
     IdentifySettings identify;  // its tolerances
 };
 
@@ -79,12 +76,18 @@ void add_report_options(CLI::App& app, Requested& requested) {
     app.add_option("--set", requested.report.set, "Of this set of the list alone")
         ->type_name("NAME")
         ->needs(list);
-    const auto add_title = [&](const char* option, std::string& text, const char* help) {
-        app.add_option(option, text, help)->type_name("TEXT")->needs(report);
-    };
-    add_title("--gyro", requested.gyro, "With --report: serial number of the gyro");
-    add_title("--operator", requested.engineer, "With --report: who measured");
-    add_title("--comment", requested.comment, "With --report: a comment for the title");
+    app.add_flag("--summary", requested.report.summary,
+                 "With --report: one page a set, to be signed")
+        ->needs(report);
+    for (const ui::TitleField& field : ui::title_fields) {
+        const auto take = [&requested, text = field.text](const std::string& told) {
+            requested.report.title.*text = QString::fromStdString(told);
+        };
+        app.add_option_function<std::string>("--" + std::string(field.option), take,
+                                             "With --report: " + std::string(field.help))
+            ->type_name("TEXT")
+            ->needs(report);
+    }
 }
 
 // The line is read before anything of Qt exists: --help and a wrong line need no display.
@@ -197,9 +200,6 @@ int report_mode(int argc, char** argv, const Requested& requested) {
     }
     ReportRequest report = requested.report;
     report.inputs = request.inputs;
-    report.title.gyro = QString::fromStdString(requested.gyro);
-    report.title.engineer = QString::fromStdString(requested.engineer);
-    report.title.comment = QString::fromStdString(requested.comment);
     report.open = request.open;
     report.settings = request.settings;
     report.tolerance = requested.identify.tolerance;

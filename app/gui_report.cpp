@@ -95,8 +95,8 @@ QString program_text() {
 
 Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementList& list,
                               const JobControl& job) {
-    const auto content =
-        TRY(report_of_set(list.sets.front(), request.settings, request.title, job));
+    auto content = TRY(report_of_set(list.sets.front(), request.settings, request.title, job));
+    content.summary = request.summary;
     return ui::reportPdf(ui::reportTextOf(content, program_text(), ui::reportDay()),
                          ui::drawnFigures(content));
 }
@@ -122,6 +122,7 @@ Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementLis
             without.not_identified = content.error();
             content = std::move(without);
         }
+        content->summary = request.summary;
         content->set = QString::fromStdString(set.name);
         content->chapter = static_cast<int>(chapters.size()) + 1;
         chapters.push_back(ui::chapterOf(*content));

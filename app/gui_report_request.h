@@ -17,6 +17,7 @@ struct ReportRequest {
     std::string set;        // of the list alone; empty: all
     std::string report;     // .pdf
     ui::ReportTitle title;  // conditions of a list take precedence
+    bool summary = false;   // one page a set
     OpenOptions open;
     Settings settings;    // of the list: where it has no others
     Tolerance tolerance;  // of the channels, likewise

@@ -118,6 +118,7 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
     std::vector<ReportContent> contents = reportContentsOf(document, *subject);
     for (ReportContent& content : contents) {
         content.units = units;
+        content.summary = request.summary;
         content.title = completed(content.title, otherwise);
     }
     ReportWriter writer;

@@ -2231,8 +2231,8 @@
         <translation>Свободная модель</translation>
     </message>
     <message>
-        <source>After the GUM (JCGM 100:2008): standard uncertainties in the unit of each parameter; u² is the sum of the squares; U has the coverage factor 2. Tolerances (standard deviations): %1. %2</source>
-        <translation>По GUM (JCGM 100:2008, ГОСТ Р 54500.3): стандартные неопределённости в единицах параметра; u² — сумма квадратов; у U коэффициент охвата 2. Допуски (СКО): %1. %2</translation>
+        <source>After the GUM (JCGM 100:2008): standard uncertainties in the unit of each parameter; u² is the sum of the squares; U has the coverage factor 2.</source>
+        <translation>По GUM (JCGM 100:2008, ГОСТ Р 54500.3): стандартные неопределённости в единицах параметра; u² — сумма квадратов; у U коэффициент охвата 2.</translation>
     </message>
     <message>
         <source>none</source>
@@ -2297,6 +2297,82 @@
     <message>
         <source>Settings of the identification</source>
         <translation>Настройки идентификации</translation>
+    </message>
+    <message>
+        <source>Report number</source>
+        <translation>Номер отчёта</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Аппаратура</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Результат</translation>
+    </message>
+    <message>
+        <source>Value ± U (k = 2)</source>
+        <translation>Значение ± U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Tolerances (standard deviations): %1. %2</source>
+        <translation>Допуски (СКО): %1. %2</translation>
+    </message>
+    <message>
+        <source>Not shown by the recordings: %1.</source>
+        <translation>Записи не определяют: %1.</translation>
+    </message>
+    <message>
+        <source>Recordings: %1.</source>
+        <translation>Записи: %1.</translation>
+    </message>
+    <message>
+        <source>Errors that no residual shows would add</source>
+        <translation>Ошибки, не видимые в невязке, добавили бы</translation>
+    </message>
+    <message>
+        <source>All limits are kept.</source>
+        <translation>Все пределы соблюдены.</translation>
+    </message>
+    <message>
+        <source>Limits are not kept: %1.</source>
+        <translation>Пределы не соблюдены: %1.</translation>
+    </message>
+    <message>
+        <source>No verdict: by the warnings, the numbers may be wrong.</source>
+        <translation>Заключения нет: по предупреждениям, числа могут быть ошибочны.</translation>
+    </message>
+    <message>
+        <source>No verdict; not shown to be kept: %1.</source>
+        <translation>Заключения нет; соблюдение пределов не доказано: %1.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Имя</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Подпись</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Измерил</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Проверил</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>Утвердил</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Подписи</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
     </message>
 </context>
 <context>
@@ -2858,11 +2934,11 @@
     </message>
     <message>
         <source>Sample rate</source>
-        <translation>Частота дискр.</translation>
+        <translation>Частота дискретизации</translation>
     </message>
     <message>
         <source>Gain drift</source>
-        <translation>Уход усиления</translation>
+        <translation>Уход коэффициента передачи</translation>
     </message>
     <message>
         <source>Phase drift</source>
@@ -2870,7 +2946,7 @@
     </message>
     <message>
         <source>Crosstalk</source>
-        <translation>Перекр. помеха</translation>
+        <translation>Перекрёстная помеха</translation>
     </message>
     <message>
         <source>Delay</source>
@@ -2878,11 +2954,11 @@
     </message>
     <message>
         <source>Skew</source>
-        <translation>Неортог.</translation>
+        <translation>Неортогональность</translation>
     </message>
     <message>
         <source>Gain ratio</source>
-        <translation>Отнош. усиления</translation>
+        <translation>Отношение коэффициентов передачи</translation>
     </message>
     <message>
         <source>10 ns of delay</source>
@@ -6225,30 +6301,6 @@
         <translation>Пусто: строка для заполнения от руки</translation>
     </message>
     <message>
-        <source>Gyro</source>
-        <translation>Гироскоп</translation>
-    </message>
-    <message>
-        <source>Serial number. %1</source>
-        <translation>Заводской номер. %1</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Оператор</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Дата</translation>
-    </message>
-    <message>
-        <source>Of the measurement. %1</source>
-        <translation>Дата измерения. %1</translation>
-    </message>
-    <message>
-        <source>Comment</source>
-        <translation>Примечание</translation>
-    </message>
-    <message>
         <source>Off: the five slow variables</source>
         <translation>Выключено: пять медленных переменных</translation>
     </message>
@@ -6259,6 +6311,10 @@
     <message>
         <source>As a PDF document</source>
         <translation>Как документ PDF</translation>
+    </message>
+    <message>
+        <source>One page to be signed: result, limits, warnings</source>
+        <translation>Одна страница на подпись: результат, пределы, предупреждения</translation>
     </message>
 </context>
 <context>

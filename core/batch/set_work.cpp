@@ -24,18 +24,9 @@ bool ends_batch(ErrorCode code) {
            status == exit_status(ErrorCode::interrupted);
 }
 
-// Numbers that may be wrong decide nothing, nor does a set without a result (null).
-std::optional<LimitVerdict> limit_verdict(const SetTask& task, const Identification* found) {
-    if (!task.limits) {
-        return {};
-    }
-    LimitVerdict verdict =
-        found != nullptr ? keeps_limits(found->fit.resonator, *task.limits) : LimitVerdict{};
-    const bool decides = found != nullptr && !is_doubtful(*found);
-    if (!decides && !task.limits->empty()) {
-        verdict.conformity = Conformity::unknown;
-    }
-    return verdict;
+// None where the table has no limits.
+std::optional<LimitVerdict> verdict_of(const SetTask& task, const Identification* found) {
+    return task.limits ? std::optional(limit_verdict(found, *task.limits)) : std::nullopt;
 }
 
 }  // namespace
@@ -139,7 +130,7 @@ void SetWork::finish(const SetTask& task) {
             warnings.emplace_back("", std::move(*stored));
         }
     }
-    const std::optional<LimitVerdict> limits = limit_verdict(task, &result->identification);
+    const std::optional<LimitVerdict> limits = verdict_of(task, &result->identification);
     FinishedRow row{.text = batch_row(*result, limits ? &*limits : nullptr),
                     .warnings = std::move(warnings),
                     .error = {},
@@ -182,7 +173,7 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
     if (ends_batch(error.code)) {
         give_up(error);
     } else {
-        const std::optional<LimitVerdict> limits = limit_verdict(task, nullptr);
+        const std::optional<LimitVerdict> limits = verdict_of(task, nullptr);
         add_row(task, {.text = batch_row(*task.set, error, limits ? &*limits : nullptr),
                        .warnings = warnings,
                        .error = error,

@@ -120,6 +120,12 @@ std::pair<std::string, std::string> verdict(const std::optional<PassportComparis
     return {changed.empty() ? verdict : "changed", changed};
 }
 
+// Whether a serious warning says that the numbers may be wrong.
+bool is_doubtful(const Identification& found) {
+    const std::vector<Finding> findings = findings_of(found);
+    return !findings.empty() && severity(findings.front().diagnostic.kind) == Severity::serious;
+}
+
 }  // namespace
 
 const char* passed_text(const std::optional<Conformity>& conformity) {
@@ -234,9 +240,13 @@ std::string excel_row(const std::string& row, bool limits) {
     return in_row(fields, ';');
 }
 
-bool is_doubtful(const Identification& found) {
-    const std::vector<Finding> findings = findings_of(found);
-    return !findings.empty() && severity(findings.front().diagnostic.kind) == Severity::serious;
+LimitVerdict limit_verdict(const Identification* found, const std::vector<ParameterLimit>& limits) {
+    LimitVerdict verdict =
+        found != nullptr ? keeps_limits(found->fit.resonator, limits) : LimitVerdict{};
+    if ((found == nullptr || is_doubtful(*found)) && !limits.empty()) {
+        verdict.conformity = Conformity::unknown;
+    }
+    return verdict;
 }
 
 std::string csv_row(const std::vector<std::string>& texts) {

@@ -48,8 +48,9 @@ std::string excel_head(const std::string& head);
 // fields, a comma in the numbers of the table's own columns.
 std::string excel_row(const std::string& row, bool limits);
 
-// Whether a serious warning says that the numbers may be wrong.
-bool is_doubtful(const Identification& found);
+// Whether a resonator keeps its limits. Numbers that may be wrong by a serious warning decide
+// nothing, nor does a set without a result (null).
+LimitVerdict limit_verdict(const Identification* found, const std::vector<ParameterLimit>& limits);
 
 // Texts as a row of such a table: in quotes where they hold a separator.
 std::string csv_row(const std::vector<std::string>& texts);

@@ -21,22 +21,31 @@ QString told(const MeasurementSet& set, std::string Conditions::*condition, cons
 }  // namespace
 
 ReportTitle titleOf(const MeasurementSet& set, const ReportTitle& usual) {
-    return {told(set, &Conditions::gyro, usual.gyro),
-            told(set, &Conditions::operator_name, usual.engineer),
-            told(set, &Conditions::date, usual.date),
-            told(set, &Conditions::comment, usual.comment)};
+    ReportTitle title = usual;
+    for (const TitleField& field : title_fields) {
+        if (field.told) {
+            title.*field.text = told(set, field.told, usual.*field.text);
+        }
+    }
+    return title;
 }
 
 ReportTitle titleOf(const GyroData& gyro) {
-    return {gyro.serial, gyro.operator_name, QString(), gyro.comment.simplified()};
+    ReportTitle title;
+    title.gyro = gyro.serial;
+    title.engineer = gyro.operator_name;
+    title.comment = gyro.comment.simplified();
+    return title;
 }
 
 ReportTitle completed(const ReportTitle& title, const ReportTitle& otherwise) {
-    const auto either = [](const QString& text, const QString& other) {
-        return text.isEmpty() ? other : text;
-    };
-    return {either(title.gyro, otherwise.gyro), either(title.engineer, otherwise.engineer),
-            either(title.date, otherwise.date), either(title.comment, otherwise.comment)};
+    ReportTitle whole = title;
+    for (const TitleField& field : title_fields) {
+        if ((whole.*field.text).isEmpty()) {
+            whole.*field.text = otherwise.*field.text;
+        }
+    }
+    return whole;
 }
 
 ReportRecording reportRecording(const Recording& recording, const QString& sha256) {

@@ -11,22 +11,51 @@
 #include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
+#include <QCoreApplication>
 #include <QString>
 #include <QStringList>
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace vybeg::ui {
 
 // What no file tells. An empty text leaves a line to be filled in by hand.
 struct ReportTitle {
-    QString gyro;  // serial number
+    QString number;  // of the report
+    QString gyro;    // serial number
+    QString instrument;
     QString engineer;
     QString date;  // of the recordings
     QString comment;
 };
+
+struct TitleField {
+    const char* option;  // of the command line, without its dashes
+    const char* name;    // reportText()
+    const char* help;    // of the option
+    QString ReportTitle::*text;
+    std::string Conditions::*told;  // by a measurement list; nullptr: not told there
+};
+
+// As they stand in a report.
+inline constexpr std::array<TitleField, 6> title_fields{{
+    {"number", QT_TRANSLATE_NOOP("Report", "Report number"), "number of the report",
+     &ReportTitle::number, nullptr},
+    {"gyro", QT_TRANSLATE_NOOP("Report", "Gyro, serial number"), "serial number of the gyro",
+     &ReportTitle::gyro, &Conditions::gyro},
+    {"instrument", QT_TRANSLATE_NOOP("Report", "Instrument"),
+     "recorder and electronics that measured", &ReportTitle::instrument, nullptr},
+    {"operator", QT_TRANSLATE_NOOP("Report", "Operator"), "who measured", &ReportTitle::engineer,
+     &Conditions::operator_name},
+    {"date", QT_TRANSLATE_NOOP("Report", "Date of measurement"), "date of the measurement",
+     &ReportTitle::date, &Conditions::date},
+    {"comment", QT_TRANSLATE_NOOP("Report", "Comment"), "a comment for the title",
+     &ReportTitle::comment, &Conditions::comment},
+}};
 
 struct ReportRecording {
     QString name;
@@ -77,6 +106,7 @@ struct ReportContent {
     std::optional<Error>
         not_identified;  // reason for the absence of the outcome, where one is known
     std::vector<ParameterLimit> limits;
+    bool summary = false;  // the page to be signed alone
     DisplayUnits units;
     std::vector<SlowVariable> variables{main_slow_variables.begin(), main_slow_variables.end()};
 };

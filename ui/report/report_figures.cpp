@@ -44,6 +44,9 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content) {
     constexpr double heading = 60;
     constexpr double half = 0.49;
     std::vector<ReportFigure> figures;
+    if (content.summary) {
+        return figures;
+    }
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
         const PlotContent plots = plotsOf(content, k);
         if (!plots.analyses.empty()) {

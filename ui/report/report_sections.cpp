@@ -95,7 +95,7 @@ QString recordingsSection(const ReportContent& content) {
                      .arg(each.conditions.join(QStringLiteral("; ")).toHtmlEscaped())});
         }
     }
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Recordings"))) + html(table);
+    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Recordings")), true) + html(table);
 }
 
 QString settingsSection(const ReportContent& content) {
@@ -215,7 +215,7 @@ QString warningsSection(const ReportContent& content) {
            (text.isEmpty() ? paragraph(reportText(QT_TRANSLATE_NOOP("Report", "None."))) : text);
 }
 
-// The worst on the first page; their section has all.
+// The worst, for the first page; their section has all.
 QString worstWarnings(const ReportContent& content) {
     std::vector<NamedWarnings> all;
     if (content.outcome) {
@@ -231,7 +231,31 @@ QString worstWarnings(const ReportContent& content) {
     }
     std::vector<Finding> findings = findings_of(all);
     findings.resize(count_warnings(findings));
-    return findings.empty() ? QString() : items(sentences(findings, most_shown));
+    return smallHeading(reportText(QT_TRANSLATE_NOOP("Report", "Warnings"))) +
+           (findings.empty() ? paragraph(reportText(QT_TRANSLATE_NOOP("Report", "None.")))
+                             : items(sentences(findings, most_shown)));
+}
+
+// Lines for those who answer for the report.
+QString signatures(const ReportTitle& title) {
+    HtmlTable table{{QString(), reportText(QT_TRANSLATE_NOOP("Report", "Name")),
+                     reportText(QT_TRANSLATE_NOOP("Report", "Date")),
+                     reportText(QT_TRANSLATE_NOOP("Report", "Signature"))},
+                    {},
+                    {16, 34, 18, 32}};
+    const auto add = [&table](const QString& what, const QString& name) {
+        // Two lines high, to write in.
+        table.rows.push_back({what + QStringLiteral("<br>&nbsp;"), name, {}, {}});
+    };
+    add(bold(QT_TRANSLATE_NOOP("Report", "Measured")), title.engineer.toHtmlEscaped());
+    add(bold(QT_TRANSLATE_NOOP("Report", "Checked")), {});
+    add(bold(QT_TRANSLATE_NOOP("Report", "Approved")), {});
+    return smallHeading(reportText(QT_TRANSLATE_NOOP("Report", "Signatures"))) + html(table);
+}
+
+// The page to be signed.
+QString firstPage(const ReportContent& content) {
+    return resultSection(content) + worstWarnings(content) + signatures(content.title);
 }
 
 }  // namespace
@@ -243,12 +267,9 @@ QString titleBlock(const ReportTitle& title, const QString& made) {
         return text.isEmpty() ? line : text.toHtmlEscaped();
     };
     HtmlTable table{{}, {}, {32, 68}};
-    table.rows = {
-        {bold(QT_TRANSLATE_NOOP("Report", "Gyro, serial number")), told(title.gyro)},
-        {bold(QT_TRANSLATE_NOOP("Report", "Operator")), told(title.engineer)},
-        {bold(QT_TRANSLATE_NOOP("Report", "Date of measurement")), told(title.date)},
-        {bold(QT_TRANSLATE_NOOP("Report", "Comment")), told(title.comment)},
-    };
+    for (const TitleField& field : title_fields) {
+        table.rows.push_back({bold(field.name), told(title.*field.text)});
+    }
     if (!made.isEmpty()) {
         table.rows.push_back(
             {bold(QT_TRANSLATE_NOOP("Report", "Report made")), made.toHtmlEscaped()});
@@ -257,9 +278,11 @@ QString titleBlock(const ReportTitle& title, const QString& made) {
 }
 
 QString reportSections(const ReportContent& content) {
-    return worstWarnings(content) + recordingsSection(content) + settingsSection(content) +
-           plotsSection(content) + resonatorSection(content) + eventsSection(content) +
-           warningsSection(content);
+    const QString first = firstPage(content);
+    return content.summary ? first
+                           : first + recordingsSection(content) + settingsSection(content) +
+                                 plotsSection(content) + resonatorSection(content) +
+                                 eventsSection(content) + warningsSection(content);
 }
 
 }  // namespace vybeg::ui

@@ -1,11 +1,14 @@
 #include "ui/report/resonator_section.h"
 
+#include "core/output/batch_csv.h"
 #include "ui/report/budget_text.h"
 #include "ui/report/options_text.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
+#include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
 
 #include <QStringList>
 
@@ -16,6 +19,7 @@ namespace {
 // Columns of values that a page has room for.
 constexpr qsizetype most_recordings = 2;
 constexpr qsizetype most_sources = 5;
+constexpr qsizetype most_errors = 4;
 
 QString part(const QString& title, const QString& tables) {
     return tables.isEmpty() ? tables : smallHeading(title) + tables;
@@ -29,24 +33,61 @@ QString modelText(const Identification& found) {
     return QStringLiteral("%1; χ²/ν = %2").arg(model, shortNumberText(found.fit.chi2_per_dof, 3));
 }
 
+// The sources of u.
+QString tolerancesText(const Identification& found) {
+    const QStringList tolerances = toleranceTexts(found.settings);
+    return reportText(QT_TRANSLATE_NOOP("Report", "Tolerances (standard deviations): %1. %2"))
+        .arg(tolerances.isEmpty() ? reportText(QT_TRANSLATE_NOOP("Report", "none"))
+                                  : tolerances.join(QStringLiteral("; ")),
+             clockText(found.settings));
+}
+
 QString budget(const Identification& found, const DisplayUnits& units) {
     const auto rows = budgetRows(found, units);
     if (rows.empty()) {
         return {};
     }
-    const QStringList tolerances = toleranceTexts(found.settings);
-    const QString sources =
-        reportText(QT_TRANSLATE_NOOP(
-                       "Report",
-                       "After the GUM (JCGM 100:2008): standard uncertainties in the unit of each "
-                       "parameter; u² is the sum of the squares; U has the coverage factor 2. "
-                       "Tolerances (standard deviations): %1. %2"))
-            .arg(tolerances.isEmpty() ? reportText(QT_TRANSLATE_NOOP("Report", "none"))
-                                      : tolerances.join(QStringLiteral("; ")),
-                 clockText(found.settings));
-    return part(
-        reportText(QT_TRANSLATE_NOOP("Report", "Uncertainty budget")),
-        paragraph(sources) + quantityTables(budgetHeaders(found), rows, most_sources, true));
+    const QString sources = reportText(QT_TRANSLATE_NOOP(
+        "Report",
+        "After the GUM (JCGM 100:2008): standard uncertainties in the unit of each "
+        "parameter; u² is the sum of the squares; U has the coverage factor 2."));
+    return part(reportText(QT_TRANSLATE_NOOP("Report", "Uncertainty budget")),
+                paragraph(sources + QLatin1Char(' ') + tolerancesText(found)) +
+                    quantityTables(budgetHeaders(found), rows, most_sources, true));
+}
+
+QString sensitivities(const Identification& found, const DisplayUnits& units) {
+    const auto rows = sensitivityRows(found, units);
+    return part(rows.empty() ? QString()
+                             : reportText(QT_TRANSLATE_NOOP(
+                                   "Report", "Errors that no residual shows would add")),
+                quantityTables(sensitivityHeaders(), rows, most_errors, true));
+}
+
+// Whether the limits are kept.
+QString verdictText(const ReportContent& content) {
+    const Identification& found = content.outcome->identification;
+    const LimitVerdict verdict = limit_verdict(&found, content.limits);
+    if (!verdict.conformity) {
+        return {};
+    }
+    QStringList failed;
+    for (const std::string& parameter : verdict.failed) {
+        failed << shownAs(parameter, "", content.units).title;
+    }
+    const QString names = failed.join(QStringLiteral(", "));
+    switch (*verdict.conformity) {
+        case Conformity::within:
+            return reportText(QT_TRANSLATE_NOOP("Report", "All limits are kept."));
+        case Conformity::outside:
+            return reportText(QT_TRANSLATE_NOOP("Report", "Limits are not kept: %1.")).arg(names);
+        case Conformity::unknown: break;
+    }
+    return names.isEmpty()
+               ? reportText(QT_TRANSLATE_NOOP(
+                     "Report", "No verdict: by the warnings, the numbers may be wrong."))
+               : reportText(QT_TRANSLATE_NOOP("Report", "No verdict; not shown to be kept: %1."))
+                     .arg(names);
 }
 
 QString figures(const ReportContent& content) {
@@ -64,6 +105,38 @@ QString absenceText(const ReportContent& content) {
     return content.not_identified
                ? errorText(*content.not_identified)
                : reportText(QT_TRANSLATE_NOOP("Report", "It has not been identified."));
+}
+
+QString resultSection(const ReportContent& content) {
+    QStringList names;
+    for (const ReportRecording& recording : content.recordings) {
+        names << recording.name;
+    }
+    QString text = heading(reportText(QT_TRANSLATE_NOOP("Report", "Result")));
+    if (!names.isEmpty()) {
+        text += paragraph(reportText(QT_TRANSLATE_NOOP("Report", "Recordings: %1."))
+                              .arg(names.join(QStringLiteral(", "))));
+    }
+    if (!content.outcome) {
+        return text + paragraph(absenceText(content));
+    }
+    const Identification& found = content.outcome->identification;
+    QStringList columns{reportText(QT_TRANSLATE_NOOP("Report", "Value ± U (k = 2)"))};
+    if (!content.limits.empty()) {
+        columns << reportText(QT_TRANSLATE_NOOP("Report", "Limits"));
+    }
+    text += quantityTables(columns, resultRows(found, content.units, content.limits),
+                           columns.size());
+    if (const QString verdict = verdictText(content); !verdict.isEmpty()) {
+        text += QStringLiteral("<p><b>%1</b></p>").arg(richText(verdict));
+    }
+    text += paragraph(modelText(found) + QStringLiteral(". ") + tolerancesText(found));
+    if (const QStringList absent = absentTitles(found, content.units); !absent.isEmpty()) {
+        text +=
+            paragraph(reportText(QT_TRANSLATE_NOOP("Report", "Not shown by the recordings: %1."))
+                          .arg(absent.join(QStringLiteral(", "))));
+    }
+    return text;
 }
 
 QString resonatorSection(const ReportContent& content) {
@@ -101,7 +174,7 @@ QString resonatorSection(const ReportContent& content) {
                                         resonatorRows(found, content.units, content.limits), 2));
     text += part(reportText(QT_TRANSLATE_NOOP("Report", "Modes")),
                  quantityTables({}, modeRows(found.fit), 1));
-    text += budget(found, content.units);
+    text += budget(found, content.units) + sensitivities(found, content.units);
     if (structured) {
         text += figures(content);
     }

@@ -6,6 +6,10 @@
 
 namespace vybeg::ui {
 
+// The result for the page to be signed: values with their expanded uncertainties, limits and
+// verdict.
+QString resultSection(const ReportContent& content);
+
 // The pages of the resonator, as HTML: parameters with their uncertainties, rim, drift, budget,
 // modes, and what is known of each recording; or why there are none.
 QString resonatorSection(const ReportContent& content);

@@ -94,6 +94,54 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
     return rows;
 }
 
+std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUnits& units,
+                                    const std::vector<ParameterLimit>& limits) {
+    const auto expanded = [](const Estimate& estimate, double factor) {
+        const double u = 2 * std::abs(factor) * estimate.uncertainty();
+        return estimate.given() ? valueCell(factor * estimate.value, u)
+                                : sentenceCell(QStringLiteral("—"));
+    };
+    std::vector<QuantityRow> rows;
+    if (found.fit.model == ResonatorModel::free) {
+        const auto& modes = found.fit.modes;
+        for (std::size_t k = 0; k < modes.size(); ++k) {
+            for (const ModeParameter& parameter : mode_parameters) {
+                rows.push_back({withUnit(modeTitle(static_cast<int>(k), parameter.name),
+                                         unitText(parameter.unit)),
+                                {},
+                                {expanded(modes[k].*parameter.member, 1)}});
+            }
+        }
+        return modes.empty() ? modeRows(found.fit) : rows;
+    }
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        const Estimate& estimate = found.fit.resonator.*parameter.member;
+        const ParameterLimit* limit = limit_of(limits, parameter.name);
+        if (!estimate.given() && !limit) {
+            continue;
+        }
+        const Shown shown = shownAs(parameter.name, parameter.unit, units);
+        rows.push_back(
+            {withUnit(shown.title, shown.unit), shown.tip, {expanded(estimate, shown.factor)}});
+        if (!limits.empty()) {
+            rows.back().cells.push_back(
+                limit ? limitCell(estimate, *limit, shown.factor, lightTheme()) : QuantityCell{});
+        }
+    }
+    return rows;
+}
+
+QStringList absentTitles(const Identification& found, const DisplayUnits& units) {
+    QStringList titles;
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        const Estimate& estimate = found.fit.resonator.*parameter.member;
+        if (found.fit.model == ResonatorModel::structured && !estimate.given()) {
+            titles << shownAs(parameter.name, parameter.unit, units).title;
+        }
+    }
+    return titles;
+}
+
 std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units) {
     // As wave_parameters.
     static constexpr std::array<std::pair<const char*, const char*>, 4> texts{{

@@ -22,6 +22,12 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
 std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units,
                                        const std::vector<ParameterLimit>& limits = {},
                                        const Theme& theme = lightTheme());
+// What is given, of the free model its modes, with the expanded uncertainty U = 2u; a parameter
+// with limits is there without a value, too. Columns as above.
+std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUnits& units,
+                                    const std::vector<ParameterLimit>& limits);
+// Titles of the parameters that the recordings do not show.
+QStringList absentTitles(const Identification& found, const DisplayUnits& units);
 // By how much errors of a usual size falsify the given parameters, one column per error.
 QStringList sensitivityHeaders();
 std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units);

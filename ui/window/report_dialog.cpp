@@ -1,5 +1,7 @@
 #include "ui/window/report_dialog.h"
 
+#include "ui/report/budget_text.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -13,6 +15,8 @@ namespace vybeg::ui {
 namespace {
 
 const QString all_plots_key = QStringLiteral("report/all_plots");
+const QString summary_key = QStringLiteral("report/summary");
+const QString instrument_key = QStringLiteral("report/instrument");
 
 }  // namespace
 
@@ -21,10 +25,7 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
       document_(document),
       subjects_(reportSubjects(document)),
       subject_(new QComboBox(this)),
-      gyro_(new QLineEdit(this)),
-      engineer_(new QLineEdit(this)),
-      date_(new QLineEdit(this)),
-      comment_(new QLineEdit(this)),
+      summary_(new QCheckBox(tr("One page to be signed: result, limits, warnings"), this)),
       all_plots_(new QCheckBox(tr("All plots, also phase, noise and orthogonality"), this)) {
     setWindowTitle(tr("Report"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -44,16 +45,16 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     add(tr("Report of"), subject_,
         tr("A recording, a set of them with its resonator, or all sets"));
     const QString by_hand = tr("Empty: a line to fill in by hand");
-    add(tr("Gyro"), gyro_, tr("Serial number. %1").arg(by_hand));
-    add(tr("Operator"), engineer_, by_hand);
-    add(tr("Date"), date_, tr("Of the measurement. %1").arg(by_hand));
-    add(tr("Comment"), comment_, by_hand);
-    gyro_->setObjectName(QStringLiteral("gyro"));
-    engineer_->setObjectName(QStringLiteral("operator"));
-    date_->setObjectName(QStringLiteral("date"));
-    comment_->setObjectName(QStringLiteral("comment"));
+    for (std::size_t k = 0; k < title_fields.size(); ++k) {
+        fields_[k] = new QLineEdit(this);
+        fields_[k]->setObjectName(QLatin1String(title_fields[k].option));
+        add(reportText(title_fields[k].name), fields_[k], by_hand);
+    }
     all_plots_->setToolTip(tr("Off: the five slow variables"));
+    form->addRow(summary_);
     form->addRow(all_plots_);
+    connect(summary_, &QCheckBox::toggled, all_plots_, &QWidget::setDisabled);
+    summary_->setChecked(QSettings().value(summary_key, false).toBool());
     all_plots_->setChecked(QSettings().value(all_plots_key, false).toBool());
     connect(subject_, &QComboBox::currentIndexChanged, this, &ReportDialog::propose);
     propose();
@@ -83,16 +84,20 @@ void ReportDialog::propose() {
     if (!subject().all_sets) {
         proposed_ = completed(reportContentOf(document_, subject()).title, proposed_);
     }
-    gyro_->setText(proposed_.gyro);
-    engineer_->setText(proposed_.engineer);
-    date_->setText(proposed_.date);
-    comment_->setText(proposed_.comment);
-    date_->setEnabled(!subject().all_sets);
+    proposed_.instrument = QSettings().value(instrument_key).toString();
+    for (std::size_t k = 0; k < title_fields.size(); ++k) {
+        const TitleField& field = title_fields[k];
+        fields_[k]->setText(proposed_.*field.text);
+        fields_[k]->setEnabled(field.text != &ReportTitle::date || !subject().all_sets);
+    }
 }
 
 ReportTitle ReportDialog::typed() const {
-    return {gyro_->text().trimmed(), engineer_->text().trimmed(), date_->text().trimmed(),
-            comment_->text().trimmed()};
+    ReportTitle title;
+    for (std::size_t k = 0; k < title_fields.size(); ++k) {
+        title.*title_fields[k].text = fields_[k]->text().trimmed();
+    }
+    return title;
 }
 
 std::vector<ReportContent> ReportDialog::contents() const {
@@ -100,6 +105,7 @@ std::vector<ReportContent> ReportDialog::contents() const {
     const ReportTitle title = typed();
     for (ReportContent& content : contents) {
         content.title = subject().all_sets ? completed(content.title, title) : title;
+        content.summary = summary_->isChecked();
         if (all_plots_->isChecked()) {
             content.variables.assign(shown_slow_variables.begin(), shown_slow_variables.end());
         }
@@ -119,6 +125,8 @@ void ReportDialog::keep() {
     take(gyro.comment, title.comment, proposed_.comment);
     document_.dossier().setGyro(gyro);
     QSettings().setValue(all_plots_key, all_plots_->isChecked());
+    QSettings().setValue(summary_key, summary_->isChecked());
+    QSettings().setValue(instrument_key, title.instrument);
 }
 
 }  // namespace vybeg::ui

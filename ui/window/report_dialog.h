@@ -4,6 +4,7 @@
 
 #include <QDialog>
 
+#include <array>
 #include <vector>
 
 class QCheckBox;
@@ -13,7 +14,8 @@ class QLineEdit;
 namespace vybeg::ui {
 
 // Asks what a report is about and for its title block. Gyro, operator and comment are those that a
-// measurement list tells, otherwise those of the session's dossier, which takes what is typed here.
+// measurement list tells, otherwise those of the session's dossier, which takes what is typed here;
+// the instrument is the last one.
 class ReportDialog : public QDialog {
     Q_OBJECT
 
@@ -37,10 +39,8 @@ private:
     std::vector<ReportSubject> subjects_;
     ReportTitle proposed_;
     QComboBox* subject_;
-    QLineEdit* gyro_;
-    QLineEdit* engineer_;
-    QLineEdit* date_;
-    QLineEdit* comment_;
+    std::array<QLineEdit*, title_fields.size()> fields_;
+    QCheckBox* summary_;
     QCheckBox* all_plots_;
 };
 

@@ -279,7 +279,8 @@ private slots:
         const QString report = home_.path("title.pdf");
         const Outcome written =
             run({home_.recording("titled.wav"), "--report", report, "--gyro", "SN_7", "--operator",
-                 "Сидоров", "--comment", "after balancing"});
+                 "Сидоров", "--comment", "after balancing", "--number", "12/26", "--instrument",
+                 "E-502", "--date", "2026-05-04", "--summary"});
         VYBEG_EQUAL(written.status, 0, qPrintable(written.err));
         if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
             QSKIP("poppler-utils is missing");
@@ -288,7 +289,8 @@ private slots:
         reader.start("pdftotext", {"-layout", report, "-"});
         QVERIFY(reader.waitForFinished());
         const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
-        for (const char* word : {"SN_7", "Сидоров", "after balancing"}) {
+        for (const char* word : {"SN_7", "Сидоров", "after balancing", "12/26", "E-502",
+                                 "2026-05-04", "Page 1 of 1"}) {
             QVERIFY2(text.contains(word), qPrintable(text));
         }
     }

@@ -117,16 +117,20 @@ private slots:
         QCOMPARE(subjects.front().recordings.size(), std::size_t{4});
         ReportContent content = reportContentOf(document(), subjects.front());
         QVERIFY(content.outcome && !content.out_of_date);
-        content.title = {"HRG_0042 <a&b>", "I. Ivanov", "2026-05-04", "After_balancing"};
+        content.title = {.number = "17/26",
+                         .gyro = "HRG_0042 <a&b>",
+                         .instrument = "E-502",
+                         .engineer = "I. Ivanov",
+                         .date = "2026-05-04",
+                         .comment = "After_balancing"};
         const Identification& found = content.outcome->identification;
         for (const QString& language : {QStringLiteral("en"), QStringLiteral("ru")}) {
             window_->setLanguage(language);
             const QString path = home_.path("set-" + language + ".pdf");
             write({content}, path);
             const QString text = textOf(path);
-            for (const QString& told : {content.title.gyro, content.title.engineer,
-                                        content.title.date, content.title.comment}) {
-                QVERIFY2(text.contains(told), qPrintable(told));
+            for (const TitleField& field : title_fields) {
+                QVERIFY2(text.contains(content.title.*field.text), field.option);
             }
             for (const ReportRecording& each : content.recordings) {
                 QVERIFY2(text.contains(each.name), qPrintable(each.name));
@@ -215,6 +219,46 @@ private slots:
         }
     }
 
+    // Page 1 is to be signed, and a summary is this page alone.
+    void the_page_to_be_signed_has_result_limits_and_verdict() {
+        openAll(resonatorRuns(home_, "HRG"));
+        identifyAll();
+        ReportContent content = reportContentOf(document(), reportSubjects(document()).front());
+        const Identification& found = content.outcome->identification;
+        const Estimate& split = found.fit.resonator.split_hz;
+        QVERIFY(split.given());
+        const double far = 10 * split.uncertainty();
+        content.title.engineer = "I. Ivanov";
+        content.summary = true;
+        const struct {
+            std::vector<ParameterLimit> limits;
+            const char* verdict;
+        } cases[]{
+            {{}, ""},
+            {{{"split_hz", {}, split.value + far}}, "All limits are kept."},
+            {{{"split_hz", {}, split.value - far}}, "Limits are not kept: Frequency split Δf."},
+            {{{"split_hz", {}, split.value}},
+             "No verdict; not shown to be kept: Frequency split Δf."},
+        };
+        for (const auto& [limits, verdict] : cases) {
+            content.limits = limits;
+            const QString path = home_.path("summary.pdf");
+            QFile::remove(path);
+            write({content}, path);
+            QVERIFY(output("pdfinfo", {path}).contains(QRegularExpression("Pages: +1\n")));
+            const QString text = textOf(path);
+            for (const QuantityRow& row : resultRows(found, content.units, limits)) {
+                QVERIFY2(text.contains(row.cells.front().text), qPrintable(row.name));
+            }
+            const double u = 2 * split.uncertainty();
+            QVERIFY2(text.contains(valueText(split.value, u)), qPrintable(text));
+            for (const char* told : {verdict, "Measured I. Ivanov", "Checked", "Approved"}) {
+                QVERIFY2(text.contains(told), told);
+            }
+            QCOMPARE(text.contains("erdict") || text.contains("imits are"), *verdict != '\0');
+        }
+    }
+
     // At every place of a page.
     void a_table_stays_on_one_page() {
         for (int lines = 20; lines < 70; lines += 4) {
@@ -266,8 +310,10 @@ private slots:
             QVERIFY2(line.hasMatch(), qPrintable(text));
             VYBEG_MORE(line.captured(1).toInt(), page);
             page = line.captured(1).toInt();
-            const QString chapter = output("pdftotext", {"-layout", "-f", QString::number(page),
-                                                         "-l", QString::number(page), path, "-"});
+            // Its first page is to be signed, the next one has the recordings.
+            const QString chapter =
+                output("pdftotext", {"-layout", "-f", QString::number(page), "-l",
+                                     QString::number(page + 1), path, "-"});
             QVERIFY2(chapter.contains(content.set), qPrintable(chapter));
             QVERIFY2(chapter.contains(content.recordings.front().name), qPrintable(chapter));
             QVERIFY2(chapter.contains(content.recordings.front().sha256), qPrintable(chapter));
