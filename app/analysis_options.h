@@ -13,6 +13,9 @@ namespace vybeg::cli {
 // their companions. `options` must outlive the parse.
 void add_open_options(CLI::App& app, OpenOptions& options);
 
+// Those of them that say how a table of numbers is read. `options` must outlive the parse.
+void add_table_options(CLI::App& app, OpenOptions& options);
+
 // The options that say how it is analysed: --algorithm to --angle-zero, --threads.
 // `settings` must outlive the parse. Their values are checked one by one here and together by
 // validate().

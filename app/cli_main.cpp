@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <numbers>
 #include <span>
 #include <sstream>
 #include <string_view>
@@ -72,6 +73,32 @@ void add_database(CLI::App& app, std::string& database) {
     app.add_option("--database", database,
                    "Also the result of each set, into a database (SQLite) that many runs share")
         ->type_name("FILE");
+}
+
+void add_drift_options(CLI::App& app, DriftRequest& request) {
+    app.add_option("LOG", request.inputs, "Whole-angle logs of one gyro: text, NPZ, MAT or HDF5")
+        ->type_name("")
+        ->required();
+    add_value(
+        app, "--columns", "NAMES",
+        "What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a "
+        "name or a number, where the file calls it otherwise, e.g. t,theta=angle (default: by "
+        "their names)",
+        [&request](const auto&, const auto& text) { request.reading.columns = text; });
+    add_value(app, "--angle-unit", "deg|rad", "Unit of theta where the file does not tell it",
+              [&request](const auto& option, const auto& text) {
+                  if (text != "deg" && text != "rad") {
+                      reject(option, text, "it is deg or rad");
+                  }
+                  request.reading.rad_per_angle_unit = text == "rad" ? 1 : std::numbers::pi / 180;
+              });
+    app.add_option("-o,--output", request.output,
+                   "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
+                   "standard output")
+        ->type_name("FILE");
+    app.add_flag("--json", request.json,
+                 "The result on standard output, JSON, in place of the summary");
+    add_table_options(app, request.reading.open);
 }
 
 void add_batch_options(CLI::App& app, BatchCommand& command) {
@@ -219,6 +246,13 @@ int run(int argc, char** argv) {
     add_log_options(*compare_command, log_options);
     add_verbose(*compare_command, log_options.verbose);
 
+    DriftRequest drift;
+    CLI::App* const drift_command = app.add_subcommand(
+        "drift", "The drift of a wave that is held and turns, from whole-angle logs");
+    add_drift_options(*drift_command, drift);
+    add_log_options(*drift_command, log_options);
+    add_verbose(*drift_command, log_options.verbose);
+
     BatchCommand batch;
     batch.batch.program = program;
     CLI::App* const batch_command =
@@ -275,6 +309,9 @@ int run(int argc, char** argv) {
     }
     if (identify_command->parsed()) {
         return run_identify(identification, log, interrupt.token());
+    }
+    if (drift_command->parsed()) {
+        return run_drift(drift, log, interrupt.token());
     }
     if (batch_command->parsed()) {
         for (const char* option : {"--f-limit", "--limit"}) {

@@ -244,7 +244,7 @@ void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     const QStringList analyze = optionsOf("analyze");
     QVERIFY(analyze.contains("--algorithm"));
     QStringList all = analyze + optionsOf("info") + optionsOf("simulate") + optionsOf("identify") +
-                      optionsOf("compare") + optionsOf("batch") +
+                      optionsOf("compare") + optionsOf("batch") + optionsOf("drift") +
                       QStringList{"--figure",  "--report", "--gyro", "--operator",
                                   "--comment", "--windows"};  // those of the desktop program
     all.removeDuplicates();
