@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
+
 namespace vybeg::cli {
 
 // The options that say how a recording is opened: --rate, --channels, --raw and --delimiter with
@@ -24,6 +26,11 @@ void add_analysis_options(CLI::App& app, Settings& settings);
 // Those of them that have a part in an identification, --model and --tolerance. `settings` must
 // outlive the parse.
 void add_identify_options(CLI::App& app, IdentifySettings& settings);
+
+// What the columns of logs are that take the place of recordings: --columns, --angle-unit. `roles`
+// stand in the help.
+void add_column_options(CLI::App& app, std::string& columns, double& rad_per_angle_unit,
+                        const std::string& roles);
 
 // --tolerance alone, for the window and its report. `settings` must outlive the parse.
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings);

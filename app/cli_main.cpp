@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <numbers>
 #include <span>
 #include <sstream>
 #include <string_view>
@@ -79,19 +78,11 @@ void add_drift_options(CLI::App& app, DriftRequest& request) {
     app.add_option("LOG", request.inputs, "Whole-angle logs of one gyro: text, NPZ, MAT or HDF5")
         ->type_name("")
         ->required();
-    add_value(
-        app, "--columns", "NAMES",
+    add_column_options(
+        app, request.reading.columns, request.reading.rad_per_angle_unit,
         "What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a "
         "name or a number, where the file calls it otherwise, e.g. t,theta=angle (default: by "
-        "their names)",
-        [&request](const auto&, const auto& text) { request.reading.columns = text; });
-    add_value(app, "--angle-unit", "deg|rad", "Unit of theta where the file does not tell it",
-              [&request](const auto& option, const auto& text) {
-                  if (text != "deg" && text != "rad") {
-                      reject(option, text, "it is deg or rad");
-                  }
-                  request.reading.rad_per_angle_unit = text == "rad" ? 1 : std::numbers::pi / 180;
-              });
+        "their names)");
     app.add_option("-o,--output", request.output,
                    "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
                    "standard output")
@@ -162,6 +153,10 @@ void add_identification(CLI::App& app, IdentifyRequest& request) {
         ->type_name("RESULT.json");
     add_identify_options(app, request.settings);
     add_open_options(app, request.open);
+    add_column_options(app, request.settings.logs.names, request.settings.logs.rad_per_angle_unit,
+                       "The files are logs or tracks without a phase, with the columns E,R,S,Q or "
+                       "a,b,theta, each with =COLUMN, a name or a number, where the file calls it "
+                       "otherwise");
     add_timing(app, request.timing);
 }
 

@@ -1859,6 +1859,10 @@
         <source>The axes of damping by the effort and by the drift lie %1 degrees apart: the fourth harmonic of the drift is not that of the damping alone.</source>
         <translation>Оси демпфирования по воздействию и по дрейфу расходятся на %1 градусов: четвёртая гармоника дрейфа вызвана не только демпфированием.</translation>
     </message>
+    <message>
+        <source>The log keeps no phase of the oscillation, and with it no frequency.</source>
+        <translation>Журнал не хранит фазу колебаний, а с нею и частоту.</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>

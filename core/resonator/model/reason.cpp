@@ -123,6 +123,11 @@ ReasonRow reason_row(ReasonCode code) {
         case ReasonCode::not_converged:
             return {"not-converged",
                     VYBEG_MESSAGE("Reason", "The fit stopped before it converged.")};
+        case ReasonCode::phase_lost:
+            return {"phase-lost",
+                    VYBEG_MESSAGE("Reason",
+                                  "The log keeps no phase of the oscillation, and with it no "
+                                  "frequency.")};
         case ReasonCode::logs_differ:
             return {"logs-differ",
                     VYBEG_MESSAGE("Reason", "The logs differ in it: each has its own value.")};
