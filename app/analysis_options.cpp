@@ -7,6 +7,7 @@
 #include "core/recording/samples/open_table.h"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,14 @@ void add_open_options(CLI::App& app, OpenOptions& options) {
     add_settings(app, open_settings(), options);
 }
 
+void add_table_options(CLI::App& app, OpenOptions& options) {
+    for (const char* name :
+         {"rate", "delimiter", "decimal", "skip-lines", "time-column", "time-unit"}) {
+        const auto& rows = open_settings();
+        add_setting(app, *std::ranges::find(rows, name, &SettingRow<OpenOptions>::name), options);
+    }
+}
+
 void add_analysis_options(CLI::App& app, Settings& settings) {
     add_settings(app, analysis_settings(), settings);
     app.get_option("--periods")->excludes("--window");
@@ -51,6 +60,19 @@ void add_analysis_options(CLI::App& app, Settings& settings) {
 void add_identify_options(CLI::App& app, IdentifySettings& settings) {
     add_settings(app, identify_settings(), settings);
     app.get_option("--periods")->excludes("--window");
+}
+
+void add_column_options(CLI::App& app, std::string& columns, double& rad_per_angle_unit,
+                        const std::string& roles) {
+    add_value(app, "--columns", "NAMES", roles,
+              [&columns](const auto&, const auto& text) { columns = text; });
+    add_value(app, "--angle-unit", "deg|rad", "Unit of theta where the file does not tell it",
+              [&rad_per_angle_unit](const auto& option, const auto& text) {
+                  if (text != "deg" && text != "rad") {
+                      reject(option, text, "it is deg or rad");
+                  }
+                  rad_per_angle_unit = text == "rad" ? 1 : std::numbers::pi / 180;
+              });
 }
 
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings) {

@@ -7,11 +7,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
+
 namespace vybeg::cli {
 
 // The options that say how a recording is opened: --rate, --channels, --raw and --delimiter with
 // their companions. `options` must outlive the parse.
 void add_open_options(CLI::App& app, OpenOptions& options);
+
+// Those of them that say how a table of numbers is read. `options` must outlive the parse.
+void add_table_options(CLI::App& app, OpenOptions& options);
 
 // The options that say how it is analysed: --algorithm to --angle-zero, --threads.
 // `settings` must outlive the parse. Their values are checked one by one here and together by
@@ -21,6 +26,11 @@ void add_analysis_options(CLI::App& app, Settings& settings);
 // Those of them that have a part in an identification, --model and --tolerance. `settings` must
 // outlive the parse.
 void add_identify_options(CLI::App& app, IdentifySettings& settings);
+
+// What the columns of logs are that take the place of recordings: --columns, --angle-unit. `roles`
+// stand in the help.
+void add_column_options(CLI::App& app, std::string& columns, double& rad_per_angle_unit,
+                        const std::string& roles);
 
 // --tolerance alone, for the window and its report. `settings` must outlive the parse.
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings);

@@ -13,6 +13,7 @@ inline constexpr const char* program = "vybeg-cli " VYBEG_VERSION;
 int run_info(const InfoRequest& request, Log& log, std::stop_token stop);
 int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop);
 int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop);
+int run_drift(const DriftRequest& request, Log& log, std::stop_token stop);
 int run_batch(const BatchCommand& request, Log& log, std::stop_token stop);
 int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop);
 

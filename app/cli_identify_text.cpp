@@ -18,40 +18,6 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double negligible = 0.01;  // of a standard deviation
 
-// "1.00034 ± 0.00005 Hz, u 0.0003", "(1.03 ± 0.03)e-6 Hz", or the reason.
-std::string text_of(const Estimate& estimate, const std::string& unit) {
-    if (!estimate.given()) {
-        return "- " + english(estimate.reason);
-    }
-    const QuantityText text = quantity_text(estimate.value, estimate.sd, estimate.u);
-    const std::string power = text.exponent != 0 ? "e" + std::to_string(text.exponent) : "";
-    std::string numbers = text.value;
-    if (!text.sd.empty()) {
-        numbers += " ± " + text.sd;
-    }
-    if (!power.empty()) {
-        numbers = "(" + numbers + ")" + power;
-    }
-    if (!unit.empty()) {
-        numbers += " " + unit;
-    }
-    return text.u.empty() ? numbers : numbers + ", u " + text.u + power;
-}
-
-// Angles for people are in degrees.
-std::string text_in_degrees(const Estimate& estimate) {
-    return text_of(
-        {estimate.value * degrees, estimate.sd * degrees, estimate.reason, estimate.u * degrees},
-        "deg");
-}
-
-std::string line(const std::string& name, const std::string& text) {
-    constexpr std::size_t column = 28;
-    const std::string indented = "  " + name;
-    return indented + std::string(column - std::min(column - 1, indented.size()), ' ') + text +
-           "\n";
-}
-
 // Parameters for people have the names of the JSON without their units.
 std::string label_of(std::string name) {
     for (const std::string_view unit : {"_hz_per_s", "_rad_s", "_per_s", "_rad", "_hz", "_s"}) {
@@ -222,6 +188,38 @@ std::string difference_text(const Difference& difference) {
 }
 
 }  // namespace
+
+std::string text_of(const Estimate& estimate, const std::string& unit) {
+    if (!estimate.given()) {
+        return "- " + english(estimate.reason);
+    }
+    const QuantityText text = quantity_text(estimate.value, estimate.sd, estimate.u);
+    const std::string power = text.exponent != 0 ? "e" + std::to_string(text.exponent) : "";
+    std::string numbers = text.value;
+    if (!text.sd.empty()) {
+        numbers += " ± " + text.sd;
+    }
+    if (!power.empty()) {
+        numbers = "(" + numbers + ")" + power;
+    }
+    if (!unit.empty()) {
+        numbers += " " + unit;
+    }
+    return text.u.empty() ? numbers : numbers + ", u " + text.u + power;
+}
+
+std::string text_in_degrees(const Estimate& estimate) {
+    return text_of(
+        {estimate.value * degrees, estimate.sd * degrees, estimate.reason, estimate.u * degrees},
+        "deg");
+}
+
+std::string line(const std::string& name, const std::string& text) {
+    constexpr std::size_t column = 28;
+    const std::string indented = "  " + name;
+    return indented + std::string(column - std::min(column - 1, indented.size()), ' ') + text +
+           "\n";
+}
 
 std::string identify_text(const SetResult& result) {
     const std::vector<RecordingRef>& recordings = result.set.recordings;

@@ -74,6 +74,24 @@ void add_database(CLI::App& app, std::string& database) {
         ->type_name("FILE");
 }
 
+void add_drift_options(CLI::App& app, DriftRequest& request) {
+    app.add_option("LOG", request.inputs, "Whole-angle logs of one gyro: text, NPZ, MAT or HDF5")
+        ->type_name("")
+        ->required();
+    add_column_options(
+        app, request.reading.columns, request.reading.rad_per_angle_unit,
+        "What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a "
+        "name or a number, where the file calls it otherwise, e.g. t,theta=angle (default: by "
+        "their names)");
+    app.add_option("-o,--output", request.output,
+                   "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
+                   "standard output")
+        ->type_name("FILE");
+    app.add_flag("--json", request.json,
+                 "The result on standard output, JSON, in place of the summary");
+    add_table_options(app, request.reading.open);
+}
+
 void add_batch_options(CLI::App& app, BatchCommand& command) {
     BatchRequest& request = command.batch;
     CLI::Option* const list =
@@ -135,6 +153,10 @@ void add_identification(CLI::App& app, IdentifyRequest& request) {
         ->type_name("RESULT.json");
     add_identify_options(app, request.settings);
     add_open_options(app, request.open);
+    add_column_options(app, request.settings.logs.names, request.settings.logs.rad_per_angle_unit,
+                       "The files are logs or tracks without a phase, with the columns E,R,S,Q or "
+                       "a,b,theta, each with =COLUMN, a name or a number, where the file calls it "
+                       "otherwise");
     add_timing(app, request.timing);
 }
 
@@ -219,6 +241,13 @@ int run(int argc, char** argv) {
     add_log_options(*compare_command, log_options);
     add_verbose(*compare_command, log_options.verbose);
 
+    DriftRequest drift;
+    CLI::App* const drift_command = app.add_subcommand(
+        "drift", "The drift of a wave that is held and turns, from whole-angle logs");
+    add_drift_options(*drift_command, drift);
+    add_log_options(*drift_command, log_options);
+    add_verbose(*drift_command, log_options.verbose);
+
     BatchCommand batch;
     batch.batch.program = program;
     CLI::App* const batch_command =
@@ -275,6 +304,9 @@ int run(int argc, char** argv) {
     }
     if (identify_command->parsed()) {
         return run_identify(identification, log, interrupt.token());
+    }
+    if (drift_command->parsed()) {
+        return run_drift(drift, log, interrupt.token());
     }
     if (batch_command->parsed()) {
         for (const char* option : {"--f-limit", "--limit"}) {

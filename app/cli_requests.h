@@ -4,6 +4,7 @@
 #include "core/analysis/passport.h"
 #include "core/analysis/settings.h"
 #include "core/batch/batch_request.h"
+#include "core/drift/log_reading.h"
 #include "core/recording/samples/open_options.h"
 #include "core/simulation/free_decay.h"
 
@@ -42,6 +43,13 @@ struct IdentifyRequest {
     IdentifySettings settings;
     CompareOptions compare;
     bool timing = false;
+};
+
+struct DriftRequest {
+    std::vector<std::string> inputs;
+    std::string output;  // empty: none; .json: the result, .csv: its bins; "-": bins
+    bool json = false;   // on standard output, in place of the summary
+    LogReading reading;
 };
 
 struct BatchCommand {

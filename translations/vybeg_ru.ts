@@ -1801,6 +1801,38 @@
         <source>The %1 pieces do not tell when they begin: they are taken to follow each other without a gap.</source>
         <translation>Части записи (%1) не сообщают время начала: принято, что они следуют одна за другой без пропуска.</translation>
     </message>
+    <message>
+        <source>%1: there is no column &quot;%2&quot;; the file has %3. Name the columns with --columns.</source>
+        <translation>%1: столбца «%2» нет; в файле есть %3. Назовите столбцы (--columns).</translation>
+    </message>
+    <message>
+        <source>%1: there is no column &quot;%2&quot;; the file has %3. Name others.</source>
+        <translation>%1: столбца «%2» нет; в файле есть %3. Назовите другие.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. Give it with --angle-unit: deg or rad.</source>
+        <translation>%1: в столбце «%2» не указана единица углов. Задайте её (--angle-unit): deg или rad.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. Choose degrees or radians.</source>
+        <translation>%1: в столбце «%2» не указана единица углов. Выберите градусы или радианы.</translation>
+    </message>
+    <message>
+        <source>%1: the wave turns by %2 degrees, too little to tell the second and the fourth harmonic of the drift from the turn itself. Let it turn by 180 degrees or more.</source>
+        <translation>%1: волна поворачивается на %2 градусов: этого мало, чтобы отличить вторую и четвёртую гармоники дрейфа от самого поворота. Нужен поворот на 180 градусов или больше.</translation>
+    </message>
+    <message>
+        <source>The logs differ in the harmonic %1 of the drift, by %2 deviations: %3. No common value is given.</source>
+        <translation>Журналы расходятся в гармонике %1 дрейфа, на %2 СКО: %3. Общее значение не приводится.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the other logs, in the harmonic %2 of the drift. The drift is that of the others.</source>
+        <translation>%1 не согласуется с остальными журналами в гармонике %2 дрейфа. Дрейф определён по остальным.</translation>
+    </message>
+    <message>
+        <source>%1 wraps its angle at 90 degrees: the sign of the second harmonic is that of its first quarter of a turn.</source>
+        <translation>%1: угол сворачивается через 90 градусов, поэтому знак второй гармоники — тот, что в первой четверти оборота.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1967,6 +1999,26 @@
     <message>
         <source>Both channels show the same projection of the motion: the modes are seen, directions are not.</source>
         <translation>Оба канала показывают одну и ту же проекцию движения: видны моды, но не направления.</translation>
+    </message>
+    <message>
+        <source>The logs differ in it: each has its own value.</source>
+        <translation>Журналы в этом расходятся: у каждого своё значение.</translation>
+    </message>
+    <message>
+        <source>No log holds the effort of the controller for it.</source>
+        <translation>Ни в одном журнале нет нужного для этого управляющего воздействия.</translation>
+    </message>
+    <message>
+        <source>The fourth harmonic of the effort, or of the drift, is within its noise. Record a longer log.</source>
+        <translation>Четвёртая гармоника воздействия или дрейфа не превышает шума. Запишите журнал длиннее.</translation>
+    </message>
+    <message>
+        <source>The axes of damping by the effort and by the drift lie %1 degrees apart: the fourth harmonic of the drift is not that of the damping alone.</source>
+        <translation>Оси демпфирования по воздействию и по дрейфу расходятся на %1 градусов: четвёртая гармоника дрейфа вызвана не только демпфированием.</translation>
+    </message>
+    <message>
+        <source>The log keeps no phase of the oscillation, and with it no frequency.</source>
+        <translation>Журнал не хранит фазу колебаний, а с нею и частоту.</translation>
     </message>
 </context>
 <context>
@@ -4327,6 +4379,13 @@
         <source>it holds a number beyond all ranges</source>
         <translation>в нём есть число вне всяких пределов</translation>
     </message>
+    <message>
+        <source>it names %1, with commas between them, each with =COLUMN where the file calls it otherwise</source>
+        <translation>перечисляются через запятую %1, каждое с =СТОЛБЕЦ, если в файле он назван иначе</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::AnalysisList</name>
     <message>
         <source>sample rates</source>
         <translation>частоты дискретизации</translation>

@@ -289,12 +289,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
     }
     const double fitted_from = job.now();
     found.timing.windows_s = fitted_from - begun;
-    FitOptions options;
-    options.model = settings.model;
-    const double f_hz = phasors.front().f_ref_hz;
-    options.tolerance = tolerance_of(settings, f_hz, Taken::by_fit);
-    options.assumed = tolerance_of(settings, f_hz, Taken::all);
-    options.spread = settings.tolerance.spread;
+    const FitOptions options = fit_options(settings, phasors.front().f_ref_hz);
     Result<ResonatorFit> fit = fit_of(phasors, options, job.silent());
     if (!fit) {
         return named(fit.error(), phasors, recordings);
@@ -317,6 +312,15 @@ Result<Identification> identify(std::span<const Recording> recordings,
         return Error{ErrorCode::interrupted, {}, {}};
     }
     return found;
+}
+
+FitOptions fit_options(const IdentifySettings& settings, double f_hz) {
+    FitOptions options;
+    options.model = settings.model;
+    options.tolerance = tolerance_of(settings, f_hz, Taken::by_fit);
+    options.assumed = tolerance_of(settings, f_hz, Taken::all);
+    options.spread = settings.tolerance.spread;
+    return options;
 }
 
 Reason no_drift_function(const Identification& identification) {

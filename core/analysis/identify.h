@@ -57,6 +57,9 @@ struct Identification {
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job);
 
+// The tolerances of the settings for a fit at a frequency.
+FitOptions fit_options(const IdentifySettings& settings, double f_hz);
+
 // Why an identification has no drift function; ReasonCode::none where it has one.
 Reason no_drift_function(const Identification& identification);
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace vybeg {
@@ -21,6 +22,15 @@ struct PhasorWindowSettings {
     friend bool operator==(const PhasorWindowSettings&, const PhasorWindowSettings&) = default;
 };
 
+// Logs in place of recordings: what their columns are (column_wishes() of log_columns.h); empty:
+// the set has recordings.
+struct LogChoice {
+    std::string names;
+    double rad_per_angle_unit = 0;  // 0: by the file
+
+    friend bool operator==(const LogChoice&, const LogChoice&) = default;
+};
+
 // Everything the engineer chooses about an identification.
 struct IdentifySettings {
     SignalSettings signal;
@@ -31,6 +41,7 @@ struct IdentifySettings {
     // Signal settings of each recording, with the gain ratio of `signal`; empty: those of `signal`
     // hold for all.
     std::vector<SignalSettings> of_recordings = {};
+    LogChoice logs = {};
 
     const SignalSettings& signal_of(std::size_t recording) const {
         return of_recordings.empty() ? signal : of_recordings[recording];

@@ -371,6 +371,9 @@ std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
     for (std::size_t row = 0; !each.empty() && row < list.size(); ++row) {
         list[row].second = in_one(each, row);
     }
+    if (!settings.logs.names.empty()) {
+        list.emplace_back("columns", settings.logs.names);
+    }
     return list;
 }
 

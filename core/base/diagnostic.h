@@ -60,6 +60,9 @@ enum class DiagnosticKind {
     recordings_differ,            // args: sd of 1/tau, split, gain ratio between recordings, %
     set_too_small,                // args: the same, assumed, as two or three recordings
     frequencies_apart,            // args: ppm, recording, its f (Hz), another, its f (Hz)
+    logs_differ,                  // args: harmonic of the drift, deviations, names of the logs
+    log_left_out,                 // args: log, harmonic in which it differs from the others
+    angle_of_quarter,             // args: log. Its angle is wrapped at a quarter of a turn.
     residual_above_noise,         // args: chi^2 per degree of freedom. Deviations enlarged.
     residual_below_noise,         // args: chi^2 per degree of freedom. Deviations too large.
     residual_coloured,            // args: chi^2 per degree of freedom. Deviations hold its colour.

@@ -304,6 +304,22 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "The frequencies of the recordings lie %1 ppm apart (%2: %3 Hz, "
                                   "%4: %5 Hz). A mean frequency and modes are refused.")};
+        case DiagnosticKind::logs_differ:
+            return {"logs-differ", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The logs differ in the harmonic %1 of the drift, by %2 "
+                                  "deviations: %3. No common value is given.")};
+        case DiagnosticKind::log_left_out:
+            return {
+                "log-left-out", serious,
+                VYBEG_MESSAGE("Message",
+                              "%1 does not fit the other logs, in the harmonic %2 of the drift. "
+                              "The drift is that of the others.")};
+        case DiagnosticKind::angle_of_quarter:
+            return {"angle-of-quarter", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 wraps its angle at 90 degrees: the sign of the second "
+                                  "harmonic is that of its first quarter of a turn.")};
         case DiagnosticKind::residual_above_noise:
             return {"residual-above-noise", warning,
                     VYBEG_MESSAGE(

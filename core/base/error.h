@@ -38,11 +38,13 @@ enum class ErrorCode {
     channel_is_time,       // args: channel. Times or counts, no signal.
     too_few_frames,        // args: frames found, frames needed
     rate_unknown,
-    passport_damaged,  // args: reason
-    passport_schema,   // args: schema of the file, newest schema known here
-    variable_missing,  // args: variable asked for, the variables that the file has
-    file_changed,      // after it was opened: its size, or the time of its last change
-    list_invalid,      // args: line, column, reason. Of a measurement list.
+    passport_damaged,    // args: reason
+    passport_schema,     // args: schema of the file, newest schema known here
+    variable_missing,    // args: variable asked for, the variables that the file has
+    column_missing,      // args: column asked for, the columns that the file has
+    angle_unit_unknown,  // args: column of angles
+    file_changed,        // after it was opened: its size, or the time of its last change
+    list_invalid,        // args: line, column, reason. Of a measurement list.
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range
     window_too_short,         // args: window in samples, least window at this frequency
@@ -61,6 +63,7 @@ enum class ErrorCode {
     fit_too_few_windows,      // args: usable windows, least number
     fit_failed,               // args: reason
     conditions_differ,        // args: condition, its value, another. In one set of recordings.
+    turn_too_short,           // args: turn of the wave in degrees. Of a whole-angle log.
     same_recording,           // args: the other recording with the same samples
     band_too_narrow,          // args: low, high, least width (Hz)
     channel_without_samples,  // args: channel, C or D

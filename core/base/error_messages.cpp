@@ -185,6 +185,22 @@ MessageRow message_row(ErrorCode code) {
                 VYBEG_MESSAGE(
                     "Message",
                     "%1: there is no variable \"%2\" to read; the file has %3. Choose others.")};
+        case ErrorCode::column_missing:
+            return {
+                "column-missing", bad_input,
+                VYBEG_MESSAGE("Message",
+                              "%1: there is no column \"%2\"; the file has %3. Name the columns "
+                              "with --columns."),
+                VYBEG_MESSAGE("Message",
+                              "%1: there is no column \"%2\"; the file has %3. Name others.")};
+        case ErrorCode::angle_unit_unknown:
+            return {"angle-unit-unknown", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: column \"%2\" does not tell the unit of its angles. Give it "
+                                  "with --angle-unit: deg or rad."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1: column \"%2\" does not tell the unit of its angles. Choose "
+                                  "degrees or radians.")};
         case ErrorCode::file_changed:
             return {
                 "file-changed", bad_input,
@@ -291,6 +307,12 @@ MessageRow message_row(ErrorCode code) {
                     VYBEG_MESSAGE("Message",
                                   "%1: the recordings differ in %2 (%3 and %4), and the fit has "
                                   "one value for all. Put them into different sets.")};
+        case ErrorCode::turn_too_short:
+            return {"turn-too-short", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the wave turns by %2 degrees, too little to tell the second "
+                                  "and the fourth harmonic of the drift from the turn itself. Let "
+                                  "it turn by 180 degrees or more.")};
         case ErrorCode::same_recording:
             return {"same-recording", impossible,
                     VYBEG_MESSAGE("Message",

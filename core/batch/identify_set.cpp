@@ -1,6 +1,8 @@
 #include "core/batch/identify_set.h"
 
+#include "core/analysis/identify_powers.h"
 #include "core/analysis/idle_options.h"
+#include "core/analysis/power_log.h"
 #include "core/analysis/prepare.h"
 #include "core/analysis/set_conditions.h"
 #include "core/base/job_control.h"
@@ -10,6 +12,7 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/file_changes.h"
 
+#include <limits>
 #include <list>
 #include <map>
 #include <utility>
@@ -68,15 +71,51 @@ std::vector<std::string> signals_of(const RecordingRef& told, const Recording& r
     return signals;
 }
 
+// No two logs of a set may be one file.
+Status read_logs(OpenSet& open, const JobControl& job) {
+    std::map<std::string, std::string> known;
+    for (RecordingRef& told : open.set.recordings) {
+        auto log = TRY(read_power_log(told.path, told.open, open.set.settings.logs, job));
+        auto sha256 = TRY(file_sha256(told.path, job));
+        told.sha256 = std::move(sha256);
+        const auto rows = static_cast<double>(log.time_s.size());
+        told.seconds = rows > 0 ? log.time_s.back() - log.time_s.front() : 0;
+        told.rate_hz = rows > 1 ? (rows - 1) / told.seconds : 0;
+        told.f0_hz = std::numeric_limits<double>::quiet_NaN();
+        const auto [same, is_new] = known.emplace(told.sha256, told.path.string());
+        if (!is_new) {
+            return Error{ErrorCode::same_recording, same->second, {told.path.string()}};
+        }
+        open.logs.push_back(std::move(log));
+    }
+    return {};
+}
+
+// Of recordings, or of logs.
+Result<Identification> identification_of(const OpenSet& open, const JobControl& job) {
+    if (open.logs.empty()) {
+        return identify(open.recordings, open.set.settings, job);
+    }
+    std::vector<std::string> names;
+    for (const RecordingRef& told : open.set.recordings) {
+        names.push_back(told.name());
+    }
+    return identify_powers(open.logs, names, open.set.settings, job);
+}
+
 }  // namespace
 
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop) {
-    OpenSet open{set, {}, {}};
+    OpenSet open{set, {}, {}, {}};
     TRY(check_conditions(set));
     if (!passport.empty()) {
         auto comparison = TRY(open_passport(passport, JobControl(stop)));
         open.comparison = std::move(comparison);
+    }
+    if (!set.settings.logs.names.empty()) {
+        TRY(read_logs(open, JobControl(stop)));
+        return open;
     }
     for (const RecordingRef& listed : set.recordings) {
         auto recording = TRY(open_recording(listed.path, listed.open, JobControl(stop)));
@@ -107,7 +146,7 @@ Status read_contents(OpenSet& open, std::stop_token stop) {
 
 Result<SetResult> identify_set(const OpenSet& open, const std::string& program,
                                const CompareOptions& compare, const JobControl& job) {
-    Result<Identification> found = identify(open.recordings, open.set.settings, job);
+    Result<Identification> found = identification_of(open, job);
     for (const Recording& recording : open.recordings) {
         TRY(unchanged(recording));
     }
@@ -144,7 +183,7 @@ std::vector<NamedWarnings> warnings_of(const OpenSet& open, const SetResult& res
         warnings.emplace_back(recordings[k].name(), result.identification.runs[k].diagnostics);
     }
     warnings.emplace_back("", without_effect(result.set.settings));
-    for (std::size_t k = 0; k < recordings.size(); ++k) {
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         warnings.emplace_back(recordings[k].name(),
                               without_effect(recordings[k].open, open.recordings[k]));
     }

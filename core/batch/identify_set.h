@@ -6,6 +6,7 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/recording.h"
+#include "core/resonator/model/power_run.h"
 
 #include <functional>
 #include <future>
@@ -40,11 +41,12 @@ private:
 struct OpenSet {
     MeasurementSet set;
     std::vector<Recording> recordings;  // of the set, in its order
+    std::vector<PowerRun> logs;         // in place of recordings
     std::optional<PassportComparison> comparison;
 };
 
-// Opens the recordings and, unless `passport` is empty, that file. Errors: conditions_differ, those
-// of open_recording(), read_passport_file() and read_contents().
+// Opens the recordings, or reads the logs, and, unless `passport` is empty, that file. Errors:
+// conditions_differ, those of open_recording(), read_passport_file() and read_contents().
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop);
 

@@ -17,4 +17,10 @@ inline double chi2_ratio(double deviations, double freedom) {
     return std::pow(std::max(1 - variance + deviations * std::sqrt(variance), 0.1), 3);
 }
 
+// The normal deviate of chi^2, the inverse of chi2_ratio().
+inline double chi2_deviations(double chi2, double freedom) {
+    const double variance = 2 / (9 * freedom);
+    return (std::cbrt(chi2 / freedom) - 1 + variance) / std::sqrt(variance);
+}
+
 }  // namespace vybeg

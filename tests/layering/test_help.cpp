@@ -244,9 +244,10 @@ void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     const QStringList analyze = optionsOf("analyze");
     QVERIFY(analyze.contains("--algorithm"));
     QStringList all = analyze + optionsOf("info") + optionsOf("simulate") + optionsOf("identify") +
-                      optionsOf("compare") + optionsOf("batch") +
-                      QStringList{"--figure",  "--report", "--gyro", "--operator",
-                                  "--comment", "--windows"};  // those of the desktop program
+                      optionsOf("compare") + optionsOf("batch") + optionsOf("drift") +
+                      QStringList{"--figure",  "--report", "--gyro",       "--operator",
+                                  "--comment", "--number", "--instrument", "--date",
+                                  "--summary", "--windows"};  // those of the desktop program
     all.removeDuplicates();
     all.sort();
     for (const QString& language : languages) {

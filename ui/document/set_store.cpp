@@ -309,7 +309,7 @@ void SetStore::identifySet(SetId id) {
         emit reported(errorMessage(alike.error()));
         return;
     }
-    OpenSet open{wanted, {}, {}};
+    OpenSet open{wanted, {}, {}, {}};
     for (const auto recording : set.recordings) {
         open.recordings.push_back(*recordings_.find(recording)->recording);
     }

@@ -211,7 +211,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
 double degrees_of_freedom(const FitProblem& problem) {
     double degrees = 0;
     for (const ScaledRun& run : problem.runs) {
-        degrees += 4 * static_cast<double>(run.size());
+        degrees += (run.phase_lost ? 3 : 4) * static_cast<double>(run.size());
     }
     for (const Eigen::Index k : problem.priors.active()) {
         degrees -= prior_kind(problem.layout, k) == PriorKind::channel ? 0 : 1;

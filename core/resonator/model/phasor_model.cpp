@@ -248,6 +248,15 @@ Vector2cd seen(const Channels& channels, const Vector2cd& z) {
     return {channels.c * z[0], channels.gain * z[1] + channels.cross * z[0]};
 }
 
+// Measured less predicted phasors of a window.
+Vector2cd left_of(const ScaledRun& run, std::size_t window, const Vector2cd& expected) {
+    if (!run.phase_lost) {
+        return run.weighted(window, run.z[window] - expected);
+    }
+    const Complex along = (run.whitening * expected).dot(run.whitening * run.z[window]);
+    return run.weighted(window, run.z[window] * std::polar(1.0, -std::arg(along)) - expected);
+}
+
 }  // namespace
 
 Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared) {
@@ -324,7 +333,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         const double weight = run.weight[k];
         const Vector2cd expected = seen(channels, at.z);
         const auto row = static_cast<Eigen::Index>(4 * k);
-        const Vector2cd left = run.weighted(k, run.z[k] - expected);
+        const Vector2cd left = left_of(run, k, expected);
         out.residual.segment<4>(row) << left[0].real(), left[0].imag(), left[1].real(),
             left[1].imag();
         const auto put = [&](int column, const Vector2cd& change) {
@@ -370,6 +379,15 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
             }
             column += break_size(each.kind);
         }
+        if (run.phase_lost) {
+            const Vector2cd turned = i * (run.whitening * expected);
+            Eigen::Vector4d phase(turned[0].real(), turned[0].imag(), turned[1].real(),
+                                  turned[1].imag());
+            phase.normalize();
+            const Eigen::RowVectorXd common =
+                phase.transpose() * out.by_parameter.middleRows<4>(row);
+            out.by_parameter.middleRows<4>(row) -= phase * common;
+        }
     }
     out.by_parameter.col(decay_at) *= 1 + run.deviation.decay;
     out.by_parameter.middleCols<2>(split_cos_at) *= 1 + run.deviation.split;
@@ -382,7 +400,7 @@ double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eig
     const std::vector<Vector2cd> expected = expected_phasors(run, shared, own, windows);
     double sum = 0;
     for (std::size_t k = 0; k < windows; ++k) {
-        sum += run.weighted(k, run.z[k] - expected[k]).squaredNorm();
+        sum += left_of(run, k, expected[k]).squaredNorm();
     }
     return sum;
 }

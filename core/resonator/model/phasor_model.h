@@ -38,6 +38,9 @@ Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared);
 std::vector<Eigen::Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
                                                const Eigen::VectorXd& own, std::size_t windows);
 
+// Where the phase of a run is lost, the measured phasors are turned to the predicted ones, and what
+// a common phase of C and D would change is projected out of residuals and derivatives.
+
 // Weighted residuals (measured less predicted) of the first `windows` windows, Re c, Im c, Re d, Im
 // d of each, and derivatives of the predicted ones with the same weights: a row for each residual,
 // the shared parameters before the own ones. The derivative by the cubic term is computed only if

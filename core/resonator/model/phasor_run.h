@@ -41,6 +41,8 @@ struct PhasorRun {
     std::vector<double> noise_correlation{};
     std::vector<RunBreak> breaks{};  // in the order of time
     double rate_hz = 0;              // of the recording's samples; 0: unknown
+    // The phase common to c and d is unknown in each window: it says nothing, nor does f_ref.
+    bool phase_lost = false;
 };
 
 }  // namespace vybeg

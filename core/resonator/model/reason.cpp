@@ -123,6 +123,28 @@ ReasonRow reason_row(ReasonCode code) {
         case ReasonCode::not_converged:
             return {"not-converged",
                     VYBEG_MESSAGE("Reason", "The fit stopped before it converged.")};
+        case ReasonCode::phase_lost:
+            return {"phase-lost",
+                    VYBEG_MESSAGE("Reason",
+                                  "The log keeps no phase of the oscillation, and with it no "
+                                  "frequency.")};
+        case ReasonCode::logs_differ:
+            return {"logs-differ",
+                    VYBEG_MESSAGE("Reason", "The logs differ in it: each has its own value.")};
+        case ReasonCode::effort_missing:
+            return {"effort-missing",
+                    VYBEG_MESSAGE("Reason", "No log holds the effort of the controller for it.")};
+        case ReasonCode::effort_unseen:
+            return {"effort-unseen",
+                    VYBEG_MESSAGE("Reason",
+                                  "The fourth harmonic of the effort, or of the drift, is within "
+                                  "its noise. Record a longer log.")};
+        case ReasonCode::effort_axis_apart:
+            return {"effort-axis-apart",
+                    VYBEG_MESSAGE("Reason",
+                                  "The axes of damping by the effort and by the drift lie %1 "
+                                  "degrees apart: the fourth harmonic of the drift is not that of "
+                                  "the damping alone.")};
     }
     return {"", ""};
 }

@@ -36,6 +36,11 @@ enum class ReasonCode {
     left_out,            // this recording does not belong to the set
     frequencies_apart,   // args: ppm. Those of the recordings.
     not_converged,       // the fit stopped early
+    phase_lost,          // E, R, S, Q have no frequency
+    logs_differ,         // whole-angle logs differ in it
+    effort_missing,      // of a whole-angle log: no column of it
+    effort_unseen,       // its fourth harmonic, or that of the drift, is within its noise
+    effort_axis_apart,   // args: degrees between the damping axes of effort and drift
 };
 
 struct Reason {

@@ -15,6 +15,7 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
     scaled.time_s = run.time_s;
     scaled.window_s = run.window_s;
     scaled.correlation = run.noise_correlation;
+    scaled.phase_lost = run.phase_lost;
     scaled.duration_s = run.time_s.back() + run.window_s / 2;
     std::vector<double> steps;
     double power = 0;
@@ -42,8 +43,8 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         square += at * at;
         if (k > 0) {
             steps.push_back(run.time_s[k] - run.time_s[k - 1]);
-            // The rotation across a gap is ambiguous.
-            if (steps.back() < 1.5 * run.window_s) {
+            // The rotation across a gap is ambiguous, as is that of a lost phase.
+            if (!run.phase_lost && steps.back() < 1.5 * run.window_s) {
                 turn += scaled.z[k - 1].dot(scaled.z[k]);
             }
         }

@@ -45,7 +45,8 @@ struct ScaledRun {
     double reference_s = 0;  // instant of the run's frequency: mean of t weighted with |z|^2
     // Share of the power kept by the windows' means, at the run's mean frequency.
     double power_kept = 1;
-    double power = 0;  // power of the run's frequency in recorded channels
+    double power = 0;         // power of the run's frequency in recorded channels
+    bool phase_lost = false;  // as PhasorRun
     PowerSums power_sums;
     RunDeviation deviation;  // zero unless the runs of the set differ
     // Makes the noise of C and D equal and independent, in units of the windows' sd.

@@ -1,6 +1,7 @@
 #include "core/resonator/noise/noise_claim.h"
 
 #include "core/numerics/dense_solvers.h"
+#include "core/numerics/median.h"
 
 #include <algorithm>
 #include <array>
@@ -182,8 +183,7 @@ void compare_parameters(const std::vector<ClaimedSeries>& all, const Posterior& 
         }
     }
     if (count > 0) {
-        const double variance = 2 / (9 * count);  // Wilson and Hilferty
-        claim.by_parameters = (std::cbrt(square_sum / count) - 1 + variance) / std::sqrt(variance);
+        claim.by_parameters = chi2_deviations(square_sum, count);
     }
 }
 

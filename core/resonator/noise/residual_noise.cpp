@@ -133,7 +133,11 @@ public:
         for (const ResidualSeries& run : series) {
             const MatrixXd root = posterior.root_of(run.places);
             for (std::size_t k = 0; k < 4 && !job.cancelled(); ++k) {
-                blocks_.push_back(block_of(run, k, root));
+                constexpr double nothing = 1e-6;
+                // The phase is lost.
+                if (!run.residual[k].isZero(nothing)) {
+                    blocks_.push_back(block_of(run, k, root));
+                }
             }
         }
         for (int k = 0; k < widths; ++k) {

@@ -260,6 +260,10 @@ private:
 
     void add_envelope(std::size_t run, const EnvelopeDecay& envelope, double f_hz) {
         Estimate& q = fit_.runs[run].q_envelope;
+        if (problem_.runs[run].phase_lost) {
+            q.reason = {ReasonCode::phase_lost, {}};
+            return;
+        }
         const double sd = envelope.sd;
         if (!std::isfinite(sd)) {
             q.reason = {ReasonCode::too_few_windows, {}};

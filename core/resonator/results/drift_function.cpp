@@ -1,12 +1,13 @@
 #include "core/resonator/results/drift_function.h"
 
 #include "core/estimators/wave/wave_state.h"
+#include "core/numerics/harmonic_terms.h"
 #include "core/numerics/phase.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -16,14 +17,12 @@ namespace vybeg {
 namespace {
 
 // m, c4, s4, c8, s8.
+constexpr std::array harmonics{4, 8};
 constexpr int drift_terms = 5;
 using Terms = Eigen::Matrix<double, drift_terms, 1>;
 using TermMatrix = Eigen::Matrix<double, drift_terms, drift_terms>;
 
 constexpr double angle_needs_sd = 6;
-// Least eigenvalue of the information in units of that of a constant drift: six starts 15 degrees
-// apart have more; four starts 22.5 degrees apart do not show the eighth harmonic.
-constexpr double least_information = 0.02;
 constexpr double point_reach = 5 * std::numbers::pi / 180;
 // Least number of windows of the straight line of a point.
 constexpr std::size_t least_point_windows = 8;
@@ -75,9 +74,7 @@ std::vector<Segment> segments_of(const PhasorRun& run, const FittedMotion& motio
 }
 
 Terms terms_at(double theta) {
-    Terms value;
-    value << 1, std::cos(4 * theta), std::sin(4 * theta), std::cos(8 * theta), std::sin(8 * theta);
-    return value;
+    return harmonic_terms<Terms>(harmonics, theta);
 }
 
 // Normal equations of all segments, their start angles eliminated.
@@ -88,17 +85,17 @@ struct Normal {
     double freedom = 0;
 
     void add(const Segment& segment) {
-        // The integrals of the terms from the first place, by trapezoids.
-        std::vector<Terms> sums(segment.size(), Terms::Zero());
+        std::vector<double> time_s;
+        std::vector<double> theta;
+        for (const AngleWindow& place : segment) {
+            time_s.push_back(place.time_s);
+            theta.push_back(place.theta);
+        }
+        const std::vector<Terms> sums = term_integrals<Terms>(harmonics, time_s, theta);
         double weight = 0;
         double mean_residual = 0;
         Terms mean = Terms::Zero();
         for (std::size_t k = 0; k < segment.size(); ++k) {
-            if (k > 0) {
-                sums[k] =
-                    sums[k - 1] + 0.5 * (segment[k].time_s - segment[k - 1].time_s) *
-                                      (terms_at(segment[k - 1].theta) + terms_at(segment[k].theta));
-            }
             const double w = 1 / (segment[k].sd * segment[k].sd);
             weight += w;
             mean_residual += w * segment[k].residual;
@@ -134,13 +131,7 @@ void take_fourth(const DriftTerms& terms_of_fit, DriftFunction& found) {
 
 // Adds the information of the residual angles on all five terms, if they separate them.
 void add_eighth(const Normal& normal, DriftFunction& found) {
-    const double unit = normal.information(0, 0);
-    if (!(unit > 0)) {
-        return;
-    }
-    const Eigen::SelfAdjointEigenSolver<TermMatrix> eigen(normal.information / unit,
-                                                          Eigen::EigenvaluesOnly);
-    if (eigen.eigenvalues()[0] < least_information) {
+    if (!separates_terms(normal.information)) {
         return;
     }
     const TermMatrix all = normal.information.inverse();

@@ -1,0 +1,120 @@
+#include "app/cli_commands.h"
+#include "app/cli_identify_text.h"
+#include "app/cli_support.h"
+#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
+#include "core/drift/log_reading.h"
+#include "core/drift/whole_angle_drift.h"
+#include "core/output/drift_json.h"
+#include "core/output/output_paths.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace vybeg::cli {
+namespace {
+
+std::string logs_text(const WholeAngleDrift& drift) {
+    std::string text;
+    for (std::size_t k = 0; k < drift.logs.size(); ++k) {
+        const LogDrift& log = drift.logs[k];
+        text += "log " + plain_text(log.name) + ", " + short_text(log.seconds) + " s, " +
+                short_text(log.turn * 180 / std::numbers::pi, 4) + " degrees, " +
+                integer_text(static_cast<std::int64_t>(log.rows)) + " rows" +
+                (drift.left_out == k ? ", left out\n" : "\n");
+        for (Eigen::Index term = 0; term < log_terms; ++term) {
+            const Estimate rate{log.coefficients[term], std::sqrt(log.covariance(term, term)), {}};
+            text += line(log_term_names[static_cast<std::size_t>(term)],
+                         text_of(degrees_per_hour(rate), "deg/h"));
+        }
+    }
+    return text;
+}
+
+std::string drift_text(const WholeAngleDrift& drift) {
+    std::string text = logs_text(drift) + "drift, d theta_A/dt\n";
+    for (std::size_t k = 0; k < drift.harmonics.size(); ++k) {
+        text += line(log_term_names[k], text_of(degrees_per_hour(drift.harmonics[k]), "deg/h"));
+    }
+    for (const LogAgreement& each : drift.agreement) {
+        if (each.freedom > 0) {
+            text +=
+                line("harmonic " + integer_text(each.harmonic),
+                     std::string(each.agrees ? "the logs agree" : "the logs differ") + ", chi^2 " +
+                         short_text(each.chi2, 3) + " of " + short_text(each.freedom, 3));
+        }
+    }
+    const HeldResonator& resonator = drift.resonator;
+    return text + "resonator, from the drift and the efforts\n" +
+           line("damping_anisotropy", text_of(resonator.damping_anisotropy_per_s, "1/s")) +
+           line("theta_tau", text_in_degrees(resonator.theta_tau_rad)) +
+           line("tau", text_of(resonator.tau_s, "s")) +
+           line("split", text_of(resonator.split_hz, "Hz")) +
+           line("theta_w", text_in_degrees(resonator.theta_w_rad));
+}
+
+Status check_drift_paths(const DriftRequest& request) {
+    std::vector<InputPath> inputs;
+    for (const std::string& input : request.inputs) {
+        inputs.push_back({input, "it is one of the logs"});
+    }
+    // Bins on standard output take the place of the summary.
+    TRY(check_outputs({{"--json", request.json ? "-" : "", "the result goes there already"},
+                       {"-o", request.output, ""}},
+                      inputs));
+    return request.output.empty() || request.output == "-"
+               ? Status()
+               : check_ending(request.output, {".csv", ".json"});
+}
+
+}  // namespace
+
+int run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
+    if (const Status possible = check_drift_paths(request); !possible) {
+        return log.fail(possible.error());
+    }
+    std::vector<WholeAngleLog> logs;
+    for (const std::string& input : request.inputs) {
+        Result<WholeAngleLog> read = read_whole_angle_log(input, request.reading, silent_job(stop));
+        if (!read) {
+            return log.fail(read.error());
+        }
+        logs.push_back(std::move(*read));
+    }
+    std::optional<OutputFile> output;
+    if (!request.output.empty()) {
+        Result<OutputFile> file = open_output(request.output, silent_job(stop));
+        if (!file) {
+            return log.fail(file.error());
+        }
+        output.emplace(std::move(*file));
+    }
+    const Result<WholeAngleDrift> drift = whole_angle_drift(logs, job_of(stop, log));
+    if (!drift) {
+        return log.fail(drift.error());
+    }
+    log.warnings(drift->warnings);
+    const bool whole = file_ending(request.output) == ".json";
+    const std::string json = request.json || whole ? drift_json(program, logs, *drift) : "";
+    if (request.output != "-") {
+        const Status said = write_text(request.json ? json : drift_text(*drift), silent_job(stop));
+        if (!said) {
+            return log.fail(said.error());
+        }
+    }
+    if (output) {
+        Status written = output->write(whole ? json : drift_csv(program, logs, *drift));
+        if (written) {
+            written = output->commit();
+        }
+        if (!written) {
+            return log.fail(written.error());
+        }
+    }
+    return 0;
+}
+
+}  // namespace vybeg::cli

@@ -1,0 +1,68 @@
+#include "core/analysis/power_log.h"
+
+#include "core/recording/open/log_columns.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+const ColumnRole time_of_log{"t", {"t", "t_s", "time", "time_s", "время"}, false};
+
+const std::vector<ColumnRole>& roles_of_powers() {
+    static const std::vector<ColumnRole> roles{
+        time_of_log, {"E", {"E"}}, {"R", {"R"}}, {"S", {"S"}}, {"Q", {"Q"}}};
+    return roles;
+}
+
+// Those of a track, too.
+const std::vector<ColumnRole>& roles_of_waves() {
+    static const std::vector<ColumnRole> roles{
+        time_of_log,
+        {"a", {"a", "a_A"}},
+        {"b", {"b", "a_B"}},
+        {"theta",
+         {"theta", "theta_rad", "theta_deg", "theta_A", "theta_A_rad", "two_theta_A_rad"}}};
+    return roles;
+}
+
+// Column of a role among the wishes; null: not among them.
+LogColumn* column_of(const std::vector<ColumnWish>& wishes, LogTable& table,
+                     const std::string& role) {
+    for (std::size_t k = 0; k < wishes.size(); ++k) {
+        if (wishes[k].role.name == role) {
+            return &table.columns[k];
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
+                                const LogChoice& columns, const JobControl& job) {
+    const auto waves = column_wishes(columns.names, roles_of_waves());
+    if (!waves) {
+        const auto wishes = TRY(column_wishes(columns.names, roles_of_powers()));
+        auto table = TRY(read_log(path, options, wishes, job));
+        PowerRun run;
+        run.e = std::move(column_of(wishes, table, "E")->values);
+        run.r = std::move(column_of(wishes, table, "R")->values);
+        run.s = std::move(column_of(wishes, table, "S")->values);
+        run.q = std::move(column_of(wishes, table, "Q")->values);
+        run.time_s = std::move(table.time_s);
+        return run;
+    }
+    auto table = TRY(read_log(path, options, *waves, job));
+    LogColumn& theta = *column_of(*waves, table, "theta");
+    const auto factor = TRY(angle_factor(path, theta, columns.rad_per_angle_unit));
+    for (double& value : theta.values) {
+        value *= factor;
+    }
+    return powers_of_waves(std::move(table.time_s), column_of(*waves, table, "a")->values,
+                           column_of(*waves, table, "b")->values, theta.values);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/analysis/identify_settings.h"
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/samples/open_options.h"
+#include "core/resonator/model/power_run.h"
+
+#include <filesystem>
+
+namespace vybeg {
+
+// Reads a log of E, R, S, Q or of a, b, theta, as `columns` says. Errors: those of column_wishes(),
+// read_log() and angle_factor().
+Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
+                                const LogChoice& columns, const JobControl& job);
+
+}  // namespace vybeg

@@ -1,0 +1,53 @@
+#include "core/drift/log_reading.h"
+
+#include "core/recording/bytes/sha256.h"
+#include "core/recording/open/log_columns.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+const std::vector<ColumnRole>& log_roles() {
+    static const std::vector<ColumnRole> roles{
+        {"t", {"t", "t_s", "time", "time_s", "время"}, false},
+        {"theta",
+         {"theta", "theta_rad", "theta_deg", "theta_A", "theta_A_rad", "angle", "two_theta_A_rad",
+          "угол"}},
+        {"amplitude", {"amplitude", "amplitude effort", "amplitude_effort"}, false},
+        {"quadrature", {"quadrature", "quadrature effort", "quadrature_effort"}, false}};
+    return roles;
+}
+
+}  // namespace
+
+Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
+                                           const LogReading& reading, const JobControl& job) {
+    const auto wishes = TRY(column_wishes(reading.columns, log_roles()));
+    auto table = TRY(read_log(path, reading.open, wishes, job));
+    WholeAngleLog log;
+    log.name = path.filename().string();
+    auto sha256 = TRY(file_sha256(path, job));
+    log.sha256 = std::move(sha256);
+    log.time_s = std::move(table.time_s);
+    for (std::size_t k = 0; k < wishes.size(); ++k) {
+        LogColumn& column = table.columns[k];
+        const std::string_view role = wishes[k].role.name;
+        if (role == "theta") {
+            const auto factor = TRY(angle_factor(path, column, reading.rad_per_angle_unit));
+            for (const double value : column.values) {
+                log.theta.push_back(factor * value);
+            }
+        } else if (role == "amplitude") {
+            log.amplitude_effort = std::move(column.values);
+        } else if (role == "quadrature") {
+            log.quadrature_effort = std::move(column.values);
+        }
+    }
+    return log;
+}
+
+}  // namespace vybeg

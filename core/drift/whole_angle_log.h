@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// What a controller writes down while it holds the amplitude and the wave turns: a row for each
+// instant.
+struct WholeAngleLog {
+    std::string name;
+    std::string sha256;          // of the file; empty: not from a file
+    std::vector<double> time_s;  // rising
+    std::vector<double> theta;   // wave angle theta_A, rad, whole or wrapped; NaN where missing
+    // Of the controller, in any unit that both share; empty: not written down. The amplitude effort
+    // is positive where it raises a_A, the quadrature effort where it raises a_B.
+    std::vector<double> amplitude_effort;
+    std::vector<double> quadrature_effort;
+};
+
+// A part of a log along which the angle is continuous.
+struct AngleStretch {
+    std::vector<std::size_t> rows;  // of the log; those without an angle are left out
+    std::vector<double> time_s;
+    std::vector<double> theta;  // unwrapped, rad
+};
+
+struct UnwrappedAngle {
+    std::vector<AngleStretch> stretches;
+    double period = 0;  // at which the log wraps its angle, rad: pi/2, pi or 2 pi; 0: it is whole
+    // Of the whole log, rad: greatest less least angle of the longest stretch.
+    double turn = 0;
+};
+
+// The angle of a log, made continuous. An angle that the controller wraps comes back by whole
+// quarters of a turn, whatever its period; across a gap it is the nearest one to the turn so far,
+// and where the gap is too long for that a new stretch begins. Precondition: less than an eighth of
+// a turn from row to row.
+UnwrappedAngle unwrapped_angle(const WholeAngleLog& log);
+
+}  // namespace vybeg

@@ -1,0 +1,163 @@
+#include "core/output/drift_json.h"
+
+#include "core/base/finding.h"
+#include "core/base/messages.h"
+#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
+#include "core/output/quantity_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace vybeg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double deg_h = 3600 / degree;
+
+Json covariance_json(const Eigen::MatrixXd& covariance) {
+    Json rows = Json::array();
+    for (Eigen::Index row = 0; row < covariance.rows(); ++row) {
+        Json values = Json::array();
+        for (Eigen::Index column = 0; column < covariance.cols(); ++column) {
+            values.push_back(number_json(deg_h * deg_h * covariance(row, column)));
+        }
+        rows.push_back(std::move(values));
+    }
+    return rows;
+}
+
+std::string term_key(std::size_t term) {
+    return std::string(log_term_names.at(term)) + "_deg_h";
+}
+
+// White noise of the angle, the walk of a white rate, and a slow noise beside them.
+Json series_noise_json(const SeriesNoise& noise) {
+    Json json{{"angle_deg", number_json(std::sqrt(noise.white) / degree)},
+              {"walk_deg_per_root_h", number_json(std::sqrt(noise.walk * 3600) / degree)}};
+    if (noise.slow == SeriesNoise::Slow::none) {
+        json["slow"] = nullptr;
+        return json;
+    }
+    const bool rate = noise.slow == SeriesNoise::Slow::rate;
+    const double size = std::sqrt(noise.slow_variance);
+    json["slow"] = {
+        {"of", rate ? "rate" : "angle"},
+        {rate ? "sd_deg_h" : "sd_deg", number_json(rate ? deg_h * size : size / degree)},
+        {"correlation_s", number_json(1 / noise.slow_rate)}};
+    return json;
+}
+
+Json log_json(const WholeAngleLog& log, const LogDrift& drift, bool left_out) {
+    Json harmonics;
+    for (std::size_t k = 0; k < log_term_names.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        harmonics[term_key(k)] = quantity_json(degrees_per_hour(
+            Estimate{drift.coefficients[at], std::sqrt(drift.covariance(at, at)), {}}));
+    }
+    return {{"name", log.name},
+            {"sha256", log.sha256},
+            {"seconds", number_json(drift.seconds)},
+            {"turn_deg", number_json(drift.turn / degree)},
+            {"rows", drift.rows},
+            {"missing", drift.missing},
+            {"left_out", left_out},
+            {"harmonics", harmonics},
+            {"covariance_deg_h2", covariance_json(drift.covariance)},
+            {"noise", series_noise_json(drift.noise)}};
+}
+
+Json held_json(const HeldResonator& resonator) {
+    return {{"damping_anisotropy_per_s", quantity_json(resonator.damping_anisotropy_per_s)},
+            {"theta_tau_rad", quantity_json(resonator.theta_tau_rad)},
+            {"tau_s", quantity_json(resonator.tau_s)},
+            {"split_hz", quantity_json(resonator.split_hz)},
+            {"theta_w_rad", quantity_json(resonator.theta_w_rad)}};
+}
+
+}  // namespace
+
+double degrees_per_hour(double rad_per_s) {
+    return deg_h * rad_per_s;
+}
+
+Estimate degrees_per_hour(Estimate rad_per_s) {
+    rad_per_s.value *= deg_h;
+    rad_per_s.sd *= deg_h;
+    return rad_per_s;
+}
+
+std::string drift_json(const std::string& program, std::span<const WholeAngleLog> logs,
+                       const WholeAngleDrift& drift) {
+    Json inputs = Json::array();
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+        inputs.push_back(log_json(logs[k], drift.logs[k], drift.left_out == k));
+    }
+    Json warnings = Json::array();
+    for (const Finding& finding : findings_of(drift.warnings)) {
+        warnings.push_back({{"kind", kind_name(finding.diagnostic.kind)},
+                            {"severity", severity_name(severity(finding.diagnostic.kind))},
+                            {"count", finding.count},
+                            {"text", english(finding.diagnostic)}});
+    }
+    Json harmonics;
+    for (std::size_t k = 0; k < drift.harmonics.size(); ++k) {
+        harmonics[term_key(k)] = quantity_json(degrees_per_hour(drift.harmonics[k]));
+    }
+    Json agreement = Json::array();
+    for (const LogAgreement& each : drift.agreement) {
+        agreement.push_back({{"harmonic", each.harmonic},
+                             {"chi2", number_json(each.chi2)},
+                             {"dof", number_json(each.freedom)},
+                             {"deviations", number_json(each.deviations)},
+                             {"agrees", each.agrees}});
+    }
+    Json bins = Json::array();
+    for (const LogBin& bin : drift.bins) {
+        bins.push_back({{"theta_deg", number_json(bin.theta / degree)},
+                        {"rate_deg_h", number_json(degrees_per_hour(bin.rate))},
+                        {"sd_deg_h", number_json(degrees_per_hour(bin.sd))},
+                        {"seconds", number_json(bin.seconds)}});
+    }
+    return json_text({{"program", program},
+                      {"warnings", warnings},
+                      {"harmonics", harmonics},
+                      {"covariance_deg_h2", covariance_json(drift.covariance)},
+                      {"agreement", agreement},
+                      {"resonator", held_json(drift.resonator)},
+                      {"logs", inputs},
+                      {"bins", bins}});
+}
+
+std::string drift_csv(const std::string& program, std::span<const WholeAngleLog> logs,
+                      const WholeAngleDrift& drift) {
+    std::string text = "# " + program + "\n# drift of whole-angle logs, less the turn of each\n";
+    for (const WholeAngleLog& log : logs) {
+        text += "# input: " + plain_text(log.name) + ", sha256 " + log.sha256 + "\n";
+    }
+    for (const Diagnostic& warning : drift.warnings) {
+        text += "# warning: " + english(warning) + "\n";
+    }
+    text += "theta_deg,rate_deg_h,sd_rate_deg_h,curve_deg_h,sd_curve_deg_h,seconds\n";
+    for (const LogBin& bin : drift.bins) {
+        const std::array values{bin.theta / degree,
+                                degrees_per_hour(bin.rate),
+                                degrees_per_hour(bin.sd),
+                                degrees_per_hour(drift.rate(bin.theta)),
+                                degrees_per_hour(drift.sd_rate(bin.theta)),
+                                bin.seconds};
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            text += k == 0 ? "" : ",";
+            append_round_trip(text, values[k]);
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace vybeg

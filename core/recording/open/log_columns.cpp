@@ -1,0 +1,270 @@
+#include "core/recording/open/log_columns.h"
+
+#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
+#include "core/recording/bytes/file_bytes.h"
+#include "core/recording/open/file_format.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/samples/vocabulary.h"
+#include "core/recording/text/text_head.h"
+#include "core/recording/text/text_scan.h"
+#include "core/recording/text/text_source.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+using File = std::shared_ptr<const FileBytes>;
+
+constexpr const char* time_role = "t";
+
+bool is_time(const ColumnWish& wish) {
+    return wish.role.name == std::string_view(time_role);
+}
+
+bool is_called(std::string_view name, const ColumnWish& wish) {
+    const std::string normal = normal_name(name);
+    if (!wish.column.empty()) {
+        return normal == normal_name(wish.column);
+    }
+    return std::ranges::any_of(wish.role.names,
+                               [&](const char* usual) { return normal == normal_name(usual); });
+}
+
+Error missing_column(const FileBytes& file, const ColumnWish& wish,
+                     const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) {
+        all += all.empty() ? "" : ", ";
+        all += plain_text(name);
+    }
+    return file.error(ErrorCode::column_missing,
+                      {wish.column.empty() ? wish.role.name : wish.column, all});
+}
+
+// Place of a column of a text, from 0; -1: it is not there.
+int place_of(const TextFormat& format, const ColumnWish& wish, std::size_t order) {
+    if (const auto number = parse_number(wish.column);
+        number && *number >= 1 && *number <= format.columns) {
+        return static_cast<int>(*number) - 1;
+    }
+    for (std::size_t k = 0; k < format.names.size(); ++k) {
+        if (is_called(format.names[k], wish) ||
+            is_called(name_and_unit(format.names[k]).name, wish)) {
+            return static_cast<int>(k);
+        }
+    }
+    const bool nameless =
+        std::ranges::all_of(format.names, [](const std::string& name) { return name.empty(); });
+    return nameless && wish.column.empty() && order < static_cast<std::size_t>(format.columns)
+               ? static_cast<int>(order)
+               : -1;
+}
+
+// The format of a text with the wished time column, which counts although it is one of two columns.
+Result<TextFormat> format_with_time(const File& file, const OpenOptions& options,
+                                    std::span<const ColumnWish> wishes, const JobControl& job) {
+    TextChoice choice = options.text.value_or(TextChoice{});
+    const auto head = TRY(read_text_head(file, choice.lines_to_skip, job));
+    auto format = TRY(find_text_format(*file, head, choice));
+    const auto time = std::ranges::find_if(wishes, is_time);
+    if (choice.time_column || time == wishes.end()) {
+        return format;
+    }
+    const int place = place_of(format, *time, static_cast<std::size_t>(time - wishes.begin()));
+    if (place < 0) {
+        return time->column.empty() ? Result<TextFormat>(format)
+                                    : missing_column(*file, *time, format.names);
+    }
+    choice.time_column = place + 1;
+    return find_text_format(*file, head, choice);
+}
+
+Result<LogTable> read_text(const File& file, const OpenOptions& options,
+                           std::span<const ColumnWish> wishes, const JobControl& job) {
+    const auto format = TRY(format_with_time(file, options, wishes, job));
+    if (format.time_column < 0 && !options.rate_hz) {
+        return file->error(ErrorCode::rate_unknown);
+    }
+    std::vector<int> places(wishes.size(), -1);
+    std::vector<std::size_t> wanted;
+    for (std::size_t k = 0; k < wishes.size(); ++k) {
+        if (is_time(wishes[k])) {
+            continue;
+        }
+        places[k] = place_of(format, wishes[k], k);
+        if (places[k] >= 0 && places[k] != format.time_column) {
+            wanted.push_back(k);
+        } else if (wishes[k].role.needed || !wishes[k].column.empty()) {
+            return missing_column(*file, wishes[k], format.names);
+        }
+    }
+    LogTable table;
+    table.columns.resize(wishes.size());
+    for (std::size_t k = 0; k < wanted.size(); k += 2) {
+        const std::array pair{wanted[k], wanted[std::min(k + 1, wanted.size() - 1)]};
+        const TextColumns columns{
+            .time = format.time_column, .c = places[pair[0]], .d = places[pair[1]]};
+        const auto found = TRY(find_table(file, format, columns));
+        const auto scan = TRY(scan_text(found, job));
+        auto rows = TRY(read_timed_rows(found, scan, job));
+        table.columns[pair[1]].values = std::move(rows.d);
+        table.columns[pair[0]].values = std::move(rows.c);  // also of a column alone
+        table.time_s = std::move(rows.time_s);
+    }
+    for (const std::size_t k : wanted) {
+        const auto place = static_cast<std::size_t>(places[k]);
+        table.columns[k].name = plain_text(format.names[place]);
+        table.columns[k].unit = plain_text(format.units[place]);
+    }
+    for (std::size_t k = 0; format.time_column < 0 && k < table.time_s.size(); ++k) {
+        table.time_s[k] = static_cast<double>(k) / *options.rate_hz;
+    }
+    return table;
+}
+
+// Variables are asked for by name, two at a time, as if they were C and D.
+Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOptions& options,
+                                std::span<const ColumnWish> wishes, const JobControl& job) {
+    LogTable table;
+    table.columns.resize(wishes.size());
+    std::string beside;  // a variable that is there
+    for (std::size_t k = 0; k < wishes.size(); ++k) {
+        if (is_time(wishes[k])) {
+            continue;
+        }
+        std::vector<std::string> names(wishes[k].role.names.begin(), wishes[k].role.names.end());
+        if (!wishes[k].column.empty()) {
+            names = {wishes[k].column};
+        }
+        std::optional<Error> missing;
+        for (const std::string& name : names) {
+            OpenOptions one = options;
+            one.variables = {name, beside.empty() ? name : beside};
+            const Result<Recording> found = open_recording(path, one, job);
+            if (!found) {
+                missing = found.error();
+                if (found.error().code == ErrorCode::variable_missing) {
+                    continue;
+                }
+                return found.error();
+            }
+            missing.reset();
+            const auto frames = static_cast<std::size_t>(found->frames());
+            std::vector<double> other(frames);
+            table.columns[k] = {name, found->channels.front().unit, std::vector<double>(frames)};
+            TRY(found->source->read(0, table.columns[k].values, other));
+            table.time_s.resize(frames);
+            for (std::size_t row = 0; row < frames; ++row) {
+                table.time_s[row] = static_cast<double>(row) / found->rate_hz;
+            }
+            beside = name;
+            break;
+        }
+        if (missing && wishes[k].role.needed) {
+            return *missing;
+        }
+    }
+    return table;
+}
+
+}  // namespace
+
+Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
+                                              std::span<const ColumnRole> roles) {
+    std::vector<ColumnWish> wishes;
+    std::string allowed;
+    for (const ColumnRole& role : roles) {
+        allowed += allowed.empty() ? "" : ", ";
+        allowed += role.name;
+        if (text.empty()) {
+            wishes.push_back({role, ""});
+        }
+    }
+    for (std::size_t at = 0; !text.empty() && at <= text.size();) {
+        const std::size_t end = std::min(text.find(',', at), text.size());
+        const std::string entry = text.substr(at, end - at);
+        const std::size_t sign = std::min(entry.find('='), entry.size());
+        const std::string column =
+            sign < entry.size() ? std::string(trimmed(std::string_view(entry).substr(sign + 1)))
+                                : std::string();
+        const auto role = std::ranges::find_if(roles, [&](const ColumnRole& each) {
+            const std::string name = normal_name(entry.substr(0, sign));
+            return name == normal_name(each.name) ||
+                   std::ranges::any_of(
+                       each.names, [&](const char* usual) { return name == normal_name(usual); });
+        });
+        if (role == roles.end()) {
+            return Error{ErrorCode::setting_invalid,
+                         "",
+                         {"--columns", text,
+                          words(VYBEG_MESSAGE("Words",
+                                              "it names %1, with commas between them, each with "
+                                              "=COLUMN where the file calls it otherwise"),
+                                {allowed})}};
+        }
+        wishes.push_back({*role, column});
+        at = end + 1;
+    }
+    for (const ColumnRole& role : roles) {
+        const bool told = std::ranges::any_of(wishes, [&](const ColumnWish& wish) {
+            return wish.role.name == std::string_view(role.name);
+        });
+        if (!told && role.needed) {
+            return Error{
+                ErrorCode::setting_invalid,
+                "",
+                {"--columns", text, words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name})}};
+        }
+    }
+    return wishes;
+}
+
+Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
+                          std::span<const ColumnWish> wishes, const JobControl& job) {
+    const auto file = TRY(FileBytes::open(path));
+    const auto head = TRY(file_head(*file));
+    const FileFormat* const format = find_format(head, *file);
+    if (!options.text && format && format->has_variables) {
+        return read_variables(path, options, wishes, job);
+    }
+    if (!options.text && (!format || !format->is_text)) {
+        return file->error(ErrorCode::format_unknown);
+    }
+    return read_text(file, options, wishes, job);
+}
+
+Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
+                            double told) {
+    const std::string name = normal_name(column.name);
+    const double half = name.starts_with("twotheta") || name.starts_with("2theta") ? 0.5 : 1;
+    if (told > 0) {
+        return half * told;
+    }
+    const std::string unit = normal_name(column.unit);
+    const auto says = [&](std::initializer_list<const char*> units) {
+        return std::ranges::any_of(units, [&](const char* each) {
+            return unit == normal_name(each) || column.name.ends_with(std::string("_") + each);
+        });
+    };
+    if (says({"rad", "radians", "рад"})) {
+        return half;
+    }
+    if (says({"deg", "degrees", "°", "град"})) {
+        return half * std::numbers::pi / 180;
+    }
+    return Error{ErrorCode::angle_unit_unknown,
+                 path.string(),
+                 {column.name.empty() ? "theta" : column.name}};
+}
+
+}  // namespace vybeg

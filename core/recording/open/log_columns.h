@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/samples/open_options.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// Logs and tracks: tables of numbers over time that are no signals, read by the readers of
+// recordings.
+
+// What a column may be. The time, where there is one, is the first of the roles.
+struct ColumnRole {
+    const char* name;                // in --columns
+    std::vector<const char*> names;  // of such columns in files
+    bool needed = true;
+};
+
+// A column that is asked for.
+struct ColumnWish {
+    ColumnRole role;
+    std::string column;  // its name or its number, from 1, in the file; empty: by its usual names
+};
+
+// `text` names roles with commas between them, each with `=COLUMN` where the file calls it
+// otherwise; empty: all roles by their usual names. Errors: setting_invalid.
+Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
+                                              std::span<const ColumnRole> roles);
+
+struct LogColumn {
+    std::string name;            // in the file; empty where the column is not there
+    std::string unit;            // of the header, or of the end of the name
+    std::vector<double> values;  // NaN where missing; empty where the column is not there
+};
+
+struct LogTable {
+    std::vector<double> time_s;      // rising
+    std::vector<LogColumn> columns;  // of the wishes, in their order; that of the time is empty
+};
+
+// Reads the columns of a text, of NPZ, MAT or HDF5. A text without names has them in the order of
+// the wishes. Times are those of the file, never brought onto a grid; those of a text without times
+// follow from --rate. Errors: column_missing, rate_unknown and those of the readers.
+Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
+                          std::span<const ColumnWish> wishes, const JobControl& job);
+
+// Factor from a column of angles to theta_A in rad: by `told` (rad per unit, 0: not told), else by
+// its unit; a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown.
+Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
+                            double told);
+
+}  // namespace vybeg

@@ -1,0 +1,127 @@
+// vybeg-cli drift as a process.
+#include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+namespace test_cli_drift {
+
+using namespace vybeg::test;
+
+namespace {
+
+// A wave that turns by 0.05 rad/s with c4 = 3e-4 rad/s, by small steps, with the digits of the file
+// as noise.
+QString written(const QTemporaryDir& folder, const QString& name, const QString& header,
+                double per_rad, double c4 = 3e-4) {
+    QFile file(folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly)) {
+        qFatal("no file");
+    }
+    file.write(header.toUtf8());
+    double theta = 0.1;
+    for (int k = 0; k < 3000; ++k) {
+        file.write(QByteArray::number(0.1 * k, 'f', 1) + "," +
+                   QByteArray::number(per_rad * theta, 'f', 5) + "\n");
+        for (int part = 0; part < 20; ++part) {
+            const double middle = theta + 0.0025 * (0.05 + c4 * std::cos(4 * theta));
+            theta += 0.005 * (0.05 + c4 * std::cos(4 * middle));
+        }
+    }
+    return file.fileName();
+}
+
+QJsonObject json_of(const Outcome& run) {
+    return QJsonDocument::fromJson(run.out).object();
+}
+
+}  // namespace
+
+class TestCliDrift : public QObject {
+    Q_OBJECT
+
+private slots:
+    void degrees_and_radians_give_one_drift() {
+        const QTemporaryDir folder;
+        const double degrees = 180 / std::numbers::pi;
+        const double deg_h = 3600 * degrees;
+        for (const QString& log : {written(folder, "deg.csv", "t_s,theta_deg\n", degrees),
+                                   written(folder, "rad.csv", "t,theta [rad]\n", 1),
+                                   written(folder, "plain.csv", "", 1)}) {
+            QStringList arguments{"drift", log, "--json"};
+            if (log.endsWith("plain.csv")) {
+                arguments << "--angle-unit"
+                          << "rad";
+            }
+            const Outcome run = run_cli(arguments, folder.path());
+            QCOMPARE(run.status, 0);
+            const QJsonObject harmonics = json_of(run)["harmonics"].toObject();
+            VYBEG_CLOSE(harmonics["mean_deg_h"].toObject()["value"].toDouble(), 0.05 * deg_h, 0.01);
+            const QJsonObject cos4 = harmonics["cos4_deg_h"].toObject();
+            VYBEG_LESS(std::abs(cos4["value"].toDouble() - 3e-4 * deg_h) / cos4["sd"].toDouble(),
+                       4.5);
+            QCOMPARE(json_of(run)["bins"].toArray().size(), 36);
+            QCOMPARE(json_of(run)["covariance_deg_h2"].toArray().size(), 5);
+        }
+    }
+
+    void columns_are_named_and_units_asked_for() {
+        const QTemporaryDir folder;
+        const QString log = written(folder, "log.csv", "t,psi\n", 1);
+        const Outcome unnamed = run_cli({"drift", log}, folder.path());
+        QCOMPARE(unnamed.status, 3);
+        QVERIFY(unnamed.err.contains("there is no column \"theta\"; the file has t, psi."));
+        const Outcome unit = run_cli({"drift", log, "--columns", "t,theta=psi"}, folder.path());
+        QCOMPARE(unit.status, 3);
+        QVERIFY(unit.err.contains("--angle-unit"));
+        QCOMPARE(
+            run_cli({"drift", log, "--columns", "t,theta=2", "--angle-unit", "rad"}, folder.path())
+                .status,
+            0);
+        QCOMPARE(run_cli({"drift", log, "--columns", "t,phi"}, folder.path()).status, 2);
+        QCOMPARE(run_cli({"drift", log, "--columns", "t"}, folder.path()).status, 2);
+    }
+
+    void logs_that_differ_are_told_so() {
+        const QTemporaryDir folder;
+        const QString one = written(folder, "a.csv", "t,theta_rad\n", 1);
+        const QString other = written(folder, "b.csv", "t,theta_rad\n", 1, 3.5e-4);
+        const Outcome run = run_cli({"drift", one, other, "--json"}, folder.path());
+        QCOMPARE(run.status, 0);
+        QVERIFY(run.err.contains("The logs differ in the harmonic 4 of the drift"));
+        QVERIFY(json_of(run)["harmonics"].toObject()["cos4_deg_h"].toObject()["value"].isNull());
+        QCOMPARE(json_of(run)["agreement"].toArray()[2].toObject()["agrees"], QJsonValue(false));
+    }
+
+    void bins_are_a_table_and_outputs_do_not_meet() {
+        const QTemporaryDir folder;
+        const QString log = written(folder, "log.csv", "t,theta_rad\n", 1);
+        const Outcome table = run_cli({"drift", log, "-o", "-"}, folder.path());
+        QCOMPARE(table.status, 0);
+        QVERIFY(table.out.contains(
+            "\ntheta_deg,rate_deg_h,sd_rate_deg_h,curve_deg_h,sd_curve_deg_h,seconds\n2.5,"));
+        QCOMPARE(run_cli({"drift", log, "-o", log}, folder.path()).status, 2);
+        QCOMPARE(run_cli({"drift", log, "-o", "-", "--json"}, folder.path()).status, 2);
+        QCOMPARE(run_cli({"drift", log, "-o", folder.filePath("x.txt")}, folder.path()).status, 5);
+        const QString json = folder.filePath("x.json");
+        const Outcome summary = run_cli({"drift", log, "-o", json}, folder.path());
+        QCOMPARE(summary.status, 0);
+        QVERIFY(summary.out.contains("drift, d theta_A/dt"));
+        QVERIFY(QFile::exists(json));
+    }
+};
+
+VYBEG_TEST(TestCliDrift)
+
+}  // namespace test_cli_drift
+
+#include "test_cli_drift.moc"

@@ -1,0 +1,144 @@
+// identify of tracks and of logs without a phase, as a process.
+#include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+namespace test_cli_powers {
+
+using namespace vybeg::test;
+
+namespace {
+
+QJsonObject json_of(const Outcome& run) {
+    return QJsonDocument::fromJson(run.out).object();
+}
+
+}  // namespace
+
+class TestCliPowers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        for (int k = 0; k < 3; ++k) {
+            const QString name = QString::number(k);
+            const Outcome made = run_cli({"simulate",
+                                          "-o",
+                                          name + ".wav",
+                                          "--seconds",
+                                          "12",
+                                          "--split",
+                                          "2e-3",
+                                          "--theta-w",
+                                          "0.3",
+                                          "--tau",
+                                          "400",
+                                          "--damping-anisotropy",
+                                          "3e-4",
+                                          "--theta-tau",
+                                          "0.7",
+                                          "--omega",
+                                          "2e-3",
+                                          "--noise",
+                                          "1e-3",
+                                          "--seed",
+                                          name,
+                                          "--two-theta-A",
+                                          QString::number(0.2 + k * std::numbers::pi / 4)},
+                                         folder_.path());
+            QCOMPARE(made.status, 0);
+            recordings_ << name + ".wav";
+            for (const QString& ending : {"csv", "npz"}) {
+                QCOMPARE(run_cli({"analyze", name + ".wav", "-o", name + "." + ending, "--window",
+                                  "500"},
+                                 folder_.path())
+                             .status,
+                         0);
+            }
+            tracks_ << name + ".csv";
+            packed_ << name + ".npz";
+        }
+    }
+
+    void tracks_and_samples_tell_one_resonator() {
+        const Outcome samples =
+            run_cli(QStringList{"identify", "-o", "-"} + recordings_, folder_.path());
+        QCOMPARE(samples.status, 0);
+        const QJsonObject expected = json_of(samples)["resonator"].toObject();
+        for (const QStringList& files : {tracks_, packed_}) {
+            const Outcome tracks =
+                run_cli(QStringList{"identify", "-o", "-", "--columns", "a,b,theta"} + files,
+                        folder_.path());
+            QCOMPARE(tracks.status, 0);
+            const QJsonObject found = json_of(tracks)["resonator"].toObject();
+            int compared = 0;
+            for (const QString& name : {"split_hz", "theta_w_rad", "tau_s",
+                                        "damping_anisotropy_per_s", "angle_rate_rad_s"}) {
+                const QJsonObject there = expected[name].toObject();
+                const QJsonObject here = found[name].toObject();
+                if (there["value"].isDouble()) {
+                    QVERIFY2(here["value"].isDouble(),
+                             qPrintable(name + here["reason"].toString()));
+                    VYBEG_LESS(std::abs(here["value"].toDouble() - there["value"].toDouble()),
+                               there["sd"].toDouble(), name.toStdString());
+                    ++compared;
+                }
+            }
+            VYBEG_AT_LEAST(compared, 4);
+            for (const QString& name : {"f_mean_hz", "q"}) {
+                QVERIFY(found[name].toObject()["value"].isNull());
+                QVERIFY(found[name].toObject()["reason"].toString().contains("no phase"));
+            }
+            QVERIFY(json_of(tracks)["inputs"].toArray()[0].toObject()["f0_hz"].isNull());
+            QCOMPARE(json_of(tracks)["settings"].toObject()["columns"].toString(),
+                     QString("a,b,theta"));
+        }
+    }
+
+    void a_passport_of_tracks_compares_with_samples() {
+        QCOMPARE(run_cli(QStringList{"identify", "--columns", "a,b,theta", "--passport", "p.json"} +
+                             tracks_,
+                         folder_.path())
+                     .status,
+                 0);
+        const Outcome compared =
+            run_cli(QStringList{"compare", "p.json"} + recordings_, folder_.path());
+        QCOMPARE(compared.status, 0);
+        QVERIFY(compared.out.contains("unchanged: by"));
+        QVERIFY(!compared.out.contains("\n  split                     changed"));
+    }
+
+    void columns_and_models_that_cannot_be_are_refused() {
+        QCOMPARE(run_cli({"identify", "0.csv", "--columns", "E,R,S"}, folder_.path()).status, 2);
+        QCOMPARE(run_cli({"identify", "0.csv", "--columns", "E,R,S,Q"}, folder_.path()).status, 3);
+        QCOMPARE(run_cli({"identify", "0.csv", "0.csv", "--columns", "a,b,theta"}, folder_.path())
+                     .status,
+                 4);
+        QCOMPARE(run_cli({"identify", "0.csv", "--columns", "a,b,theta", "--model", "free"},
+                         folder_.path())
+                     .status,
+                 2);
+    }
+
+private:
+    QTemporaryDir folder_;
+    QStringList recordings_;
+    QStringList tracks_;
+    QStringList packed_;
+};
+
+VYBEG_TEST(TestCliPowers)
+
+}  // namespace test_cli_powers
+
+#include "test_cli_powers.moc"

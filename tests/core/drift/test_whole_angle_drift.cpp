@@ -1,0 +1,226 @@
+// The drift of whole-angle logs against simulated loops.
+//
+// Statistical model: the coefficients' errors are Gaussian with the covariance told; each is held
+// to four and a half of its deviations.
+#include "core/base/messages.h"
+#include "core/drift/whole_angle_drift.h"
+#include "tests/closeness.h"
+#include "tests/core/drift/simulated_log.h"
+#include "tests/test_registry.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace test_whole_angle_drift {
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+HeldLoop loop_of() {
+    HeldLoop loop;
+    loop.c2 = 2e-4;
+    loop.s2 = -1e-4;
+    loop.c4 = 3e-4;
+    loop.s4 = 1.5e-4;
+    loop.white = 1e-5;
+    return loop;
+}
+
+WholeAngleDrift drift_of(const std::vector<WholeAngleLog>& logs) {
+    const Result<WholeAngleDrift> found = whole_angle_drift(logs, {});
+    if (!found) {
+        qFatal("%s", english(found.error()).c_str());
+    }
+    return *found;
+}
+
+std::array<double, 5> truth_of(const HeldLoop& loop) {
+    return {loop.turn, loop.c2, loop.s2, loop.c4, loop.s4};
+}
+
+double worst_deviation(const WholeAngleDrift& found, const HeldLoop& loop, std::size_t from = 0) {
+    double worst = 0;
+    const std::array<double, 5> truth = truth_of(loop);
+    for (std::size_t k = from; k < truth.size(); ++k) {
+        worst =
+            std::max(worst, std::abs(found.harmonics[k].value - truth[k]) / found.harmonics[k].sd);
+    }
+    return worst;
+}
+
+}  // namespace
+
+class TestWholeAngleDrift : public QObject {
+    Q_OBJECT
+
+private slots:
+    void the_harmonics_of_a_loop_are_found_in_either_direction() {
+        for (const double turn : {0.05, -0.05, 0.5}) {
+            HeldLoop loop = loop_of();
+            loop.turn = turn;
+            const WholeAngleDrift found = drift_of({simulated_log(loop)});
+            VYBEG_LESS(worst_deviation(found, loop), 4.5);
+            VYBEG_LESS(found.harmonics[3].sd, 1e-6 * std::max(1.0, std::abs(turn) / 0.05));
+            QVERIFY(found.warnings.empty());
+        }
+    }
+
+    void a_wrapped_angle_is_the_same_log() {
+        const HeldLoop loop = loop_of();
+        const WholeAngleLog whole = simulated_log(loop);
+        const WholeAngleDrift expected = drift_of({whole});
+        for (const double period : {2 * pi, pi, pi / 2}) {
+            const WholeAngleDrift found = drift_of({wrapped(whole, period)});
+            for (std::size_t k = 0; k < found.harmonics.size(); ++k) {
+                VYBEG_CLOSE(found.harmonics[k].value, expected.harmonics[k].value, 1e-12);
+            }
+            QCOMPARE(found.warnings.size(), std::size_t{period < 2 ? 1U : 0U});
+        }
+    }
+
+    void gaps_are_left_out_short_and_long() {
+        const HeldLoop loop = loop_of();
+        WholeAngleLog log = wrapped(simulated_log(loop), pi);
+        for (std::size_t k = 0; k < log.theta.size(); ++k) {
+            const bool brief = k % 97 < 5;
+            const bool long_one = k > 2000 && k < 2900;  // 4.5 rad, more than a period
+            if (brief || long_one) {
+                log.theta[k] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+        const WholeAngleDrift found = drift_of({log});
+        VYBEG_LESS(worst_deviation(found, loop), 4.5);
+        QVERIFY(found.logs.front().missing > 1000);
+    }
+
+    void too_short_a_turn_is_refused_in_words() {
+        HeldLoop loop = loop_of();
+        loop.seconds = 10;  // half a radian
+        const Result<WholeAngleDrift> found =
+            whole_angle_drift(std::vector{simulated_log(loop, "short.csv")}, {});
+        QVERIFY(!found);
+        QCOMPARE(found.error().code, ErrorCode::turn_too_short);
+        QCOMPARE(QString::fromStdString(english(found.error())),
+                 QString("short.csv: the wave turns by 28.5 degrees, too little to tell the second "
+                         "and the fourth harmonic of the drift from the turn itself. Let it turn "
+                         "by 180 degrees or more."));
+        loop.seconds = pi / loop.turn * 1.01;
+        QVERIFY(whole_angle_drift(std::vector{simulated_log(loop)}, {}));
+    }
+
+    void logs_of_unlike_lengths_and_turns_have_common_harmonics() {
+        HeldLoop loop = loop_of();
+        std::vector<WholeAngleLog> logs;
+        for (const auto& [turn, seconds] :
+             {std::pair{0.05, 300.0}, std::pair{-0.08, 700.0}, std::pair{0.2, 120.0}}) {
+            loop.turn = turn;
+            loop.seconds = seconds;
+            ++loop.seed;
+            logs.push_back(simulated_log(loop));
+        }
+        const WholeAngleDrift found = drift_of(logs);
+        VYBEG_LESS(worst_deviation(found, loop, 1), 4.5);
+        QVERIFY(found.warnings.empty());
+        QCOMPARE(found.harmonics[0].reason.code, ReasonCode::logs_differ);
+        for (const LogDrift& log : found.logs) {
+            VYBEG_LESS(found.harmonics[3].sd, std::sqrt(log.covariance(3, 3)));
+        }
+    }
+
+    void two_logs_that_differ_in_a_harmonic_are_told_so() {
+        HeldLoop loop = loop_of();
+        const WholeAngleLog first = simulated_log(loop, "a.csv");
+        loop.c4 += 3e-5;
+        loop.seed = 2;
+        const WholeAngleDrift found = drift_of({first, simulated_log(loop, "b.csv")});
+        QCOMPARE(found.warnings.size(), std::size_t{1});
+        QCOMPARE(found.warnings[0].kind, DiagnosticKind::logs_differ);
+        QCOMPARE(found.warnings[0].args[0].text, std::string("4"));
+        QVERIFY(english(found.warnings[0]).find("a.csv, b.csv") != std::string::npos);
+        QCOMPARE(found.harmonics[3].reason.code, ReasonCode::logs_differ);
+        QVERIFY(found.harmonics[1].given());
+        QVERIFY(!found.resonator.tau_s.given());
+    }
+
+    void of_three_logs_the_one_that_differs_is_left_out() {
+        HeldLoop loop = loop_of();
+        std::vector<WholeAngleLog> logs;
+        for (unsigned k = 0; k < 3; ++k) {
+            HeldLoop one = loop;
+            one.seed = 10 + k;
+            one.s2 += k == 1 ? 5e-5 : 0;
+            logs.push_back(simulated_log(one, "log" + std::to_string(k)));
+        }
+        const WholeAngleDrift found = drift_of(logs);
+        QCOMPARE(found.left_out, std::optional<std::size_t>(1));
+        QCOMPARE(found.warnings.at(0).kind, DiagnosticKind::log_left_out);
+        VYBEG_LESS(worst_deviation(found, loop), 4.5);
+    }
+
+    void efforts_tell_the_resonator_without_a_ring_down() {
+        HeldLoop loop = loop_of();
+        loop.effort_noise = 0.01;
+        const WholeAngleDrift found = drift_of({simulated_log(loop)});
+        const HeldResonator& resonator = found.resonator;
+        const double g = 4 * std::hypot(loop.c4, loop.s4);
+        const double theta_tau = std::atan2(-loop.c4, loop.s4) / 4;
+        const auto is = [](const Estimate& estimate, double truth) {
+            VYBEG_LESS(std::abs(estimate.value - truth) / estimate.sd, 4.5);
+            VYBEG_LESS(estimate.sd / std::abs(truth), 0.02);
+        };
+        is(resonator.damping_anisotropy_per_s, g);
+        is(resonator.theta_tau_rad, theta_tau);
+        is(resonator.tau_s, loop.tau_s);
+        is(resonator.split_hz, loop.split_hz);
+        is(resonator.theta_w_rad, loop.theta_w);
+    }
+
+    void without_efforts_or_with_another_axis_tau_is_refused() {
+        HeldLoop loop = loop_of();
+        WholeAngleLog log = simulated_log(loop);
+        log.amplitude_effort.clear();
+        QCOMPARE(drift_of({log}).resonator.tau_s.reason.code, ReasonCode::effort_missing);
+        QVERIFY(drift_of({log}).resonator.damping_anisotropy_per_s.given());
+        HeldLoop other = loop;
+        other.c4 = -loop.c4;  // another axis of damping
+        log.amplitude_effort = simulated_log(other).amplitude_effort;
+        QCOMPARE(drift_of({log}).resonator.tau_s.reason.code, ReasonCode::effort_axis_apart);
+        QVERIFY(!drift_of({log}).resonator.split_hz.given());
+    }
+
+    void an_effort_that_was_not_connected_is_none() {
+        WholeAngleLog log = simulated_log(loop_of());
+        std::ranges::fill(log.amplitude_effort, 0.0);
+        QCOMPARE(drift_of({log}).resonator.tau_s.reason.code, ReasonCode::effort_missing);
+    }
+
+    void the_bins_lie_on_the_curve() {
+        const HeldLoop loop = loop_of();
+        const WholeAngleDrift found = drift_of({simulated_log(loop)});
+        QCOMPARE(found.bins.size(), std::size_t{36});
+        double square = 0;
+        for (const LogBin& bin : found.bins) {
+            const double off = (bin.rate - found.rate(bin.theta)) / bin.sd;
+            VYBEG_LESS(std::abs(off), 5.0);
+            square += off * off;
+        }
+        VYBEG_LESS(square / 36, 2.0);
+        VYBEG_MORE(square / 36, 0.4);
+    }
+};
+
+VYBEG_TEST(TestWholeAngleDrift)
+
+}  // namespace test_whole_angle_drift
+
+#include "test_whole_angle_drift.moc"
