@@ -337,6 +337,7 @@ void Ledger::fillCells() {
 void Ledger::fillVariable(int column, bool concise) {
     const SlowVariable variable = variables_[static_cast<std::size_t>(column - first_variable)];
     std::vector<const AnalysisEntry*> rows;
+    rows.reserve(static_cast<std::size_t>(topLevelItemCount()));
     for (int row = 0; row < topLevelItemCount(); ++row) {
         rows.push_back(document_.analysis(analysisIdOf(*topLevelItem(row))));
     }
