@@ -71,7 +71,7 @@
     <name>BatchColumn</name>
     <message>
         <source>Why the set has no result, or no verdict</source>
-        <translation>Почему у набора нет результата или вывода</translation>
+        <translation>Почему у набора нет результата или заключения</translation>
     </message>
     <message>
         <source>Warnings</source>
@@ -131,7 +131,7 @@
     </message>
     <message>
         <source>Verdict</source>
-        <translation>Вердикт</translation>
+        <translation>Заключение</translation>
     </message>
     <message>
         <source>Of the comparison with the gyro&apos;s passport</source>
@@ -417,8 +417,8 @@
         <translation>&amp;Окна</translation>
     </message>
     <message>
-        <source>The page with scatter, bound and leakage against the length of the window, and the window this recording deserves</source>
-        <translation>Страница с разбросом, границей и утечкой в зависимости от длины окна и с окном, которого заслуживает запись</translation>
+        <source>The page with scatter, bound and leakage against the length of the window, and the recommended window</source>
+        <translation>Страница с разбросом, границей и утечкой в зависимости от длины окна и с рекомендуемым окном</translation>
     </message>
     <message>
         <source>Si&amp;gnals</source>
@@ -426,7 +426,7 @@
     </message>
     <message>
         <source>The page with the samples, the wave fitted to them and what it leaves</source>
-        <translation>Страница с отсчётами, вписанной в них волной и невязкой</translation>
+        <translation>Страница с отсчётами, модельной волной и невязкой</translation>
     </message>
     <message>
         <source>Gyro&apos;s &amp;data…</source>
@@ -1375,15 +1375,15 @@
     </message>
     <message>
         <source>Samples lost: %1 at %2 s. Windows over the place are flagged.</source>
-        <translation>Потеряно отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
+        <translation>Потеряно отсчётов: %1, на %2 с. Окна, содержащие это место, помечены.</translation>
     </message>
     <message>
         <source>Samples doubled: %1 at %2 s. Windows over the place are flagged.</source>
-        <translation>Повторено отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
+        <translation>Повторено отсчётов: %1, на %2 с. Окна, содержащие это место, помечены.</translation>
     </message>
     <message>
         <source>A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or lost: %4; the phase shows them only modulo the period. Windows over the place are flagged.</source>
-        <translation>Скачок фазы на %1 рад в обоих каналах, на %2 с. Повторено отсчётов: %3, либо потеряно: %4; фаза показывает их число только с точностью до периода. Окна над этим местом помечены.</translation>
+        <translation>Скачок фазы на %1 рад в обоих каналах, на %2 с. Повторено отсчётов: %3, либо потеряно: %4; фаза показывает их число только с точностью до периода. Окна, содержащие это место, помечены.</translation>
     </message>
     <message>
         <source>Further places where samples were lost or doubled: %1.</source>
@@ -1906,7 +1906,7 @@
     </message>
     <message>
         <source>The free model takes the channels as any two views of the modes: it has no angles.</source>
-        <translation>Свободная модель считает каналы любыми двумя видами мод: углов в ней нет.</translation>
+        <translation>Свободная модель считает каналы любыми двумя проекциями мод: углов в ней нет.</translation>
     </message>
     <message>
         <source>The two modes cannot be told apart.</source>
@@ -1918,7 +1918,7 @@
     </message>
     <message>
         <source>The waves stand at too few angles for the drift as a function of the angle: it needs three starts 22.5 degrees apart or more, or a wave that turns.</source>
-        <translation>Волны стоят под слишком малым числом углов для дрейфа как функции угла: нужны три пуска через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
+        <translation>Для функции дрейфа нужны пуски не менее чем с трёх углов через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
     </message>
     <message>
         <source>The fit stopped before it converged.</source>
@@ -2555,7 +2555,7 @@
     </message>
     <message>
         <source>The windows take up %1 % of the noise, around the carrier.</source>
-        <translation>Окна забирают %1 % шума, вокруг несущей.</translation>
+        <translation>На параметры окон уходит %1 % шума, вокруг несущей.</translation>
     </message>
     <message>
         <source>sd of the residual</source>
@@ -2606,8 +2606,8 @@
         <translation>Наибольшее отклонение от среднего в СКО и сколько отсчётов нормального шума в среднем отклоняются сильнее</translation>
     </message>
     <message>
-        <source>%1 (beyond: %2)</source>
-        <translation>%1 (дальше: %2)</translation>
+        <source>%1 (expected beyond: %2)</source>
+        <translation>%1 (ожидается дальше: %2)</translation>
     </message>
     <message>
         <source>%1 Hz: %2</source>
@@ -2734,7 +2734,7 @@
     </message>
     <message>
         <source>As above: %1</source>
-        <translation>То же, что для %1</translation>
+        <translation>Как выше, для %1</translation>
     </message>
     <message>
         <source>Mode %1: %2</source>
@@ -2850,7 +2850,7 @@
     </message>
     <message>
         <source>Verdict</source>
-        <translation>Вывод</translation>
+        <translation>Заключение</translation>
     </message>
     <message>
         <source>Passport</source>
@@ -2933,8 +2933,8 @@
         <translation>По √(a_A² + a_B²)</translation>
     </message>
     <message>
-        <source>Turn rate dθ_A/dt</source>
-        <translation>Скорость поворота dθ_A/dt</translation>
+        <source>Drift dθ_A/dt</source>
+        <translation>Дрейф dθ_A/dt</translation>
     </message>
     <message>
         <source>Mean rate of the angle of the working wave</source>
@@ -2949,7 +2949,7 @@
         <translation>Средняя скорость отношения двух волн</translation>
     </message>
     <message>
-        <source>0.1° of skew</source>
+        <source>0.1° of non-orthogonality</source>
         <translation>0,1° неортогон.</translation>
     </message>
     <message>
@@ -3005,7 +3005,7 @@
         <translation>Задержка</translation>
     </message>
     <message>
-        <source>Skew</source>
+        <source>Non-orthogonality</source>
         <translation>Неортогональность</translation>
     </message>
     <message>
@@ -3201,7 +3201,7 @@
     </message>
     <message>
         <source>fitted wave</source>
-        <translation>вписанная волна</translation>
+        <translation>модельная волна</translation>
     </message>
     <message>
         <source>amplitude of the wave</source>
@@ -3232,7 +3232,7 @@
     </message>
     <message>
         <source>phase difference of the pick-off signals</source>
-        <translation>разнофазность измерительных сигналов</translation>
+        <translation>разность фаз измерительных сигналов</translation>
     </message>
     <message>
         <source>phase of the standing waves</source>
@@ -3271,7 +3271,7 @@
     </message>
     <message>
         <source>stated sd</source>
-        <translation>указанное СКО</translation>
+        <translation>расчётное СКО</translation>
     </message>
     <message>
         <source>bound</source>
@@ -3318,8 +3318,8 @@
         <translation>В более длинных окнах списка некоторые переменные не имеют значения.</translation>
     </message>
     <message>
-        <source>It is the longest of the list; longer ones are not examined.</source>
-        <translation>Это самое длинное окно списка; более длинные не исследованы.</translation>
+        <source>It is the longest tried.</source>
+        <translation>Это самое длинное из испытанных.</translation>
     </message>
     <message>
         <source>It is the shortest of the list, and %1 moves even inside it by more than its scatter.</source>
@@ -3350,8 +3350,8 @@
         <translation>Окно не рекомендуется: для сравнения нужны две длины, при которых есть не меньше 14 неповреждённых окон, и белый шум между линиями спектра.</translation>
     </message>
     <message>
-        <source>This recording deserves %1</source>
-        <translation>Эта запись заслуживает окна %1</translation>
+        <source>Recommended: %1</source>
+        <translation>Рекомендуемое окно: %1</translation>
     </message>
     <message>
         <source>No window suits all variables: here the expected error of %1 is %2 times its least in the list.</source>
@@ -3363,7 +3363,7 @@
     </message>
     <message>
         <source>%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by motion %7); noise %8</source>
-        <translation>%1: разброс %2 %3 %4 (указанное СКО %5, граница %6, сдвиг от движения %7); шум %8</translation>
+        <translation>%1: разброс %2 %3 %4 (расчётное СКО %5, граница %6, сдвиг от движения %7); шум %8</translation>
     </message>
     <message>
         <source>windows</source>
@@ -5276,6 +5276,10 @@
         <translation>Импорт записи</translation>
     </message>
     <message>
+        <source>Files of the recording</source>
+        <translation>Файлы записи</translation>
+    </message>
+    <message>
         <source>Compare with passport</source>
         <translation>Сравнение с паспортом</translation>
     </message>
@@ -5517,7 +5521,7 @@
     </message>
     <message>
         <source>Against</source>
-        <translation>От чего</translation>
+        <translation>По оси X</translation>
     </message>
     <message>
         <source>Axis of the history</source>
@@ -5541,7 +5545,7 @@
     </message>
     <message>
         <source>Baseline</source>
-        <translation>База</translation>
+        <translation>Базовых результатов</translation>
     </message>
     <message>
         <source>Baseline of the control charts</source>
@@ -5924,6 +5928,18 @@
         <source>the same file</source>
         <translation>тот же файл</translation>
     </message>
+    <message>
+        <source>Further pieces</source>
+        <translation>Следующие части</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Выбрать…</translation>
+    </message>
+    <message>
+        <source>Where a recording is in pieces: the names or paths of the further ones, in their order, with commas between them</source>
+        <translation>Если запись в нескольких частях: имена или пути следующих частей по порядку, через запятую</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::ImportPreview</name>
@@ -6153,7 +6169,7 @@
     </message>
     <message>
         <source>A parameter keeps its limits where its value with twice its uncertainty lies within them (✓, green), and breaks them where all of that lies beyond (✗, red). Between, or without a value, nothing is said (?).</source>
-        <translation>Параметр соблюдает пределы, если его значение с удвоенной неопределённостью целиком лежит внутри них (✓, зелёный), и нарушает их, если целиком лежит за ними (✗, красный). Между ними или без значения вывода нет (?).</translation>
+        <translation>Параметр соблюдает пределы, если его значение с удвоенной неопределённостью целиком лежит внутри них (✓, зелёный), и нарушает их, если целиком лежит за ними (✗, красный). Между ними или без значения заключения нет (?).</translation>
     </message>
     <message>
         <source>The greatest value lies below the least one.</source>
@@ -6220,7 +6236,7 @@
         <translation>Моды, по частоте</translation>
     </message>
     <message>
-        <source>What the waves did</source>
+        <source>Motion of the waves</source>
         <translation>Поведение волн</translation>
     </message>
     <message>
@@ -6232,8 +6248,8 @@
         <translation>Чувствительность: насколько было бы ошибочно значение</translation>
     </message>
     <message>
-        <source>Runs of the set</source>
-        <translation>Пуски набора</translation>
+        <source>Recordings of the set</source>
+        <translation>Записи набора</translation>
     </message>
     <message>
         <source>Value</source>
@@ -6396,8 +6412,8 @@
         </translation>
     </message>
     <message>
-        <source>No line above the noise</source>
-        <translation>Выше шума линий нет</translation>
+        <source>No line above the noise.</source>
+        <translation>Выше шума линий нет.</translation>
     </message>
     <message>
         <source>The range is too short for this plot.</source>
@@ -7000,8 +7016,8 @@
         <translation>Окна оцениваются…</translation>
     </message>
     <message>
-        <source>Compute estimates this recording once for each length: it shows how much the values scatter and which window the recording deserves.</source>
-        <translation>«Рассчитать» оценивает эту запись один раз для каждой длины и показывает, как разбросаны значения и какого окна заслуживает запись.</translation>
+        <source>Compute estimates this recording once for each length: it shows how much the values scatter and which window is recommended.</source>
+        <translation>«Рассчитать» оценивает эту запись один раз для каждой длины и показывает, как разбросаны значения и какое окно рекомендуется.</translation>
     </message>
     <message>
         <source>The result is older than the settings: Compute does it anew.</source>
@@ -7041,7 +7057,7 @@
     </message>
     <message>
         <source>Lengths</source>
-        <translation>Длины</translation>
+        <translation>Длины окон</translation>
     </message>
     <message>
         <source>Compute</source>
@@ -7208,8 +7224,8 @@ Open a recording and press Analyse.</source>
         <translation>мс</translation>
     </message>
     <message>
-        <source>Residual</source>
-        <translation>Остаток</translation>
+        <source>Leakage</source>
+        <translation>Утечка</translation>
     </message>
     <message>
         <source>What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 are exact for every window.</source>

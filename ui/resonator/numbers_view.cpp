@@ -133,12 +133,12 @@ void NumbersView::retranslate() {
         section->setTitle(title);
         widget->setAccessibleName(title);
     };
-    name(waves_section_, waves_, tr("What the waves did"));
+    name(waves_section_, waves_, tr("Motion of the waves"));
     name(resonator_section_, resonator_, tr("Resonator"));
     name(sensitivities_section_, sensitivities_,
          tr("Sensitivity: by how much a value would be wrong"));
     name(modes_section_, modes_, tr("Modes"));
-    name(runs_section_, runs_, tr("Runs of the set"));
+    name(runs_section_, runs_, tr("Recordings of the set"));
     rebuild();
 }
 

@@ -71,7 +71,7 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     line->addWidget(residual_, 1);
     line->addWidget(snap_);
     addWide(check,
-            {QT_TR_NOOP("Residual"), "",
+            {QT_TR_NOOP("Leakage"), "",
              QT_TR_NOOP("What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition "
                         "below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 "
                         "are exact for every window.")});

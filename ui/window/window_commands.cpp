@@ -189,7 +189,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .text = QT_TRANSLATE_NOOP("Command", "&Windows"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with scatter, bound and leakage against the length of "
-                                  "the window, and the window this recording deserves"),
+                                  "the window, and the recommended window"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_4)},
          .enabled = any,
          .act = [to] { to.show_page(Page::windows); }},
