@@ -1,7 +1,6 @@
 #include "ui/import/import_dialog.h"
 
 #include "core/recording/samples/partner_file.h"
-#include "ui/import/import_fields.h"
 #include "ui/import/import_memory.h"
 #include "ui/import/import_preview.h"
 
@@ -54,6 +53,7 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
     layout->addWidget(buttons_);
     connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
+    connect(fields_, &ImportFields::filesWanted, this, &ImportDialog::filesWanted);
     connect(fields_, &ImportFields::edited, this, [this] {
         proposed_ = true;  // from here on, user edits win over guesses
         // Ignores repeated signals: a field that loses the focus, as on a click on Open, emits its

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
+#include "ui/import/import_fields.h"
 
 #include <QDialog>
 #include <QPointer>
@@ -10,7 +11,6 @@ class QLabel;
 
 namespace vybeg::ui {
 
-class ImportFields;
 class ImportPreview;
 
 // Options for reading a file with incomplete information, with a preview. Without given options it
@@ -29,6 +29,8 @@ public:
 
 signals:
     void chosen(const QString& path, const OpenOptions& options);
+    // As of ImportFields.
+    void filesWanted(const vybeg::ui::TakeFiles& take);
 
 public slots:
     // Remembers the choices for files of the kind and emits chosen().

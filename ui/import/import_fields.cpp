@@ -1,15 +1,18 @@
 #include "ui/import/import_fields.h"
 
 #include "core/recording/samples/open_table.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/wheel_guard.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QPointer>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
@@ -44,6 +47,22 @@ void select(QComboBox& box, int number) {
         index = box.count() - 1;
     }
     box.setCurrentIndex(index);
+}
+
+QString namesText(const std::vector<std::string>& names) {
+    QStringList texts;
+    for (const std::string& name : names) {
+        texts << QString::fromStdString(name);
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+std::vector<std::string> namesIn(const QLineEdit& field) {
+    std::vector<std::string> names;
+    for (const QString& name : field.text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        names.push_back(name.trimmed().toStdString());
+    }
+    return names;
 }
 
 QString named(int number, const Channel& channel) {
@@ -108,6 +127,9 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
     raw_skip_->setInteger(true);
     variables_ = words(variables, "variables");
     channel_d_file_ = words(channel_d_file, "channel_d_file");
+    join_ = words(join, "join");
+    addChoice(*channel_d_file_);
+    addChoice(*join_);
     channel_c_ = list(channel_c, "channel_c", 0);
     channel_d_ = list(channel_d, "channel_d", 0);
     rate_ = number(rate, "rate", "rate");
@@ -119,6 +141,20 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
     guardFromWheel(*this);
     retranslate();
     connect(this, &ImportFields::edited, this, &ImportFields::showRows);
+}
+
+void ImportFields::addChoice(QLineEdit& field) {
+    QAction* choose = field.addAction(QIcon(), QLineEdit::TrailingPosition);
+    choose_.push_back(choose);
+    connect(choose, &QAction::triggered, this, [this, &field] {
+        emit filesWanted([fields = QPointer(this), &field](const QStringList& files) {
+            if (fields) {
+                field.setText(&field == fields->join_ ? files.join(QStringLiteral(", "))
+                                                      : files.first());
+                emit fields->edited();
+            }
+        });
+    });
 }
 
 void ImportFields::setOptions(const OpenOptions& options) {
@@ -143,18 +179,15 @@ void ImportFields::setOptions(const OpenOptions& options) {
     raw_order_->setCurrentIndex(raw.big_endian ? 1 : 0);
     raw_channels_->setValue(raw.channels);
     raw_skip_->setValue(static_cast<double>(raw.skip_bytes));
-    QStringList names;
-    for (const std::string& name : options.variables) {
-        names << QString::fromStdString(name);
-    }
-    variables_->setText(names.join(QStringLiteral(", ")));
+    variables_->setText(namesText(options.variables));
     select(*channel_c_, options.channel_c);
     select(*channel_d_, options.channel_d);
     rate_->setValue(options.rate_hz);
     scale_->setValue(options.scale);
     unit_->setText(QString::fromStdString(options.unit));
     channel_d_file_->setText(QString::fromStdString(options.channel_d_file));
-    join_ = options.join;
+    pieces_ = options.join;
+    join_->setText(namesText(pieces_));
     showRows();
 }
 
@@ -197,6 +230,10 @@ RawLayout ImportFields::rawLayout() const {
             .skip_bytes = static_cast<std::int64_t>(typed(*raw_skip_).value_or(0))};
 }
 
+std::vector<std::string> ImportFields::pieces() const {
+    return join_->text() == namesText(pieces_) ? pieces_ : namesIn(*join_);
+}
+
 OpenOptions ImportFields::options() const {
     OpenOptions options;
     options.rate_hz = typed(*rate_);
@@ -205,7 +242,7 @@ OpenOptions ImportFields::options() const {
     options.scale = typed(*scale_).value_or(1);
     options.unit = unit_->text().trimmed().toStdString();
     options.channel_d_file = channel_d_file_->text().trimmed().toStdString();
-    options.join = options.channel_d_file.empty() ? join_ : std::vector<std::string>{};
+    options.join = options.channel_d_file.empty() ? pieces() : std::vector<std::string>{};
     if (readAs() == ReadAs::raw) {
         options.raw = rawLayout();
     } else if (isText()) {
@@ -246,6 +283,10 @@ void ImportFields::showRows() {
         form_->setRowVisible(fields_[row], raw);
     }
     form_->setRowVisible(variables_, hasVariables());
+    // A recording has a file for each channel, or pieces.
+    const bool pair = !channel_d_file_->text().trimmed().isEmpty();
+    join_->setEnabled(!pair);
+    channel_d_file_->setEnabled(pair || pieces().empty());
     scale_->setConflict(typed(*scale_) == 0 ? tr("A number other than 0 is needed.") : QString());
 }
 
@@ -289,6 +330,7 @@ void ImportFields::showAutomatic() {
                                                                        : tr("from the file"));
     unit_->setPlaceholderText(tr("from the file"));
     channel_d_file_->setPlaceholderText(tr("the same file"));
+    join_->setPlaceholderText(tr("none"));
 }
 
 void ImportFields::focusRate() {
@@ -328,6 +370,17 @@ void ImportFields::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        showChoices();
+    }
+}
+
+// The signs in the fields of files.
+void ImportFields::showChoices() {
+    for (QAction* choose : choose_) {
+        choose->setIcon(themedIcon(QStringLiteral("open"), palette()));
+        choose->setText(tr("Choose…"));
+        choose->setToolTip(choose->text());
     }
 }
 
@@ -359,6 +412,10 @@ void ImportFields::retranslate() {
            "them"));
     set(channel_d_file, tr("File of channel D"),
         tr("Where each channel has a file of its own: its name, or its path"));
+    set(join, tr("Further pieces"),
+        tr("Where a recording is in pieces: the names or paths of the further ones, in their "
+           "order, "
+           "with commas between them"));
     set(channel_c, tr("Channel C"), tr("Counted from 1; a time column does not count"));
     set(channel_d, tr("Channel D"), tr("Counted from 1; a time column does not count"));
     set(rate, tr("Sample rate"), tr("Used where the file has no rate of its own"));
@@ -376,6 +433,7 @@ void ImportFields::retranslate() {
     list(*raw_type_, 0,
          {tr("16 bit integer"), tr("32 bit integer"), tr("32 bit float"), tr("64 bit float")});
     list(*raw_order_, 0, {tr("little endian"), tr("big endian")});
+    showChoices();
     showAutomatic();
 }
 

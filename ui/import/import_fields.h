@@ -5,10 +5,12 @@
 #include <QWidget>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+class QAction;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -18,6 +20,8 @@ class QSpinBox;
 namespace vybeg::ui {
 
 class NumberField;
+
+using TakeFiles = std::function<void(const QStringList&)>;
 
 // Fields of an import. "Automatic" choices show the value from the content; only rows for the kind
 // of file are visible. The fields are its only state.
@@ -39,6 +43,8 @@ public:
 signals:
     // Emitted on every change, also on each key.
     void edited();
+    // Files are to be chosen, which `take` names in a field.
+    void filesWanted(const vybeg::ui::TakeFiles& take);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -57,6 +63,7 @@ private:
         raw_skip,
         variables,
         channel_d_file,
+        join,
         channel_c,
         channel_d,
         rate,
@@ -69,11 +76,14 @@ private:
     ReadAs readAs() const;
     bool isText() const;
     bool hasVariables() const;
+    void addChoice(QLineEdit& field);
+    void showChoices();
     void showRows();
     void showAutomatic();
     void showColumns();
     void showChannels(QComboBox& box);
     TextChoice textChoice() const;
+    std::vector<std::string> pieces() const;
     RawLayout rawLayout() const;
     void retranslate();
 
@@ -92,12 +102,14 @@ private:
     NumberField* raw_skip_;
     QLineEdit* variables_;
     QLineEdit* channel_d_file_;
+    QLineEdit* join_;
     QComboBox* channel_c_;
     QComboBox* channel_d_;
     NumberField* rate_;
     NumberField* scale_;
     QLineEdit* unit_;
-    std::vector<std::string> join_;  // further pieces, which have no field
+    std::vector<std::string> pieces_;  // as they were set: a path may have commas
+    std::vector<QAction*> choose_;
     std::optional<RecordingPreview> preview_;
 };
 

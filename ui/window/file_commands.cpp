@@ -216,6 +216,8 @@ void FileCommands::openImport(const QString& path, const OpenOptions& options) {
     delete import_;
     auto* dialog = new ImportDialog(imports_, path, options, window_);
     import_ = dialog;
+    connect(dialog, &ImportDialog::filesWanted, this,
+            [this](const TakeFiles& take) { ask_.parts(take); });
     connect(dialog, &ImportDialog::chosen, this,
             [this](const QString& file, const OpenOptions& chosen) {
                 const RecordingEntry* entry = document_.currentRecording();

@@ -80,6 +80,14 @@ void FileQuestions::recordings(const std::function<void(const QStringList&)>& op
     asked.open();
 }
 
+void FileQuestions::parts(const std::function<void(const QStringList&)>& take) {
+    QFileDialog& asked = dialog(tr("Files of the recording"));
+    asked.setFileMode(QFileDialog::ExistingFiles);
+    asked.setNameFilter(tr("All files (*)"));
+    connect(&asked, &QFileDialog::filesSelected, this, take);
+    asked.open();
+}
+
 void FileQuestions::import(const QString& now, const std::function<void(const QString&)>& open) {
     QFileDialog& asked = dialog(tr("Import a recording"));
     asked.setFileMode(QFileDialog::ExistingFile);

@@ -154,6 +154,36 @@ private slots:
         QVERIFY(dialog_->options().channel_d_file.empty());
     }
 
+    void pieces_are_named_and_chosen_and_exclude_a_file_of_channel_d() {
+        const QString path = table("piece_1.csv");
+        show(path);
+        type("join", "piece_2.csv, piece_3.csv");
+        const auto beside = [&path](const char* name) {
+            return QFileInfo(path).dir().filePath(name).toStdString();
+        };
+        QCOMPARE(dialog_->options().join,
+                 (std::vector{beside("piece_2.csv"), beside("piece_3.csv")}));
+        QVERIFY(!the<QLineEdit>("channel_d_file").isEnabled());
+        // By the sign in the field.
+        connect(dialog_, &ImportDialog::filesWanted, this, [](const auto& take) {
+            take({QStringLiteral("/data/a.csv"), QStringLiteral("/data/b.csv")});
+        });
+        the<QLineEdit>("join").actions().front()->trigger();
+        QCOMPARE(dialog_->options().join, (std::vector<std::string>{"/data/a.csv", "/data/b.csv"}));
+        the<QLineEdit>("join").selectAll();
+        QTest::keyClick(&the<QLineEdit>("join"), Qt::Key_Delete);
+        type("channel_d_file", "other.csv");
+        QVERIFY(!the<QLineEdit>("join").isEnabled());
+        QCOMPARE(dialog_->options().channel_d_file, beside("other.csv"));
+        the<QLineEdit>("channel_d_file").actions().front()->trigger();
+        QCOMPARE(dialog_->options().channel_d_file, std::string("/data/a.csv"));
+        // What was given stays as it is: a folder may have a comma in its name.
+        OpenOptions given;
+        given.join = {"/data, old/2.csv"};
+        show(path, given);
+        QCOMPARE(dialog_->options().join, given.join);
+    }
+
     void another_delimiter_is_another_preview() {
         OpenOptions rate;
         rate.rate_hz = 8000;
@@ -371,7 +401,7 @@ private slots:
                 ++named;
             }
         }
-        QCOMPARE(named, 17);
+        QCOMPARE(named, 18);
     }
 
     // Every key starts a preview; the window must not make any itself. 100 ms is what a person
