@@ -2,15 +2,16 @@
 
 #include "ui/plots/plot_stack.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QLegend>
-#include <QLegendMarker>
 #include <QLineSeries>
 #include <QLocale>
 #include <QPolarChart>
 #include <QScatterSeries>
+#include <QTextDocument>
 #include <QValueAxis>
 #include <qcustomplot.h>
 
@@ -28,6 +29,11 @@ QList<QPointF> pointsOf(const RoundSeries& series) {
         points.append({series.x[k], series.y[k]});
     }
     return points;
+}
+
+QColor colorOf(const RoundSeries& series, const Theme& theme) {
+    return series.ink == Ink::style ? readable(series.color, theme, series.shade)
+                                    : inkColor(series.ink, 0, theme);
 }
 
 QXYSeries* seriesOf(const RoundSeries& from, const Theme& theme) {
@@ -63,15 +69,13 @@ QValueAxis& axisOf(const QChart& chart, Qt::Orientation orientation) {
     return *qobject_cast<QValueAxis*>(chart.axes(orientation).front());
 }
 
-constexpr double legend_height = 26;
-
 // The axes of a square plot in a chart of a size: room for numbers and names at the left and below.
-QRectF squareIn(QSizeF size, double legend) {
+QRectF squareIn(QSizeF size) {
     constexpr double left = 64;
     constexpr double below = 46;
-    constexpr double edge = 12;
+    constexpr double edge = 18;  // for half a number
     const double side =
-        std::max(20., std::min(size.width() - left - edge, size.height() - below - edge - legend));
+        std::max(20., std::min(size.width() - left - edge, size.height() - below - edge));
     const double x = left + (size.width() - left - edge - side) / 2;
     return {x, edge, side, side};
 }
@@ -86,8 +90,7 @@ bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& th
         const auto* now = qobject_cast<QXYSeries*>(shown[k]);
         const bool points = now->type() == QAbstractSeries::SeriesTypeScatter;
         const Qt::PenStyle dash = wanted.dashed ? Qt::DashLine : Qt::SolidLine;
-        if (points != wanted.points || now->name() != wanted.name ||
-            now->color() != colorOf(wanted, theme) ||
+        if (points != wanted.points || now->color() != colorOf(wanted, theme) ||
             (!points && (now->pen().style() != dash || now->pen().widthF() != wanted.width))) {
             return false;
         }
@@ -97,13 +100,24 @@ bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& th
 
 }  // namespace
 
-QColor colorOf(const RoundSeries& series, const Theme& theme) {
-    return series.ink == Ink::style ? readable(series.color, theme, series.shade)
-                                    : inkColor(series.ink, 0, theme);
+QString legendOf(const RoundPlot& content, const Theme& theme) {
+    QStringList names;
+    for (const RoundSeries& series : content.series) {
+        if (!series.name.isEmpty()) {
+            names << QStringLiteral("<nobr><span style=\"color:%1\">%2</span> %3</nobr>")
+                         .arg(colorOf(series, theme).name(),
+                              series.points   ? QStringLiteral("●")
+                              : series.dashed ? QStringLiteral("╍")
+                                              : QStringLiteral("━"),
+                              series.name.toHtmlEscaped());
+        }
+    }
+    return names.join(QStringLiteral(" &nbsp; "));
 }
 
 QChart* makeRoundChart(bool polar) {
     QChart* chart = polar ? new QPolarChart : new QChart;
+    chart->legend()->hide();
     chart->setMargins({});
     chart->setBackgroundRoundness(0);
     chart->setLocalizeNumbers(true);
@@ -150,7 +164,6 @@ void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme)
         chart.removeAllSeries();
         for (const RoundSeries& each : content.series) {
             QXYSeries* series = seriesOf(each, theme);
-            series->setName(each.name);
             chart.addSeries(series);
             series->attachAxis(&across);
             series->attachAxis(&up);
@@ -158,20 +171,11 @@ void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme)
     }
     const auto shown = chart.series();
     for (qsizetype k = 0; k < shown.size(); ++k) {
-        const RoundSeries& from = content.series[static_cast<std::size_t>(k)];
-        qobject_cast<QXYSeries*>(shown[k])->replace(pointsOf(from));
-        for (QLegendMarker* marker : chart.legend()->markers(shown[k])) {
-            marker->setVisible(!from.name.isEmpty());
-        }
+        qobject_cast<QXYSeries*>(shown[k])->replace(
+            pointsOf(content.series[static_cast<std::size_t>(k)]));
     }
-    const bool named =
-        std::ranges::any_of(content.series, [](const auto& each) { return !each.name.isEmpty(); });
-    chart.legend()->setVisible(named);
-    chart.legend()->setAlignment(Qt::AlignBottom);
-    chart.legend()->setFont(chartFont());
-    chart.legend()->setLabelColor(theme.text);
     if (!content.polar) {
-        chart.setPlotArea(squareIn(chart.size(), named ? legend_height : 0));
+        chart.setPlotArea(squareIn(chart.size()));
     }
     chart.setTitle(content.series.empty() ? content.empty : QString());
     chart.setTitleBrush(theme.mutedText);
@@ -180,16 +184,32 @@ void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme)
 
 Drawing roundDrawing(const RoundPlot& content) {
     return [content](QCPPainter& painter, QSize size) {
+        const Theme theme = lightTheme();
+        QTextDocument legend;
+        legend.setDocumentMargin(4);
+        legend.setDefaultFont(chartFont());
+        legend.setHtml(QStringLiteral("<center>%1</center>").arg(legendOf(content, theme)));
+        legend.setTextWidth(size.width());
+        const QRectF below(0, size.height() - legend.size().height(), size.width(),
+                           legend.size().height());
+        const QRectF above(0, 0, size.width(), below.top());
         QGraphicsScene scene;
         QChart* chart = makeRoundChart(content.polar);
         scene.addItem(chart);
-        chart->resize(size);
-        fillRoundChart(*chart, content, lightTheme());
-        // No event loop lays out the legend before it is drawn.
+        chart->resize(above.size());
+        fillRoundChart(*chart, content, theme);
+        // No event loop lays out the axes before they are drawn.
         chart->layout()->invalidate();
         chart->layout()->activate();
-        scene.setSceneRect(QRectF(QPointF(), QSizeF(size)));
-        scene.render(&painter, QRectF(QPointF(), QSizeF(size)), scene.sceneRect());
+        scene.setSceneRect(above);
+        scene.render(&painter, above, above);
+        painter.fillRect(below, theme.plotBackground);
+        painter.save();
+        painter.translate(below.topLeft());
+        QAbstractTextDocumentLayout::PaintContext look;
+        look.palette.setColor(QPalette::Text, theme.text);
+        legend.documentLayout()->draw(&painter, look);
+        painter.restore();
     };
 }
 

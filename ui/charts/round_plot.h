@@ -36,7 +36,9 @@ struct RoundPlot {
     QString empty;  // text shown without series
 };
 
-QColor colorOf(const RoundSeries& series, const Theme& theme);
+// The names of a plot's series with their colours, as HTML that wraps between them: Qt's own legend
+// cuts names where room is short. Empty without names.
+QString legendOf(const RoundPlot& content, const Theme& theme);
 
 // Makes a chart of makeRoundChart() show a plot at the chart's size. Curves that are there already
 // are moved.

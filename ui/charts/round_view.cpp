@@ -54,29 +54,24 @@ void RoundView::setTheme(const Theme& theme) {
     rebuild();
 }
 
+void RoundView::setLegendShown(bool shown) {
+    legend_shown_ = shown;
+    rebuild();
+}
+
 Figure RoundView::figure() const {
     return {roundDrawing(content_), round_paper_size, objectName()};
 }
 
 void RoundView::rebuild() {
-    RoundPlot shown = content_;
-    QStringList names;
-    for (RoundSeries& series : shown.series) {
-        if (!series.name.isEmpty()) {
-            names << QStringLiteral("<nobr><span style=\"color:%1\">%2</span> %3</nobr>")
-                         .arg(colorOf(series, theme_).name(),
-                              series.points ? QStringLiteral("●") : QStringLiteral("━"),
-                              series.name.toHtmlEscaped());
-            series.name.clear();
-        }
-    }
-    legend_->setVisible(!names.isEmpty());
-    legend_->setText(names.join(QStringLiteral(" &nbsp; ")));
+    const QString legend = legendOf(content_, theme_);
+    legend_->setVisible(legend_shown_ && !legend.isEmpty());
+    legend_->setText(legend);
     QPalette palette = legend_->palette();
     palette.setColor(QPalette::Window, theme_.plotBackground);
     palette.setColor(QPalette::WindowText, theme_.text);
     legend_->setPalette(palette);
-    fillRoundChart(*view_->chart(), shown, theme_);
+    fillRoundChart(*view_->chart(), content_, theme_);
     view_->setBackgroundBrush(theme_.plotBackground);
     copy_->setEnabled(!content_.series.empty());
     export_->setEnabled(!content_.series.empty());

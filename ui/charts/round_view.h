@@ -19,6 +19,8 @@ public:
 
     void setContent(const RoundPlot& content);
     void setTheme(const Theme& theme);
+    // Hidden where the window names the curves already; a figure has a legend all the same.
+    void setLegendShown(bool shown);
     const RoundPlot& content() const { return content_; }
     QSize sizeHint() const override { return {260, 260}; }
 
@@ -37,7 +39,8 @@ private:
     void retranslate();
 
     QChartView* view_;
-    QLabel* legend_;  // Qt's own cuts names where room is short
+    QLabel* legend_;
+    bool legend_shown_ = true;
     QAction* copy_;
     QAction* export_;
     RoundPlot content_;

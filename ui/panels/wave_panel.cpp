@@ -5,7 +5,6 @@
 #include "ui/panels/reading.h"
 #include "ui/plots/plot_content.h"
 #include "ui/words/rich_text.h"
-#include "ui/words/short_names.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -37,10 +36,10 @@ RoundSeries curveOf(const ShownAnalysis& shown, ClosedCurve curve, double x_fact
     return series;
 }
 
-// The next of 1, 2, 5 times a power of ten, so that the scale stays while a wave decays.
+// The next round number, so that the scale stays while a wave decays; its half is round, too.
 double roundReach(double amplitude) {
     const double power = std::pow(10, std::floor(std::log10(amplitude)));
-    for (const double step : {1., 2., 5.}) {
+    for (const double step : {1., 1.2, 1.6, 2., 3., 4., 6., 8.}) {
         if (amplitude <= step * power) {
             return step * power;
         }
@@ -59,6 +58,9 @@ WavePanel::WavePanel(Document& document, QWidget* parent)
     time_->setContentsMargins(6, 2, 6, 2);
     pattern_->setObjectName(QStringLiteral("pattern"));
     ellipse_->setObjectName(QStringLiteral("ellipse"));
+    // The ledger below is the legend of the tracks, too.
+    pattern_->setLegendShown(false);
+    ellipse_->setLegendShown(false);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -118,15 +120,8 @@ void WavePanel::refresh() {
         pattern.series.push_back(curveOf(shown, polar_pattern(wave, steps), 1 / degree));
         ellipse.series.push_back(curveOf(shown, channel_ellipse(wave, steps), 1));
     }
-    // Names by what differs; a single wave needs no legend.
-    QStringList names;
-    for (const RoundSeries& series : pattern.series) {
-        names << series.name;
-    }
-    names = distinctNames(names);
-    for (std::size_t k = 0; k < pattern.series.size(); ++k) {
-        pattern.series[k].name = ellipse.series[k].name =
-            names.size() > 1 ? names[static_cast<qsizetype>(k)] : QString();
+    if (pattern.series.size() == 1) {  // a single wave needs no legend
+        pattern.series[0].name = ellipse.series[0].name = QString();
     }
     pattern.reach = ellipse.reach = largest > 0 ? roundReach(largest) : 1;
     time_->setText(shown_s ? tr("t = %1 s").arg(QLocale().toString(*shown_s, 'f', 5)) : QString());

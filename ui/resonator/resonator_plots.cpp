@@ -226,8 +226,7 @@ RoundPlot rimPlot(const ResonatorOutcome& outcome) {
         plot.series.push_back(axes(QStringLiteral("θw"), Ink::text, fit.resonator.theta_w_rad));
     }
     if (fit.resonator.theta_tau_rad.given()) {
-        plot.series.push_back(
-            axes(QStringLiteral("θτ"), Ink::warning, fit.resonator.theta_tau_rad));
+        plot.series.push_back(axes(QStringLiteral("θτ"), Ink::muted, fit.resonator.theta_tau_rad));
         plot.series.back().dashed = true;
     }
     for (std::size_t run = 0; run < fit.runs.size(); ++run) {

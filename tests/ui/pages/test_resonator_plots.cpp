@@ -1,7 +1,9 @@
 // Figures of an identification as values.
 #include "tests/test_registry.h"
+#include "ui/plots/plot_file.h"
 #include "ui/resonator/resonator_plots.h"
 
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include <algorithm>
@@ -36,6 +38,43 @@ private slots:
             QCOMPARE(electrodesOf(plot, "C"), c);
             QCOMPARE(electrodesOf(plot, "D"), d);
         }
+    }
+
+    // A legend has as many lines as its names need.
+    void a_figure_names_each_recording_in_full() {
+        RoundPlot plot;
+        QStringList names;
+        for (int run = 0; run < 8; ++run) {
+            names << QStringLiteral("HRG-17_%1_after_three_hours_at_room_temperature").arg(run);
+            plot.series.push_back(
+                {.name = names.back(), .color = Qt::blue, .x = {0, 90}, .y = {1, 1}});
+        }
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("rim.svg");
+        QVERIFY(writeDrawing(roundDrawing(plot), {round_paper_size}, path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString svg = QString::fromUtf8(file.readAll());
+        for (const QString& name : names) {
+            QVERIFY2(svg.contains(name), qPrintable(name));
+        }
+        QVERIFY(!svg.contains(QChar(0x2026)));
+    }
+
+    // Colours are those of recordings.
+    void the_axes_of_the_rim_have_no_colour() {
+        ResonatorOutcome outcome;
+        ResonatorFit& fit = outcome.identification.fit;
+        fit.model = ResonatorModel::structured;
+        fit.resonator.theta_w_rad = fit.resonator.theta_tau_rad = {0.2, 0.01, {}};
+        int axes = 0;
+        for (const RoundSeries& series : rimPlot(outcome).series) {
+            if (series.name.startsWith(QStringLiteral("θ"))) {
+                QVERIFY(series.ink == Ink::text || series.ink == Ink::muted);
+                ++axes;
+            }
+        }
+        QCOMPARE(axes, 2);
     }
 };
 

@@ -3,6 +3,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
+#include "ui/charts/round_view.h"
 #include "ui/panels/ledger.h"
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/signal_view.h"
@@ -12,6 +13,7 @@
 #include "ui/window/window_menus.h"
 
 #include <QFileInfo>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
@@ -239,6 +241,15 @@ private slots:
         const int width = the<TrackView>().width();
         QTest::keyClick(window_.get(), Qt::Key_W);
         QCOMPARE(shown(), QStringLiteral("settings ledger overview wave"));
+        // It fills its plots, and the ledger names its curves.
+        const RoundView& pattern = childOf<RoundView>(*window_, QLatin1String("pattern"));
+        const RoundView& ellipse = childOf<RoundView>(*window_, QLatin1String("ellipse"));
+        const auto& radii = pattern.content().series.front().y;
+        VYBEG_LESS(pattern.content().reach, 1.5 * *std::ranges::max_element(radii));
+        QCOMPARE(ellipse.content().reach, pattern.content().reach);
+        for (const RoundView* view : {&pattern, &ellipse}) {
+            QVERIFY(!view->findChild<QLabel*>()->isVisible());
+        }
         QTest::keyClick(window_.get(), Qt::Key_W);
         QTest::keyClick(window_.get(), Qt::Key_F9);
         QCOMPARE(shown(), QStringLiteral("ledger overview"));
