@@ -1,5 +1,6 @@
 #include "ui/plots/hair_line.h"
 
+#include "ui/plots/panel_ticker.h"
 #include "ui/words/number_label.h"
 
 #include <QCoreApplication>
@@ -17,6 +18,27 @@ QString timeText(const QCPAxisRect& panel, double time_s) {
     return numberLabel(time_s, decimals) + ' ' + QCoreApplication::translate("DisplayUnits", "s");
 }
 
+// Clears the labels of ticks that a label over them leaves in part: "2" of "20". Below what the
+// layer holds already.
+void clearTouched(QCPPainter& painter, const QCPAxis& axis, const QRectF& label,
+                  const HairLook& look) {
+    const auto ticker = axis.ticker().dynamicCast<PanelTicker>();
+    if (!ticker) {
+        return;
+    }
+    const QFontMetricsF metrics(axis.tickLabelFont());
+    painter.setCompositionMode(QPainter::CompositionMode_DestinationOver);
+    for (std::size_t k = 0; k < ticker->ticks().positions.size(); ++k) {
+        const double width =
+            metrics.horizontalAdvance(ticker->ticks().labels[static_cast<qsizetype>(k)]) + 2;
+        const double left = axis.coordToPixel(ticker->ticks().positions[k]) - 0.5 * width;
+        if (left < label.right() && left + width > label.left()) {
+            painter.fillRect(QRectF(left, label.top(), width, label.height()), look.label_text);
+        }
+    }
+    painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+}
+
 }  // namespace
 
 void drawHair(QCPPainter& painter, const std::vector<QCPAxisRect*>& panels, double time_s,
@@ -32,7 +54,7 @@ void drawHair(QCPPainter& painter, const std::vector<QCPAxisRect*>& panels, doub
     for (const QCPAxisRect* panel : panels) {
         painter.drawLine(QLineF(x, panel->rect().top(), x, panel->rect().bottom()));
     }
-    // Time of the tracker, name of a cursor: they may cover tick labels, but not curves.
+    // Time of the tracker, name of a cursor: instead of tick labels, not over curves.
     const QFontMetricsF metrics(look.font);
     const QString text = look.name.isEmpty() ? timeText(*panels.front(), time_s) : look.name;
     const double width = metrics.horizontalAdvance(text) + 10;
@@ -40,6 +62,7 @@ void drawHair(QCPPainter& painter, const std::vector<QCPAxisRect*>& panels, doub
                                    std::max(double(top.left()), top.right() - width));
     const double height = metrics.height() + 2;
     const QRectF label(left, bottom.bottom() + 4, width, height);
+    clearTouched(painter, *panels.back()->axis(QCPAxis::atBottom), label, look);
     painter.setAntialiasing(true);
     painter.setPen(Qt::NoPen);
     painter.setBrush(look.color);

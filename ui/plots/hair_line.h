@@ -14,7 +14,7 @@ struct HairLook {
     QColor color;
     QString name;  // empty: the time
     QFont font;
-    QColor label_text;
+    QColor label_text;  // as the plot's background
 };
 
 // A vertical line at an instant through stacked plots of one time axis; nothing outside it.

@@ -154,6 +154,7 @@ void fill(MainWindow& window, const QStringList& files, const OpenOptions& open)
             QKeyEvent press(QEvent::KeyPress, key, Qt::NoModifier);
             QCoreApplication::sendEvent(&tracks, &press);
         }
+        tracks.setTracker({});  // the ledger reads where a mouse is
         settle(window);
     }
 }

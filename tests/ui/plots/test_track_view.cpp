@@ -1,6 +1,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/synthetic_analysis.h"
+#include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
 
 #include <QSignalSpy>
@@ -266,6 +267,35 @@ private slots:
         QCoreApplication::sendEvent(&bench.view, &leave);
         QCOMPARE(left.count(), 1);
         QVERIFY(!bench.view.tracker());
+    }
+
+    // The mark of the mouse's time hides a label of the axis or leaves it: no half of it stays.
+    void no_label_of_the_axis_is_covered_in_part() {
+        Bench bench;
+        const QCPAxisRect& last = *bench.plot->axisRects().back();
+        const double tick = last.axis(QCPAxis::atBottom)->coordToPixel(4);
+        const int top = last.rect().bottom() + 6;
+        const auto inked = [&](const QImage& image, int from, int to) {
+            const double ratio = image.devicePixelRatio();
+            const QRgb ground = image.pixel(qRound(ratio * (tick - 30)), qRound(ratio * (top + 4)));
+            for (int x = qRound(ratio * from); x < qRound(ratio * to); ++x) {
+                for (int y = qRound(ratio * top); y < qRound(ratio * (top + 10)); ++y) {
+                    if (image.pixel(x, y) != ground) {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        };
+        const int left = qFloor(tick) - 5;
+        const int right = qFloor(tick) - 1;
+        QVERIFY(inked(bench.view.grab().toImage(), left, right));  // of "4"
+        // The mark begins in the middle of the label.
+        const QString time = QStringLiteral("4.00 s");
+        const double half =
+            0.5 * (QFontMetricsF(plotFont(bench.view)).horizontalAdvance(time) + 10);
+        bench.view.setTracker(bench.timeAt(QPoint(qRound(tick + half), 0)));
+        QVERIFY(!inked(bench.view.grab().toImage(), left, right));
     }
 
     void keys_place_cursors_and_the_mouse_drags_them() {
