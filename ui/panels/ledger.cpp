@@ -4,6 +4,7 @@
 #include "ui/panels/ledger_head.h"
 #include "ui/panels/recording_facts.h"
 #include "ui/words/algorithm_text.h"
+#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QAction>
@@ -26,10 +27,15 @@ namespace {
 // A window as high as that has six rows, a lower one four.
 constexpr int low_window = 850;
 
+QWidget* titlesOf(QTreeWidget& tree) {
+    tree.setHeader(new IndexHeader(Qt::Horizontal, &tree));
+    return tree.header()->viewport();
+}
+
 }  // namespace
 
 Ledger::Ledger(Document& document, QWidget* parent)
-    : QTreeWidget(parent), document_(document), head_(new LedgerHead(header()->viewport())) {
+    : QTreeWidget(parent), document_(document), head_(new LedgerHead(titlesOf(*this))) {
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setIconSize({28, 14});
@@ -40,6 +46,7 @@ Ledger::Ledger(Document& document, QWidget* parent)
     setContextMenuPolicy(Qt::ActionsContextMenu);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFrameShape(QFrame::NoFrame);
+    header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(QHeaderView::Fixed);
     header()->setSectionsMovable(false);
@@ -346,7 +353,8 @@ void Ledger::fillVariable(int column, bool concise) {
         topLevelItem(row)->setText(column, read.cells[row]);
         topLevelItem(row)->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
-    headerItem()->setText(column, read.head);
+    headerItem()->setText(column, indexPlain(read.head));
+    headerItem()->setData(column, IndexHeader::title_role, read.head);
     headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     headerItem()->setToolTip(column, displayMeaning(variable));
 }
@@ -447,6 +455,7 @@ void Ledger::retranslate() {
     setColumnCount(notesColumn() + 1);
     for (int column = 0; column < columnCount(); ++column) {
         headerItem()->setText(column, {});
+        headerItem()->setData(column, IndexHeader::title_role, {});
         headerItem()->setToolTip(column, {});
     }
     headerItem()->setText(name, tr("Recording, analysis"));

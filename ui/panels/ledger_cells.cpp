@@ -1,7 +1,6 @@
 #include "ui/panels/ledger_cells.h"
 
 #include "ui/plots/axis_ticks.h"
-#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QCoreApplication>
@@ -55,7 +54,7 @@ QString headOf(const LedgerReader& reader, SlowVariable variable, int exponent) 
         unit = unit.isEmpty() ? CellWords::tr("1/s") : CellWords::tr("%1/s").arg(unit);
     }
     const QString scaled = scaledUnit(unit, beat || takesPrefix(variable, reader.units), exponent);
-    const QString symbol = indexPlain(displaySymbol(variable, reader.units));
+    const QString symbol = displaySymbol(variable, reader.units);
     return scaled.isEmpty() ? symbol : QStringLiteral("%1, %2").arg(symbol, scaled);
 }
 

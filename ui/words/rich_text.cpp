@@ -71,4 +71,31 @@ QSize IndexDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
     return size;
 }
 
+void IndexHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+    const QString title = model()->headerData(section, orientation(), title_role).toString();
+    if (title.isEmpty()) {
+        QHeaderView::paintSection(painter, rect, section);
+        return;
+    }
+    constexpr int margin = 4;
+    QStyleOptionHeaderV2 item;
+    initStyleOption(&item);
+    initStyleOptionForIndex(&item, section);
+    item.rect = rect;
+    item.text.clear();
+    painter->save();  // the style leaves a clip
+    style()->drawControl(QStyle::CE_Header, &item, painter, this);
+    painter->restore();
+    const QFont pixels = inPixels(font());
+    const double left = item.textAlignment.testFlag(Qt::AlignRight)
+                            ? rect.right() - margin - indexTextWidth(title, pixels)
+                            : rect.left() + margin;
+    painter->save();
+    painter->setPen(item.palette.color(QPalette::ButtonText));
+    const double base =
+        rect.center().y() + (fontMetrics().ascent() - fontMetrics().descent()) / 2.0;
+    drawIndexText(*painter, QPointF(left, base), title, pixels);
+    painter->restore();
+}
+
 }  // namespace vybeg::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHeaderView>
 #include <QString>
 #include <QStyledItemDelegate>
 
@@ -25,6 +26,20 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+// Draws the titles of columns with their indices set low, where a column has such a title.
+class IndexHeader : public QHeaderView {
+    Q_OBJECT
+
+public:
+    // Of a column's title with underscores; the title itself is plain.
+    static constexpr int title_role = Qt::UserRole;
+
+    using QHeaderView::QHeaderView;
+
+protected:
+    void paintSection(QPainter* painter, const QRect& rect, int section) const override;
 };
 
 }  // namespace vybeg::ui
