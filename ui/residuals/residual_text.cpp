@@ -15,7 +15,7 @@ namespace vybeg::ui {
 namespace {
 
 QString counted(std::int64_t count) {
-    return QLocale().toString(static_cast<qlonglong>(count));
+    return numberLabel(static_cast<double>(count), 0);
 }
 
 QString hertz(double f_hz, int decimals = 2) {
@@ -214,12 +214,13 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                     return QuantityCell{QStringLiteral("—"), {QString(), QString()}, {}};
                 }
                 constexpr double seldom = 1e-3;
-                return QuantityCell{residualsText(QT_TRANSLATE_NOOP("Residuals", "%1 (beyond: %2)"))
-                                        .arg(significant(moments.largest_z, 3),
-                                             significant(moments.expected_beyond, 2)),
-                                    {QLocale().toString(moments.largest_z, 'g', 12),
-                                     QLocale().toString(moments.expected_beyond, 'g', 12)},
-                                    moments.expected_beyond < seldom ? alarm : QColor()};
+                return QuantityCell{
+                    residualsText(QT_TRANSLATE_NOOP("Residuals", "%1 (expected beyond: %2)"))
+                        .arg(significant(moments.largest_z, 3),
+                             significant(moments.expected_beyond, 2)),
+                    {QLocale().toString(moments.largest_z, 'g', 12),
+                     QLocale().toString(moments.expected_beyond, 'g', 12)},
+                    moments.expected_beyond < seldom ? alarm : QColor()};
             }),
     };
 }

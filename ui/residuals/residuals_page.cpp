@@ -13,6 +13,7 @@
 
 #include <QComboBox>
 #include <QEvent>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -250,9 +251,13 @@ QString ResidualsPage::stateText() const {
             "No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the "
             "table below chooses one.");
     }
+    // The usual name of an analysis begins with that of its recording.
+    const ShownAnalysis& shown = chosen->shown;
+    const bool told = shown.name.startsWith(QFileInfo(shown.recording).completeBaseName());
     const QString name =
-        QStringLiteral("<b>%1, %2.</b> ")
-            .arg(chosen->shown.recording.toHtmlEscaped(), chosen->shown.name.toHtmlEscaped());
+        QStringLiteral("<b>%1.</b> ")
+            .arg((told ? shown.name : shown.recording + QStringLiteral(", ") + shown.name)
+                     .toHtmlEscaped());
     if (!asked_) {
         return name + tr("The residual appears when all windows of the analysis are there.");
     }
@@ -266,7 +271,9 @@ QString ResidualsPage::stateText() const {
         return name + tr("No sample of this range has a wave: samples are missing, the wave is "
                          "circular, or the range lies outside the analysed one.");
     }
-    return name + (found_ ? coverageText(*found_) : QString());
+    return found_ ? name + coverageText(*found_) +
+                        (found_->lines.empty() ? ' ' + tr("No line above the noise.") : QString())
+                  : name;
 }
 
 void ResidualsPage::showFound() {
@@ -276,14 +283,12 @@ void ResidualsPage::showFound() {
     {
         const QSignalBlocker quiet(lines_);
         lines_->clear();
-        lines_->addItem(count > 0 ? tr("%n line(s) above the noise: choose one", nullptr, count)
-                                  : tr("No line above the noise"));
+        lines_->addItem(tr("%n line(s) above the noise: choose one", nullptr, count));
         for (int k = 0; k < count; ++k) {
             lines_->addItem(lineName(found_->lines[static_cast<std::size_t>(k)]));
         }
     }
-    lines_->setEnabled(count > 0);
-    lines_->setVisible(any);
+    lines_->setVisible(count > 0);
     numbers_->setVisible(any);
     if (any) {
         numbers_->setContent({QStringLiteral("C"), QStringLiteral("D")},

@@ -5,6 +5,7 @@
 #include "core/resonator/results/run_parameters.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
+#include "ui/words/number_label.h"
 #include "ui/words/unit_text.h"
 
 #include <QLocale>
@@ -59,10 +60,12 @@ QuantityCell limitCell(const Estimate& estimate, const ParameterLimit& limit, do
     const std::array looks{Look{"?", {}}, Look{"✓", theme.kept}, Look{"✗", theme.broken}};
     QString text;
     if (limit.lower) {
-        text += QStringLiteral(" ≥ ") + shortNumberText(factor * *limit.lower, limit_digits);
+        text += QStringLiteral(" ≥ ") +
+                groupedDigits(shortNumberText(factor * *limit.lower, limit_digits));
     }
     if (limit.upper) {
-        text += QStringLiteral(" ≤ ") + shortNumberText(factor * *limit.upper, limit_digits);
+        text += QStringLiteral(" ≤ ") +
+                groupedDigits(shortNumberText(factor * *limit.upper, limit_digits));
     }
     const Look& look = looks.at(static_cast<std::size_t>(conformity(estimate, limit)));
     text.prepend(QString::fromUtf8(look.sign));
@@ -149,7 +152,7 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
          QT_TRANSLATE_NOOP("Resonator", "Mean rate of its phase, by power of both channels")},
         {QT_TRANSLATE_NOOP("Resonator", "Decay time of the wave"),
          QT_TRANSLATE_NOOP("Resonator", "Of √(a_A² + a_B²)")},
-        {QT_TRANSLATE_NOOP("Resonator", "Turn rate dθ_A/dt"),
+        {QT_TRANSLATE_NOOP("Resonator", "Drift dθ_A/dt"),
          QT_TRANSLATE_NOOP("Resonator", "Mean rate of the angle of the working wave")},
         {QT_TRANSLATE_NOOP("Resonator", "Quadrature growth d(a_B/a_A)/dt"),
          QT_TRANSLATE_NOOP("Resonator", "Mean rate of the ratio of both waves")},
@@ -174,7 +177,7 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
 QStringList sensitivityHeaders() {
     // As usual_errors.
     static constexpr std::array<const char*, 11> texts{
-        QT_TRANSLATE_NOOP("Resonator", "0.1° of skew"),
+        QT_TRANSLATE_NOOP("Resonator", "0.1° of non-orthogonality"),
         QT_TRANSLATE_NOOP("Resonator", "10 ns of delay"),
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ rad of phase drift"),
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of gain drift"),
@@ -356,10 +359,14 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
 QString toleranceName(ErrorSource source, const IdentifySettings& settings) {
     // As tolerance_names.
     static constexpr std::array<const char*, tolerance_names.size()> names{
-        QT_TRANSLATE_NOOP("Resonator", "Gain ratio"),  QT_TRANSLATE_NOOP("Resonator", "Skew"),
-        QT_TRANSLATE_NOOP("Resonator", "Delay"),       QT_TRANSLATE_NOOP("Resonator", "Crosstalk"),
-        QT_TRANSLATE_NOOP("Resonator", "Phase drift"), QT_TRANSLATE_NOOP("Resonator", "Gain drift"),
-        QT_TRANSLATE_NOOP("Resonator", "Sample rate"), QT_TRANSLATE_NOOP("Resonator", "Spread")};
+        QT_TRANSLATE_NOOP("Resonator", "Gain ratio"),
+        QT_TRANSLATE_NOOP("Resonator", "Non-orthogonality"),
+        QT_TRANSLATE_NOOP("Resonator", "Delay"),
+        QT_TRANSLATE_NOOP("Resonator", "Crosstalk"),
+        QT_TRANSLATE_NOOP("Resonator", "Phase drift"),
+        QT_TRANSLATE_NOOP("Resonator", "Gain drift"),
+        QT_TRANSLATE_NOOP("Resonator", "Sample rate"),
+        QT_TRANSLATE_NOOP("Resonator", "Spread")};
     const QString name = resonatorText(names[static_cast<std::size_t>(source)]);
     const auto used = tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa);
     const bool assumed = std::ranges::any_of(used, [source](const ToleranceInUse& each) {

@@ -218,7 +218,7 @@ QString SweepPage::stateText() const {
     if (!found()) {
         return tr(
             "Compute estimates this recording once for each length: it shows how much the values "
-            "scatter and which window the recording deserves.");
+            "scatter and which window is recommended.");
     }
     const QString refused = refusedText(found()->sweep);
     return found()->asked == wanted()
@@ -270,7 +270,7 @@ void SweepPage::showFound() {
     if (length) {
         use_->setText(tr("Use n = %1").arg(shown->lengths[*length].length));
     }
-    table_->setContent(sweepHeaders(), sweepRows(*shown, view));
+    table_->setContent(sweepHeaders(*shown, view), sweepRows(*shown, view));
 }
 
 void SweepPage::setTheme(const Theme& theme) {

@@ -152,6 +152,11 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
     extent.take(plot.series[3]);
     // Whole half-periods have a leakage of almost nothing, which needs no room.
     plot.y_range = extent.high > 0 ? AxisRange{floor, 2 * extent.high} : AxisRange{0.1, 10};
+    for (XYSeries& each : plot.series) {  // a curve that lies below the plot needs no name
+        if (std::ranges::none_of(each.y, [&](double y) { return y >= floor; })) {
+            each.name.clear();
+        }
+    }
     addMarks(*sweep, view, plot);
     return plot;
 }

@@ -2,18 +2,21 @@
 
 #include "ui/words/error_text.h"
 #include "ui/words/index_text.h"
+#include "ui/words/number_label.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vybeg::ui {
 
 namespace {
 
 QString counted(std::int64_t count) {
-    return QLocale().toString(static_cast<qlonglong>(count));
+    return numberLabel(static_cast<double>(count), 0);
 }
 
 QString shortText(double value) {
@@ -64,8 +67,7 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
             return sweepText(QT_TRANSLATE_NOOP(
                 "Sweep", "In the longer windows of the list some variables have no value."));
         case WindowAdvice::Limit::list_end:
-            return sweepText(QT_TRANSLATE_NOOP(
-                "Sweep", "It is the longest of the list; longer ones are not examined."));
+            return sweepText(QT_TRANSLATE_NOOP("Sweep", "It is the longest tried."));
         case WindowAdvice::Limit::list_begin:
             return sweepText(QT_TRANSLATE_NOOP("Sweep",
                                                "It is the shortest of the list, and %1 moves even "
@@ -107,6 +109,17 @@ constexpr std::array<Column, 4> columns{
     Column{QT_TRANSLATE_NOOP("Sweep", "shift by motion"), &SweepValue::motion},
     Column{QT_TRANSLATE_NOOP("Sweep", "own leakage"), &SweepValue::leaking}};
 
+// Those in which some length has more than nothing to show.
+std::vector<Column> shownColumns(const WindowSweep& sweep, const SweepView& view) {
+    std::vector<Column> shown;
+    std::ranges::copy_if(columns, std::back_inserter(shown), [&](const Column& column) {
+        return std::ranges::any_of(sweep.lengths, [&](const SweepLength& each) {
+            return each.values[view.variable].*column.member != 0;
+        });
+    });
+    return shown;
+}
+
 }  // namespace
 
 QString lengthText(const WindowSweep& sweep, std::size_t length) {
@@ -124,9 +137,9 @@ QString adviceText(const WindowSweep& sweep, const SweepView& view) {
             "windows or more, and white noise between the lines of the spectrum."));
     }
     const WindowAdvice& advice = *sweep.advice;
-    QString text = QStringLiteral("%1. ").arg(
-        sweepText(QT_TRANSLATE_NOOP("Sweep", "This recording deserves %1"))
-            .arg(lengthText(sweep, advice.best)));
+    QString text =
+        QStringLiteral("%1. ").arg(sweepText(QT_TRANSLATE_NOOP("Sweep", "Recommended: %1"))
+                                       .arg(lengthText(sweep, advice.best)));
     text += reasonOf(sweep, view);
     constexpr double one_sided = 2;
     text += QStringLiteral(" ");
@@ -170,10 +183,10 @@ QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView&
              shortText(at.noise));
 }
 
-QStringList sweepHeaders() {
+QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view) {
     QStringList headers{sweepText(QT_TRANSLATE_NOOP("Sweep", "windows")),
                         sweepText(QT_TRANSLATE_NOOP("Sweep", "scatter"))};
-    for (const Column& column : columns) {
+    for (const Column& column : shownColumns(sweep, view)) {
         headers << sweepText(column.name);
     }
     return headers << sweepText(QT_TRANSLATE_NOOP("Sweep", "rms"))
@@ -183,8 +196,9 @@ QStringList sweepHeaders() {
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
     const double factor = sweepFactor(sweep, view, view.variable);
     const auto cell = [](double value) {
-        return QuantityCell{shortText(value), {QLocale().toString(value, 'g', 12)}, {}};
+        return QuantityCell{noiseText(value), {QLocale().toString(value, 'g', 12)}, {}};
     };
+    const std::vector<Column> shown = shownColumns(sweep, view);
     std::vector<QuantityRow> rows;
     for (std::size_t k = 0; k < sweep.lengths.size(); ++k) {
         const SweepLength& each = sweep.lengths[k];
@@ -197,7 +211,7 @@ std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& vi
             {valueText(scatter, sd),
              {QLocale().toString(scatter, 'g', 12), QLocale().toString(sd, 'g', 12)},
              {}});
-        for (const Column& column : columns) {
+        for (const Column& column : shown) {
             row.cells.push_back(cell(factor * value.*column.member));
         }
         row.cells.push_back(cell(each.rms));

@@ -21,7 +21,7 @@ QString refusedText(const WindowSweep& sweep);
 QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView& view);
 
 // A row for each length, of the variable that is shown.
-QStringList sweepHeaders();
+QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view);
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view);
 // All variables as tab-separated text, in the decimal sign of the interface's language.
 QString sweepTable(const WindowSweep& sweep, const SweepView& view);

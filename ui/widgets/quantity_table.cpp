@@ -27,7 +27,8 @@ QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new 
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(8);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    horizontalHeader()->setDefaultAlignment(Qt::Alignment(Qt::AlignLeft | Qt::AlignVCenter) |
+                                            Qt::Alignment(Qt::TextWordWrap));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::ContiguousSelection);
     setAlternatingRowColors(true);
@@ -101,9 +102,12 @@ QString QuantityTable::tableText() const {
 
 // Width of a column in which no word breaks.
 int QuantityTable::leastWidth(int column) const {
-    int width = !headers_.isEmpty() && column > 0
-                    ? fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin
-                    : 0;
+    int width = 0;
+    if (!headers_.isEmpty() && column > 0) {
+        for (const QString& word : headers_[column - 1].split(QLatin1Char(' '))) {
+            width = std::max(width, fontMetrics().horizontalAdvance(word) + header_margin);
+        }
+    }
     for (int row = 0; row < rowCount(); ++row) {
         for (const QString& word :
              WrappingDelegate::unbroken(item(row, column)->text()).split(QLatin1Char(' '))) {
@@ -111,6 +115,17 @@ int QuantityTable::leastWidth(int column) const {
         }
     }
     return width;
+}
+
+// As high as its texts in their columns.
+int QuantityTable::headerHeight() const {
+    int texts = 0;
+    for (int column = 0; column < headers_.size(); ++column) {
+        const QRect room(0, 0, columnWidth(column + 1) - header_margin / 2, QWIDGETSIZE_MAX);
+        texts = std::max(
+            texts, fontMetrics().boundingRect(room, Qt::TextWordWrap, headers_[column]).height());
+    }
+    return texts > 0 ? texts + horizontalHeader()->sizeHint().height() - fontMetrics().height() : 0;
 }
 
 // Takes what is too much from the columns, each by its share of the room that its words leave.
@@ -158,7 +173,8 @@ void QuantityTable::layOut() {
         setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
         total += columnWidth(column);
     }
-    int height = headers_.isEmpty() ? 0 : horizontalHeader()->sizeHint().height();
+    int height = headerHeight();
+    horizontalHeader()->setFixedHeight(height);
     for (int row = 0; row < rowCount(); ++row) {
         int row_height = 0;
         for (int column = 0; column < columnCount(); ++column) {

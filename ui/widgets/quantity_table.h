@@ -46,6 +46,7 @@ protected:
 private:
     void layOut();
     int leastWidth(int column) const;
+    int headerHeight() const;
     void narrow(std::vector<int>& widths, int excess) const;
     void retranslate();
 

@@ -23,7 +23,8 @@ double amplitudeFactor(const DisplayUnits& units) {
 QString textOf(const QuantityText& quantity) {
     const auto localised = [](const std::string& number) {
         QString text = QString::fromStdString(number);
-        return text.replace('-', QChar(0x2212)).replace('.', QLocale().decimalPoint());
+        return groupedDigits(
+            text.replace('-', QChar(0x2212)).replace('.', QLocale().decimalPoint()));
     };
     QString text = localised(quantity.value);
     if (!quantity.sd.empty()) {

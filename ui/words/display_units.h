@@ -69,10 +69,10 @@ bool isWrapped(SlowVariable variable);
 // "0.000100".
 QString noiseText(double sd);
 
-// "0.99987 ± 0.00012": core/output/quantity_text.h with the default locale's decimal sign and a
-// true minus; "—" for NaN.
+// "0.9987 ± 0.0012": core/output/quantity_text.h with the default locale's decimal sign, a true
+// minus and digits in groups; "—" for NaN.
 QString valueText(double value, double sd);
-// The same, shorter: the deviation in units of the value's last digit, "0.99987(12)".
+// The same, shorter: the deviation in units of the value's last digit, "0.9987(12)".
 QString conciseText(double value, double sd);
 // With a combined uncertainty behind it where that differs: "1.00034 ± 0.00005 (u 0.0003)".
 QString valueText(double value, double sd, double u);

@@ -8,12 +8,36 @@
 
 namespace vybeg::ui {
 
+QString groupedDigits(const QString& number) {
+    constexpr qsizetype group = 3;
+    constexpr qsizetype undivided = 4;
+    QString text;
+    bool fraction = false;
+    for (qsizetype begin = 0, end = 0; begin < number.size(); begin = end) {
+        while (end < number.size() && number[end].isDigit()) {
+            ++end;
+        }
+        const qsizetype digits = end - begin;
+        for (qsizetype k = 0; k < digits; ++k) {
+            if (k > 0 && digits > undivided && (fraction ? k : digits - k) % group == 0) {
+                text += QChar(0x202f);
+            }
+            text += number[begin + k];
+        }
+        if (end < number.size()) {
+            fraction = number[end] == '.' || number[end] == ',';
+            text += number[end++];
+        }
+    }
+    return text;
+}
+
 QString numberLabel(double value, int decimals) {
     // What rounds to zero is zero, not minus zero.
     const double shown = std::abs(value) < 0.5 * std::pow(10., -decimals) ? 0 : value;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(shown, 'f', decimals).replace('-', QChar(0x2212));
+    return groupedDigits(locale.toString(shown, 'f', decimals)).replace('-', QChar(0x2212));
 }
 
 QString powerOfTen(int exponent) {

@@ -4,8 +4,12 @@
 
 namespace vybeg::ui {
 
-// Numbers as they stand beside an axis: the default locale's decimal sign, a true minus, no
-// thousands signs.
+// Runs of more than four digits of a number, before and behind its decimal sign, in groups of
+// three: "5300.000 171 7". The gap is a narrow no-break space, which number fields read over.
+QString groupedDigits(const QString& number);
+
+// Numbers as they stand beside an axis: the default locale's decimal sign, a true minus, digits in
+// groups.
 QString numberLabel(double value, int decimals);
 
 // "10⁻³".

@@ -4,6 +4,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/heartbeat.h"
 #include "tests/ui/pages/batch_journey.h"
+#include "ui/widgets/number_field.h"
 #include "ui/window/page_stack.h"
 
 #include <QPlainTextEdit>
@@ -36,7 +37,7 @@ private slots:
         QCOMPARE(message(), "Written: " + home_.path("first.csv"));
         QCOMPARE(told(), QString("4 of 4 sets; 1 without a result"));
         QCOMPARE(text(0, state), QString("done"));
-        VYBEG_WITHIN(text(0, split).section(' ', 0, 0).toDouble(), 0.02, 1e-3);
+        VYBEG_WITHIN(readNumber(text(0, split).section(' ', 0, 0)).value_or(0), 0.02, 1e-3);
         // No recording came into the window.
         QVERIFY(window_->document().recordings().empty());
         // Without passports there are no verdicts.

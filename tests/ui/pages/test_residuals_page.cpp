@@ -8,6 +8,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/residuals_page.h"
+#include "ui/words/number_label.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -145,8 +146,13 @@ private slots:
         auto& numbers = the<QTableWidget>("residualNumbers");
         QVERIFY(numbers.isVisible());
         QCOMPARE(numbers.rowCount(), 6);
-        QVERIFY(the<QLabel>("residualState").text().contains(QLocale().toString(15960)));
+        QVERIFY(the<QLabel>("residualState").text().contains(numberLabel(15960, 0)));
         QVERIFY(!the<QPushButton>("residualFilter").isVisible());
+        // Without lines there is nothing to choose.
+        QVERIFY(found.lines.empty());
+        QVERIFY(!the<QComboBox>("residualLines").isVisible());
+        QVERIFY(the<QLabel>("residualState").text().contains("No line above the noise."));
+        QVERIFY(the<QLabel>("residualState").text().startsWith("<b>demo, n = 60.</b>"));
     }
 
     void range_and_cursor_change_the_numbers() {

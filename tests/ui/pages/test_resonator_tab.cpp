@@ -19,6 +19,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMimeData>
 #include <QTest>
@@ -277,6 +278,17 @@ private slots:
         const Estimate& f = found.runs[2].wave.f_hz;
         QCOMPARE(cell("waves", "Frequency of the wave", 3), valueText(f.value, f.sd, f.u));
         QCOMPARE(sensitivities.columnCount(), 12);
+        // Titles take as many lines as they need.
+        const QHeaderView& titles = *sensitivities.horizontalHeader();
+        for (int column = 1; column < sensitivities.columnCount(); ++column) {
+            const QString title = sensitivities.horizontalHeaderItem(column)->text();
+            const QRect room(0, 0, titles.sectionSize(column) - 8, QWIDGETSIZE_MAX);
+            const QRect needed = titles.fontMetrics().boundingRect(room, Qt::TextWordWrap, title);
+            VYBEG_AT_MOST(needed.width(), room.width(), qPrintable(title));
+            VYBEG_AT_MOST(needed.height(), titles.height(), qPrintable(title));
+        }
+        VYBEG_LESS(titles.sectionSize(3), titles.fontMetrics().horizontalAdvance(
+                                              sensitivities.horizontalHeaderItem(3)->text()));
         VYBEG_AT_LEAST(sensitivities.rowCount(), 5);
         // Copied, the change of the axis by 0.1 degrees of skew.
         sensitivities.setFocus();
@@ -295,7 +307,7 @@ private slots:
     void tolerances_are_edited_undone_and_enter_u() {
         openSet();
         identify();
-        QVERIFY(the<QLabel>("statistical").text().contains("Skew (assumed): 0.1°"));
+        QVERIFY(the<QLabel>("statistical").text().contains("Non-orthogonality (assumed): 0.1°"));
         QVERIFY(the<QLabel>("statistical").text().contains("clock of the recorder"));
         auto& section = the<CalibrationFields>();
         const auto field = [&section](const QString& name) {

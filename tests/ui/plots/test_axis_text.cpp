@@ -106,7 +106,6 @@ private slots:
                 const double position = ticks.positions[std::size_t(k)];
                 const QString& label = ticks.labels[k];
                 QVERIFY(different.insert(label).second);
-                VYBEG_AT_MOST(label.size(), 9, qPrintable(label));
                 VYBEG_AT_LEAST(position, range.lower - 1e-6 * span);
                 VYBEG_AT_MOST(position, range.upper + 1e-6 * span);
                 const double pixel = (position - range.lower) * scale;
@@ -114,7 +113,9 @@ private slots:
                                qPrintable(label));
                 free_from = pixel + 0.5 * room.extent(label);
                 QString plain = label;
-                const double read = plain.replace(QChar(0x2212), '-').toDouble();
+                plain.remove(QChar(0x202f)).replace(QChar(0x2212), '-');
+                VYBEG_AT_MOST(plain.size(), 9, qPrintable(label));
+                const double read = plain.toDouble();
                 const double meant = (position - ticks.offset) / std::pow(10., ticks.exponent);
                 // Relative to the span: rounding of a decimal label.
                 VYBEG_WITHIN((read - meant) * std::pow(10., ticks.exponent), 0, 1e-5 * span,
@@ -152,6 +153,19 @@ private slots:
         QCOMPARE(valueText(-0.5, 0.013), QStringLiteral("−0,500 ± 0,013"));
     }
 
+    void more_than_four_digits_stand_in_groups_of_three() {
+        for (const auto& [number, grouped] :
+             {std::pair{"5300", "5300"}, std::pair{"-12345", "-12 345"},
+              std::pair{"1234567", "1 234 567"}, std::pair{"0.1234", "0.1234"},
+              std::pair{"0,12345", "0,123 45"}, std::pair{"499511.0000027", "499 511.000 002 7"},
+              std::pair{"", ""}, std::pair{"—", "—"}}) {
+            QCOMPARE(groupedDigits(QString::fromUtf8(number)).replace(QChar(0x202f), ' '),
+                     QString::fromUtf8(grouped));
+        }
+        QCOMPARE(numberLabel(-20000, 0), QStringLiteral("−20\u202f000"));
+        QCOMPARE(valueText(499511.04, 2.2), QStringLiteral("499\u202f511.0 ± 2.2"));
+    }
+
     void nothing_is_minus_zero() {
         QCOMPARE(numberLabel(-1e-12, 2), QStringLiteral("0.00"));
         QCOMPARE(numberLabel(-0.0, 0), QStringLiteral("0"));
@@ -160,8 +174,8 @@ private slots:
     void a_value_is_rounded_to_its_deviation() {
         QCOMPARE(valueText(5300.012345, 0.0012), QStringLiteral("5300.0123 ± 0.0012"));
         QCOMPARE(valueText(2e-6, 1.5e-7), QStringLiteral("(2.00 ± 0.15)·10⁻⁶"));
-        QCOMPARE(noiseText(1.00121e-4), QStringLiteral("0.000100"));
-        QCOMPARE(noiseText(9.998e-5), QStringLiteral("0.000100"));
+        QCOMPARE(noiseText(1.00121e-4), QStringLiteral("0.000\u202f100"));
+        QCOMPARE(noiseText(9.998e-5), QStringLiteral("0.000\u202f100"));
         QCOMPARE(noiseText(9.994e-5), QStringLiteral("9.99·10⁻⁵"));
         QCOMPARE(noiseText(12.0), QStringLiteral("12.0"));
         QCOMPARE(noiseText(NAN), QStringLiteral("—"));

@@ -9,6 +9,7 @@
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
+#include "ui/widgets/number_field.h"
 #include "ui/window/export_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
@@ -127,7 +128,7 @@ private slots:
         QVERIFY2(notes_of(0).isEmpty(), qPrintable(notes_of(0)));
         QCOMPARE(list.headerItem()->text(list.noiseColumn()), QString("Noise"));
         const QString text = list.topLevelItem(0)->text(list.noiseColumn());
-        VYBEG_CLOSE_RATIO(QLocale().toDouble(text), 1e-3, 0.05, qPrintable(text));
+        VYBEG_CLOSE_RATIO(readNumber(text).value_or(0), 1e-3, 0.05, qPrintable(text));
 
         Settings settings = document().settings();
         settings.window = 62;

@@ -143,7 +143,7 @@ private slots:
 
     void a_deviation_in_brackets_counts_the_last_digit() {
         QCOMPARE(conciseText(5300.00012, 0.00071), QStringLiteral("5300.0001(7)"));
-        QCOMPARE(conciseText(-0.02196, 0.00012), QStringLiteral("−0.02196(12)"));
+        QCOMPARE(conciseText(-0.02196, 0.00012), QStringLiteral("−0.021\u202f96(12)"));
         QCOMPARE(conciseText(123.4, 1.2), QStringLiteral("123.4(12)"));
         QCOMPARE(conciseText(std::nan(""), 1), QStringLiteral("—"));
     }
