@@ -4802,7 +4802,7 @@
         <translation>Часы ±</translation>
     </message>
     <message>
-        <source>Skew ε ±</source>
+        <source>Non-orthogonality ε ±</source>
         <translation>Неортогон. ε ±</translation>
     </message>
     <message>

@@ -1,6 +1,7 @@
 #include "ui/charts/round_plot.h"
 
 #include "ui/plots/plot_stack.h"
+#include "ui/words/rich_text.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QChart>
@@ -109,7 +110,7 @@ QString legendOf(const RoundPlot& content, const Theme& theme) {
                               series.points   ? QStringLiteral("●")
                               : series.dashed ? QStringLiteral("╍")
                                               : QStringLiteral("━"),
-                              series.name.toHtmlEscaped());
+                              richText(series.name));
         }
     }
     return names.join(QStringLiteral(" &nbsp; "));

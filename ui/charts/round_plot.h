@@ -13,7 +13,7 @@ namespace vybeg::ui {
 
 // A curve or points of a round plot.
 struct RoundSeries {
-    QString name;  // in the legend; empty: not in it
+    QString name;  // in the legend, an underscore introduces an index; empty: not in it
     Ink ink = Ink::style;
     QColor color;  // for Ink::style, before it is made readable
     int shade = 0;

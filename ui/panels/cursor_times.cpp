@@ -2,6 +2,7 @@
 
 #include "ui/panels/measuring.h"
 #include "ui/widgets/number_field.h"
+#include "ui/words/number_label.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -54,8 +55,9 @@ void CursorTimes::showDifference() {
     difference_->setText(
         outside_ ? tr("A cursor stands where the analysis has no windows.")
         : apart  ? tr("B − A = %1 s, 1/|B − A| = %2 Hz")
-                      .arg(QLocale().toString(*b_s_ - *a_s_, 'g', 8).replace('-', QChar(0x2212)),
-                           QLocale().toString(1 / std::abs(*b_s_ - *a_s_), 'g', 6))
+                      .arg(groupedDigits(QLocale().toString(*b_s_ - *a_s_, 'g', 8))
+                               .replace('-', QChar(0x2212)),
+                           groupedDigits(QLocale().toString(1 / std::abs(*b_s_ - *a_s_), 'g', 6)))
                 : QString());
 }
 

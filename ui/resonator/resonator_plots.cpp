@@ -223,10 +223,10 @@ RoundPlot rimPlot(const ResonatorOutcome& outcome) {
     plot.series.push_back(electrodes(QStringLiteral("C"), Ink::channel_c, c));
     plot.series.push_back(electrodes(QStringLiteral("D"), Ink::channel_d, c + quarter / 2));
     if (fit.resonator.theta_w_rad.given()) {
-        plot.series.push_back(axes(QStringLiteral("θw"), Ink::text, fit.resonator.theta_w_rad));
+        plot.series.push_back(axes(QStringLiteral("θ_w"), Ink::text, fit.resonator.theta_w_rad));
     }
     if (fit.resonator.theta_tau_rad.given()) {
-        plot.series.push_back(axes(QStringLiteral("θτ"), Ink::muted, fit.resonator.theta_tau_rad));
+        plot.series.push_back(axes(QStringLiteral("θ_τ"), Ink::muted, fit.resonator.theta_tau_rad));
         plot.series.back().dashed = true;
     }
     for (std::size_t run = 0; run < fit.runs.size(); ++run) {

@@ -238,7 +238,7 @@ void CalibrationFields::addTolerances() {
          QT_TR_NOOP("How well the gain ratio is known: relative standard deviation."),
          QT_TR_NOOP("Tolerance of the gain ratio")},
         &Tolerance::kappa, 1, 0.001);
-    add({QT_TR_NOOP("Skew ε ±"), QT_TR_NOOP("°"),
+    add({QT_TR_NOOP("Non-orthogonality ε ±"), QT_TR_NOOP("°"),
          QT_TR_NOOP("Non-orthogonality of the pick-offs: D holds sin ε of C."),
          QT_TR_NOOP("Tolerance of the non-orthogonality")},
         &Tolerance::skew_deg, 1, 0.1);

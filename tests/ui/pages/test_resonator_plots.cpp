@@ -75,6 +75,9 @@ private slots:
             }
         }
         QCOMPARE(axes, 2);
+        const QString legend = legendOf(rimPlot(outcome), lightTheme());
+        QVERIFY2(legend.contains("θ<sub>w</sub>") && legend.contains("θ<sub>τ</sub>"),
+                 qPrintable(legend));
     }
 };
 
