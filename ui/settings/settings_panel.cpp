@@ -81,6 +81,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll_ = scroll;
+    content->installEventFilter(this);
 
     stale_ = new QLabel(this);
     stale_->setObjectName(QStringLiteral("stale"));
@@ -176,6 +177,13 @@ void SettingsPanel::fitWidth() {
     setFixedWidth(std::max(least_width, needed));
 }
 
+bool SettingsPanel::eventFilter(QObject* groups, QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) {
+        fitWidth();
+    }
+    return QWidget::eventFilter(groups, event);
+}
+
 void SettingsPanel::showStaleness() {
     const bool coming = document_.live() && document_.busy();
     const QStringList differences = coming ? QStringList() : staleness(document_);
@@ -201,8 +209,6 @@ void SettingsPanel::retranslate() {
     for (const Group& group : groups_) {
         group.section->setTitle(tr(group.title));
     }
-    // After the fields, which get the language behind the panel.
-    QMetaObject::invokeMethod(this, &SettingsPanel::fitWidth, Qt::QueuedConnection);
     analyse_->setText(tr("Keep"));
     analyse_->setToolTip(
         tr("Analyse the current recording with these settings and keep the analysis (F5)"));

@@ -35,6 +35,8 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    // Of the groups, whose fields change with the language and with what is open.
+    bool eventFilter(QObject* groups, QEvent* event) override;
 
 private:
     struct Group {

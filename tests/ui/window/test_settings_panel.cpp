@@ -194,6 +194,27 @@ private slots:
         QCOMPARE(bar->value(), 0);
     }
 
+    // Groups are opened in one language and shown in the other, in both orders.
+    void no_field_of_an_open_group_is_cut() {
+        openOne();
+        auto& panel = childOf<SettingsPanel>(*window_);
+        const auto* const area = panel.findChild<QScrollArea*>();
+        const auto fits = [&] {
+            return area->widget()->minimumSizeHint().width() <= area->viewport()->width();
+        };
+        for (const bool open : {true, false, true}) {
+            for (Section* section : panel.findChildren<Section*>()) {
+                section->setOpen(open);
+            }
+            QVERIFY(QTest::qWaitFor(fits));
+            for (const char* language : {"ru", "en", "ru"}) {
+                window_->setLanguage(QLatin1String(language));
+                QVERIFY2(QTest::qWaitFor(fits), language);
+            }
+        }
+        VYBEG_AT_MOST(panel.width(), 300);  // the plots own the window
+    }
+
     void plots_older_than_the_panel_say_so_until_they_are_analysed() {
         openOne();
         const auto& mark = childOf<QLabel>(*window_, "stale");
