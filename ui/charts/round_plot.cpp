@@ -1,22 +1,23 @@
 #include "ui/charts/round_plot.h"
 
 #include "ui/plots/plot_stack.h"
+#include "ui/words/number_label.h"
 #include "ui/words/rich_text.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QCategoryAxis>
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QLegend>
 #include <QLineSeries>
-#include <QLocale>
 #include <QPolarChart>
 #include <QScatterSeries>
 #include <QTextDocument>
-#include <QValueAxis>
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace vybeg::ui {
@@ -57,7 +58,7 @@ QFont chartFont() {
     return font;
 }
 
-void paintAxis(QValueAxis& axis, const Theme& theme) {
+void paintAxis(QCategoryAxis& axis, const Theme& theme) {
     axis.setLinePen(QPen(theme.axis, 1));
     axis.setGridLinePen(QPen(theme.grid, 1));
     axis.setLabelsColor(theme.text);
@@ -66,8 +67,27 @@ void paintAxis(QValueAxis& axis, const Theme& theme) {
     axis.setTitleBrush(theme.text);
 }
 
-QValueAxis& axisOf(const QChart& chart, Qt::Orientation orientation) {
-    return *qobject_cast<QValueAxis*>(chart.axes(orientation).front());
+QCategoryAxis& axisOf(const QChart& chart, Qt::Orientation orientation) {
+    return *qobject_cast<QCategoryAxis*>(chart.axes(orientation).front());
+}
+
+// Lines and numbers at multiples of `step`; those of Qt's own axes have no true minus.
+void setTicks(QCategoryAxis& axis, double lower, double upper, double step, int decimals,
+              const QString& unit = {}) {
+    QStringList labels;
+    std::vector<double> values;
+    for (double value = lower; value < upper + 0.5 * step; value += step) {
+        labels << numberLabel(value, decimals) + unit;
+        values.push_back(value);
+    }
+    if (axis.categoriesLabels() != labels) {
+        for (const QString& label : axis.categoriesLabels()) {
+            axis.remove(label);
+        }
+        for (qsizetype k = 0; k < labels.size(); ++k) {
+            axis.append(labels[k], values[static_cast<std::size_t>(k)]);
+        }
+    }
 }
 
 // The axes of a square plot in a chart of a size: room for numbers and names at the left and below.
@@ -121,10 +141,9 @@ QChart* makeRoundChart(bool polar) {
     chart->legend()->hide();
     chart->setMargins({});
     chart->setBackgroundRoundness(0);
-    chart->setLocalizeNumbers(true);
     for (const Qt::Alignment side : {Qt::AlignBottom, Qt::AlignLeft}) {
-        auto* axis = new QValueAxis;
-        // Without a range there are no labels, and Qt Charts lays out the first of them.
+        auto* axis = new QCategoryAxis;
+        axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
         axis->setRange(0, 1);
         if (polar) {
             static_cast<QPolarChart*>(chart)->addAxis(
@@ -138,25 +157,25 @@ QChart* makeRoundChart(bool polar) {
 }
 
 void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme) {
-    chart.setLocale(QLocale());
     chart.setBackgroundBrush(theme.plotBackground);
-    QValueAxis& across = axisOf(chart, Qt::Horizontal);
-    QValueAxis& up = axisOf(chart, Qt::Vertical);
-    for (QValueAxis* axis : {&across, &up}) {
+    QCategoryAxis& across = axisOf(chart, Qt::Horizontal);
+    QCategoryAxis& up = axisOf(chart, Qt::Vertical);
+    for (QCategoryAxis* axis : {&across, &up}) {
         paintAxis(*axis, theme);
         axis->setVisible(!content.series.empty());
     }
+    const double half = 0.5 * content.reach;
+    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(content.reach))));
     if (content.polar) {
         across.setRange(0, 360);
-        across.setTickCount(9);
-        across.setLabelFormat(QStringLiteral("%.0f°"));
+        setTicks(across, 0, 315, 45, 0, QStringLiteral("°"));
         up.setRange(0, content.reach);
-        up.setTickCount(3);
+        setTicks(up, half, content.reach, half, decimals);
         up.setLabelsVisible(content.scale);
     } else {
-        for (QValueAxis* axis : {&across, &up}) {
+        for (QCategoryAxis* axis : {&across, &up}) {
             axis->setRange(-content.reach, content.reach);
-            axis->setTickCount(5);
+            setTicks(*axis, -content.reach, content.reach, half, decimals);
         }
         across.setTitleText(content.x_name);
         up.setTitleText(content.y_name);

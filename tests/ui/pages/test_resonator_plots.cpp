@@ -3,6 +3,7 @@
 #include "ui/plots/plot_file.h"
 #include "ui/resonator/resonator_plots.h"
 
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -21,6 +22,16 @@ class TestResonatorPlots : public QObject {
         std::vector<double> angles = found == plot.series.end() ? std::vector<double>() : found->x;
         std::ranges::sort(angles);
         return angles;
+    }
+
+    static QString svgOf(const RoundPlot& plot) {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath("plot.svg"));
+        if (!writeDrawing(roundDrawing(plot), {round_paper_size}, file.fileName()) ||
+            !file.open(QIODevice::ReadOnly)) {
+            return {};
+        }
+        return QString::fromUtf8(file.readAll());
     }
 
 private slots:
@@ -49,16 +60,30 @@ private slots:
             plot.series.push_back(
                 {.name = names.back(), .color = Qt::blue, .x = {0, 90}, .y = {1, 1}});
         }
-        const QTemporaryDir folder;
-        const QString path = folder.filePath("rim.svg");
-        QVERIFY(writeDrawing(roundDrawing(plot), {round_paper_size}, path));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QString svg = QString::fromUtf8(file.readAll());
+        const QString svg = svgOf(plot);
         for (const QString& name : names) {
             QVERIFY2(svg.contains(name), qPrintable(name));
         }
         QVERIFY(!svg.contains(QChar(0x2026)));
+    }
+
+    void numbers_at_the_axes_have_a_true_minus() {
+        RoundPlot square;
+        square.polar = false;
+        square.reach = 1.2;
+        square.series.push_back({.name = {}, .color = Qt::blue, .x = {-1, 1}, .y = {-1, 1}});
+        const QString svg = svgOf(square);
+        for (const char* number : {">−1.2<", ">−0.6<", ">0.0<", ">0.6<", ">1.2<"}) {
+            QVERIFY2(QString(svg)
+                         .remove(QRegularExpression("\\s+(?=<)|(?<=>)\\s+"))
+                         .contains(QString::fromUtf8(number)),
+                     number);
+        }
+        RoundPlot polar = square;
+        polar.polar = true;
+        polar.reach = 0.016;
+        const QString radii = svgOf(polar);
+        QVERIFY(radii.contains("0.008") && radii.contains("0.016") && radii.contains("315°"));
     }
 
     // Colours are those of recordings.
