@@ -8,12 +8,14 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QResizeEvent>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -36,7 +38,8 @@ HistoryChoices::HistoryChoices(QWidget* parent)
       axis_label_(new QLabel(this)),
       axis_(new QComboBox(this)),
       baseline_label_(new QLabel(this)),
-      baseline_(new QSpinBox(this)) {
+      baseline_(new QSpinBox(this)),
+      grid_(new QGridLayout(this)) {
     gyro_->setObjectName(QStringLiteral("historyGyro"));
     gyro_->addItem(QString());
     parameter_->setObjectName(QStringLiteral("historyParameter"));
@@ -59,18 +62,10 @@ HistoryChoices::HistoryChoices(QWidget* parent)
     parameter_label_->setBuddy(parameter_);
     axis_label_->setBuddy(axis_);
     baseline_label_->setBuddy(baseline_);
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->addWidget(gyro_label_, 0, 0);
-    grid->addWidget(gyro_, 0, 1);
-    grid->addWidget(parameter_label_, 0, 2);
-    grid->addWidget(parameter_, 0, 3);
-    grid->addWidget(axis_label_, 1, 0);
-    grid->addWidget(axis_, 1, 1);
-    grid->addWidget(baseline_label_, 1, 2);
-    grid->addWidget(baseline_, 1, 3);
-    grid->setColumnStretch(1, 1);
-    grid->setColumnStretch(3, 1);
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setColumnStretch(1, 1);
+    grid_->setColumnStretch(3, 1);
+    place(2);
     connect(gyro_, &QComboBox::activated, this, &HistoryChoices::dataWanted);
     connect(parameter_, &QComboBox::currentIndexChanged, this, &HistoryChoices::dataWanted);
     connect(axis_, &QComboBox::currentIndexChanged, this, &HistoryChoices::axisChanged);
@@ -121,6 +116,31 @@ void HistoryChoices::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    }
+}
+
+// So many choices stand beside each other.
+void HistoryChoices::place(int in_a_row) {
+    in_a_row_ = in_a_row;
+    const std::array<std::pair<QWidget*, QWidget*>, 4> choices{{{gyro_label_, gyro_},
+                                                                {parameter_label_, parameter_},
+                                                                {axis_label_, axis_},
+                                                                {baseline_label_, baseline_}}};
+    for (int k = 0; const auto& [label, choice] : choices) {
+        for (QWidget* part : {label, choice}) {
+            grid_->removeWidget(part);
+        }
+        grid_->addWidget(label, k / in_a_row, 2 * (k % in_a_row));
+        grid_->addWidget(choice, k / in_a_row, 2 * (k % in_a_row) + 1);
+        ++k;
+    }
+}
+
+void HistoryChoices::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    constexpr int wide = 1000;
+    if (const int in_a_row = event->size().width() >= wide ? 4 : 2; in_a_row != in_a_row_) {
+        place(in_a_row);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QSpinBox;
 
@@ -37,8 +38,10 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void place(int in_a_row);
     void retranslate();
 
     std::vector<StoredGyro> gyros_;
@@ -50,6 +53,8 @@ private:
     QComboBox* axis_;
     QLabel* baseline_label_;
     QSpinBox* baseline_;
+    QGridLayout* grid_;
+    int in_a_row_ = 0;
 };
 
 }  // namespace vybeg::ui

@@ -157,6 +157,24 @@ private slots:
         QVERIFY(!page().isVisible() && !the<QTabBar>("pages").isVisible());
     }
 
+    // Beside each other where there is room.
+    void the_choices_take_no_more_rows_than_they_need() {
+        open(database("rows.db", 8));
+        const std::array<const QWidget*, 4> choices{
+            &the<QComboBox>("historyGyro"), &the<QComboBox>("historyParameter"),
+            &the<QComboBox>("historyAxis"), &the<QSpinBox>("historyBaseline")};
+        for (const auto& [width, rows] : {std::pair{1280, 1}, std::pair{800, 2}}) {
+            window_->resize(width, 720);
+            const auto taken = [&] {
+                return choices.back()->y() > choices.front()->geometry().bottom() ? 2 : 1;
+            };
+            QTRY_COMPARE(taken(), rows);
+            for (const QWidget* choice : choices) {
+                VYBEG_AT_LEAST(choice->width(), choice->minimumSizeHint().width());
+            }
+        }
+    }
+
     // Open it, look at all gyros, choose one, find what lies outside, choose a point.
     void a_journey_to_a_result_outside_the_limits() {
         open(database("journey.db", 120, 3, 90));
