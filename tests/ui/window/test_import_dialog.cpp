@@ -1,5 +1,6 @@
 // The import dialog driven as a person drives it: choices, preview, opening, what is remembered.
 #include "core/recording/bytes/byte_order.h"
+#include "core/recording/open/open_recording.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
@@ -182,6 +183,19 @@ private slots:
         given.join = {"/data, old/2.csv"};
         show(path, given);
         QCOMPARE(dialog_->options().join, given.join);
+    }
+
+    void named_pieces_are_one_recording() {
+        const QString first = home_.recording("first.wav");
+        home_.recording("second.wav");
+        show(first);
+        QTRY_VERIFY(openButton().isEnabled());
+        type("join", "second.wav");
+        QTRY_VERIFY(openButton().isEnabled());
+        const auto alone = open_recording(first.toStdU16String(), {}, JobControl());
+        const auto both = open_recording(first.toStdU16String(), dialog_->options(), JobControl());
+        QVERIFY(alone && both);
+        QCOMPARE(both->source->frames(), 2 * alone->source->frames());
     }
 
     void another_delimiter_is_another_preview() {
