@@ -35,13 +35,14 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
         if (isValid()) {
             setRefusal({});
         }
+        makeRoom();
         update();
     });
 }
 
 void NumberField::setUnit(const QString& unit) {
     unit_ = unit;
-    setTextMargins(0, 0, unitWidth(), 0);
+    makeRoom();
     updateGeometry();
     update();
 }
@@ -208,6 +209,21 @@ void NumberField::changeEvent(QEvent* event) {
     }
 }
 
+void NumberField::setPlaceholderText(const QString& text) {
+    QLineEdit::setPlaceholderText(text);
+    makeRoom();
+}
+
+// No unit after a placeholder in words ("as the window"), which needs the room itself.
+bool NumberField::showsUnit() const {
+    return !unit_.isEmpty() && (!text().isEmpty() || placeholderText().isEmpty() ||
+                                readNumber(placeholderText()).has_value());
+}
+
+void NumberField::makeRoom() {
+    setTextMargins(0, 0, showsUnit() ? unitWidth() : 0, 0);
+}
+
 int NumberField::unitWidth() const {
     return unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit_) + 6;
 }
@@ -221,10 +237,7 @@ QSize NumberField::minimumSizeHint() const {
 void NumberField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
     QPainter painter(this);
-    // No unit after a placeholder in words ("as the window").
-    const QString& placeholder = placeholderText();
-    if (!unit_.isEmpty() &&
-        (!text().isEmpty() || placeholder.isEmpty() || readNumber(placeholder))) {
+    if (showsUnit()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);
     }

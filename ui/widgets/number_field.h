@@ -24,6 +24,7 @@ public:
     explicit NumberField(QWidget* parent = nullptr);
 
     void setUnit(const QString& unit);
+    void setPlaceholderText(const QString& text);  // hides that of QLineEdit
     QString unit() const { return unit_; }
     // Inclusive limits, in the unit of the field.
     void setLimits(double lowest, double highest);
@@ -72,6 +73,8 @@ private:
     bool isForTheWindow(const QKeyEvent& key) const;
     void setRefusal(const QString& sentence);
     void showValue();
+    bool showsUnit() const;
+    void makeRoom();
     int unitWidth() const;
 
     QString unit_;

@@ -18,6 +18,7 @@ struct WidgetColors {
     const char* button;
     const char* text;
     const char* disabled;
+    const char* placeholder;  // the values that are in effect where nothing is typed, and units
     const char* highlight;
     const char* highlightedText;
     const char* link;
@@ -32,7 +33,7 @@ QPalette makePalette(const WidgetColors& colors) {
     palette.setColor(QPalette::Base, QColor(colors.base));
     palette.setColor(QPalette::AlternateBase, QColor(colors.alternate));
     palette.setColor(QPalette::Text, QColor(colors.text));
-    palette.setColor(QPalette::PlaceholderText, QColor(colors.disabled));
+    palette.setColor(QPalette::PlaceholderText, QColor(colors.placeholder));
     palette.setColor(QPalette::Button, QColor(colors.button));
     palette.setColor(QPalette::ButtonText, QColor(colors.text));
     palette.setColor(QPalette::BrightText, QColor("#ffffff"));
@@ -48,7 +49,8 @@ QPalette makePalette(const WidgetColors& colors) {
     palette.setColor(QPalette::Dark, QColor(colors.dark));
     palette.setColor(QPalette::Shadow, QColor(colors.dark).darker(150));
     for (const QPalette::ColorRole role :
-         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText}) {
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText,
+          QPalette::PlaceholderText}) {
         palette.setColor(QPalette::Disabled, role, QColor(colors.disabled));
     }
     palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(colors.dark));
@@ -91,7 +93,7 @@ double luminance(const QColor& color) {
 Theme lightTheme() {
     Theme theme;
     theme.palette = makePalette({"#f1f3f5", "#ffffff", "#f6f7f9", "#f7f8fa", "#1b1f24", "#8b939c",
-                                 "#0a66b0", "#ffffff", "#0a5a9c", "#ffffff", "#b9c0c7"});
+                                 "#5c6570", "#0a66b0", "#ffffff", "#0a5a9c", "#ffffff", "#b9c0c7"});
     theme.plotBackground = QColor("#ffffff");
     theme.panelBackground = QColor("#ffffff");
     theme.axis = QColor("#8a929b");
@@ -115,7 +117,7 @@ Theme darkTheme() {
     Theme theme;
     theme.dark = true;
     theme.palette = makePalette({"#26292d", "#1c1e21", "#222529", "#303439", "#e2e5e9", "#7d858e",
-                                 "#2f7fc4", "#ffffff", "#6cb2ee", "#454a50", "#15171a"});
+                                 "#9aa3ac", "#2f7fc4", "#ffffff", "#6cb2ee", "#454a50", "#15171a"});
     theme.plotBackground = QColor("#1c1e21");
     theme.panelBackground = QColor("#1c1e21");
     theme.axis = QColor("#737b84");

@@ -1,3 +1,4 @@
+#include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "ui/widgets/number_field.h"
 
@@ -13,6 +14,21 @@ class TestNumberField : public QObject {
     Q_OBJECT
 
 private slots:
+    void a_placeholder_in_words_has_the_room_of_the_unit() {
+        NumberField field;
+        field.setUnit("samples");
+        const int room = field.textMargins().right();
+        VYBEG_MORE(room, field.fontMetrics().horizontalAdvance("samples"));
+        field.setPlaceholderText("= window");
+        QCOMPARE(field.textMargins().right(), 0);
+        QTest::keyClicks(&field, "30");
+        QCOMPARE(field.textMargins().right(), room);
+        field.clear();
+        QCOMPARE(field.textMargins().right(), 0);
+        field.setPlaceholderText("60");
+        QCOMPARE(field.textMargins().right(), room);
+    }
+
     void init() { QLocale::setDefault(QLocale(QLocale::English)); }
 
     void reads_point_and_comma_in_every_language_data() {

@@ -32,6 +32,9 @@ private slots:
             VYBEG_AT_LEAST(contrast(theme.warning, theme.panelBackground), 3);
             const QPalette& p = theme.palette;
             VYBEG_AT_LEAST(contrast(p.color(QPalette::Text), p.color(QPalette::Base)), 7);
+            // The carrier that was found, the range, assumed tolerances.
+            VYBEG_AT_LEAST(contrast(p.color(QPalette::PlaceholderText), p.color(QPalette::Base)),
+                           4.5);
             VYBEG_AT_LEAST(contrast(p.color(QPalette::ButtonText), p.color(QPalette::Button)), 7);
             VYBEG_AT_LEAST(
                 contrast(p.color(QPalette::HighlightedText), p.color(QPalette::Highlight)), 4);
