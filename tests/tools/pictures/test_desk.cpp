@@ -21,10 +21,10 @@ struct LeastShare {
 };
 
 // Of the frames of the five plots, and what nothing is drawn in, by the size of the window.
-const std::map<QString, LeastShare> bounds{{"1280x720", {0.50, 0.10}},
-                                           {"1600x1000", {0.52, 0.11}},
-                                           {"1920x1080", {0.55, 0.11}},
-                                           {"2560x1440", {0.60, 0.11}}};
+const std::map<QString, LeastShare> bounds{{"1280x720", {0.50, 0.095}},
+                                           {"1600x1000", {0.52, 0.105}},
+                                           {"1920x1080", {0.55, 0.105}},
+                                           {"2560x1440", {0.60, 0.10}}};
 
 }  // namespace
 
