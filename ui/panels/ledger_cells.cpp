@@ -94,10 +94,11 @@ std::pair<QString, QString> trendCell(const LedgerReader& reader, const Analysis
     if (text.isEmpty() && measuring.both()) {
         if (isInside(analysis, measuring.a_s) && isInside(analysis, measuring.b_s)) {
             const auto& trends = reader.trends.of(entry->shown.id);
-            QString all =
-                measuredSentences(reader.document, *entry, measuring, trends, reader.units)
-                    .join(QStringLiteral("<br>"));
-            return {trendSummary(measuring.kind, trends, reader.units), richTip(all)};
+            QStringList sentences =
+                measuredSentences(reader.document, *entry, measuring, trends, reader.units);
+            std::ranges::transform(sentences, sentences.begin(), richText);
+            return {trendSummary(measuring.kind, trends, reader.units),
+                    QStringLiteral("<p>%1</p>").arg(sentences.join(QStringLiteral("<br>")))};
         }
         text = CellWords::tr("no windows there");
     }

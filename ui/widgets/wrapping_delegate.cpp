@@ -26,7 +26,6 @@ void prepare(QTextDocument& document, const QString& text, const QFont& font) {
 
 QString WrappingDelegate::unbroken(QString text) {
     return text.replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
-        .replace(QChar(0x202f), QChar(0x00a0))  // Qt breaks lines at the narrow one
         .replace(QStringLiteral("± "), QStringLiteral("±\u00a0"))
         .replace(QStringLiteral("(u "), QStringLiteral("(u\u00a0"));
 }

@@ -24,7 +24,8 @@ QFont inPixels(QFont font) {
 QString richText(const QString& text) {
     QString html;
     for (const IndexTextPiece& piece : indexPieces(text)) {
-        const QString escaped = piece.text.toHtmlEscaped();
+        // Qt breaks lines at the narrow space between groups of digits.
+        const QString escaped = piece.text.toHtmlEscaped().replace(QChar(0x202f), QChar(0x00a0));
         html += piece.index ? QStringLiteral("<sub>%1</sub>").arg(escaped) : escaped;
     }
     return html;

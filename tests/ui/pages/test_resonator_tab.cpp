@@ -15,6 +15,7 @@
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/window/file_commands.h"
+#include "ui/words/rich_text.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -141,8 +142,11 @@ private slots:
         QVERIFY(split.given());
         const QString value = valueText(split.value, split.uncertainty());
         const QTreeWidgetItem& row = *ledger.currentItem();
-        QVERIFY2(row.toolTip(Ledger::trend).contains(value),
+        QVERIFY2(row.toolTip(Ledger::trend).contains(richText(value)),
                  qPrintable(row.toolTip(Ledger::trend)));
+        // The sentences stand below each other.
+        QVERIFY(row.toolTip(Ledger::trend).contains("<br>") &&
+                !row.toolTip(Ledger::trend).contains("&lt;"));
         ledger.setTrendKind(TrendKind::line);
         ledger.setCursors({}, {});
     }

@@ -191,6 +191,8 @@ private slots:
                                                    {QStringLiteral("⟩"), false}};
         QVERIFY(indexPieces(QStringLiteral("⟨S_A S_B⟩")) == expected);
         QCOMPARE(richText(QStringLiteral("Δφ_CD")), QStringLiteral("Δφ<sub>CD</sub>"));
+        // No line breaks inside a number.
+        QCOMPARE(richText(numberLabel(12345, 0)), QStringLiteral("12\u00a0345"));
         for (const char* name : {"s1_0.wav", "a_1.wav: 3 s", "run_2", "my_long_name", "a_", "s_1",
                                  "a_b: the mean", "gyro g_2, set f_1", "a_A.wav", "A_B_C"}) {
             QCOMPARE(richText(QString::fromLatin1(name)), QString::fromLatin1(name));
