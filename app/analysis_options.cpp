@@ -3,10 +3,12 @@
 #include "app/option_values.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
+#include "core/base/read_value.h"
 #include "core/batch/limits.h"
 #include "core/recording/samples/open_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -73,6 +75,68 @@ void add_column_options(CLI::App& app, std::string& columns, double& rad_per_ang
                   }
                   rad_per_angle_unit = text == "rad" ? 1 : std::numbers::pi / 180;
               });
+}
+
+void add_phasor_options(CLI::App& app, PhasorChoice& choice) {
+    add_value(app, "--phasors", "fixed|common|pll",
+              "The files are logs of a lock-in or a phasemeter, with the columns Xc,Yc,Xd,Yd: "
+              "relative to one frequency, to an oscillator that moves (column F or P), or each "
+              "channel to its own phase (Pc,Pd)",
+              [&choice](const auto& option, const auto& text) {
+                  for (const PhasorFrame frame :
+                       {PhasorFrame::fixed, PhasorFrame::common, PhasorFrame::pll}) {
+                      if (text == frame_name(frame)) {
+                          choice.frame = frame;
+                          return;
+                      }
+                  }
+                  reject(option, text, "it is fixed, common or pll");
+              });
+    CLI::Option* const phasors = app.get_option("--phasors");
+    add_value(app, "--f-ref", "HZ",
+              "With --phasors: frequency of the reference (default: of the file)",
+              [&choice](const auto& option, const auto& text) {
+                  const auto f_hz = number_with_unit(text, "Hz");
+                  if (!f_hz || !(*f_hz > 0 && *f_hz < 1e12)) {
+                      reject(option, text, "it is a frequency above zero");
+                  }
+                  choice.f_ref_hz = *f_hz;
+              })
+        ->needs(phasors);
+    add_value(app, "--y-sign", "+|-",
+              "With --phasors: the signal is Re((X + iY) e^iwt) or Re((X - iY) e^iwt)",
+              [&choice](const auto& option, const auto& text) {
+                  if (text != "+" && text != "-") {
+                      reject(option, text, "it is + or -");
+                  }
+                  choice.y_sign = text == "+" ? 1 : -1;
+              })
+        ->needs(phasors);
+    add_value(app, "--amplitude", "peak|rms", "With --phasors: what sqrt(X^2 + Y^2) is",
+              [&choice](const auto& option, const auto& text) {
+                  if (text != "peak" && text != "rms") {
+                      reject(option, text, "it is peak or rms");
+                  }
+                  choice.peak_per_unit = text == "peak" ? 1 : std::numbers::sqrt2;
+              })
+        ->needs(phasors);
+    add_value(
+        app, "--lock-in", "ORDER,BW",
+        "With --phasors: RC stages of the lock-in's filter, 1 to 8, and its 3 dB bandwidth, Hz "
+        "(default: none)",
+        [&choice](const auto& option, const auto& text) {
+            const std::size_t comma = std::min(text.find(','), text.size());
+            const auto order = number_with_unit(text.substr(0, comma), "");
+            const auto bandwidth =
+                number_with_unit(comma < text.size() ? text.substr(comma + 1) : "", "Hz");
+            if (!order || !bandwidth || *order != std::floor(*order) || *order < 1 || *order > 8 ||
+                !(*bandwidth > 0 && *bandwidth < 1e9)) {
+                reject(option, text, "it is an order from 1 to 8 and a bandwidth, e.g. 4,20Hz");
+            }
+            choice.order = static_cast<int>(*order);
+            choice.bandwidth_hz = *bandwidth;
+        })
+        ->needs(phasors);
 }
 
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings) {

@@ -32,6 +32,9 @@ void add_identify_options(CLI::App& app, IdentifySettings& settings);
 void add_column_options(CLI::App& app, std::string& columns, double& rad_per_angle_unit,
                         const std::string& roles);
 
+// How logs of phasors were made: --phasors, --f-ref, --y-sign, --amplitude, --lock-in.
+void add_phasor_options(CLI::App& app, PhasorChoice& choice);
+
 // --tolerance alone, for the window and its report. `settings` must outlive the parse.
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings);
 

@@ -1454,6 +1454,10 @@
         <translation>Не удалось подогнать резонатор к %1: %2.</translation>
     </message>
     <message>
+        <source>%1: %2 of phasors is less than four times the split of %3, so that the motion may be folded. Log them at a higher rate.</source>
+        <translation>%1: частота записи комплексных амплитуд %2 меньше четырёх разночастотностей (%3), движение может быть искажено наложением частот. Записывайте чаще.</translation>
+    </message>
+    <message>
         <source>Recording %1: the frequency drifts by %2 Hz per second (standard deviation %3); the drift is fitted, and Q is free of it.</source>
         <translation>Запись %1: частота уходит на %2 Гц в секунду (стандартное отклонение %3); уход включён в подгонку, и добротность от него не зависит.</translation>
     </message>

@@ -62,6 +62,7 @@ enum class ErrorCode {
     fit_beat_too_fast,        // args: two lines (Hz), least window at this carrier
     fit_too_few_windows,      // args: usable windows, least number
     fit_failed,               // args: reason
+    phasors_fold,             // args: rate of the phasors, split (Hz)
     conditions_differ,        // args: condition, its value, another. In one set of recordings.
     turn_too_short,           // args: turn of the wave in degrees. Of a whole-angle log.
     same_recording,           // args: the other recording with the same samples

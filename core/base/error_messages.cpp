@@ -302,6 +302,11 @@ MessageRow message_row(ErrorCode code) {
         case ErrorCode::fit_failed:
             return {"fit-failed", impossible,
                     VYBEG_MESSAGE("Message", "The resonator cannot be fitted to %1: %2.")};
+        case ErrorCode::phasors_fold:
+            return {"phasors-fold", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: %2 of phasors is less than four times the split of %3, so "
+                                  "that the motion may be folded. Log them at a higher rate.")};
         case ErrorCode::conditions_differ:
             return {"conditions-differ", impossible,
                     VYBEG_MESSAGE("Message",

@@ -259,6 +259,9 @@ Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& 
     if (says({"rad", "radians", "рад"})) {
         return half;
     }
+    if (says({"cyc", "cycles", "turns"})) {
+        return half * 2 * std::numbers::pi;
+    }
     if (says({"deg", "degrees", "°", "град"})) {
         return half * std::numbers::pi / 180;
     }
