@@ -4387,9 +4387,6 @@
         <source>it names %1, with commas between them, each with =COLUMN where the file calls it otherwise</source>
         <translation>перечисляются через запятую %1, каждое с =СТОЛБЕЦ, если в файле он назван иначе</translation>
     </message>
-</context>
-<context>
-    <name>vybeg::ui::AnalysisList</name>
     <message>
         <source>sample rates</source>
         <translation>частоты дискретизации</translation>

@@ -259,7 +259,7 @@ RecordingRef read_input(const Node& json) {
             .start = json.at("start").text(),
             .seconds = json.at("seconds").number(),
             .rate_hz = json.at("rate_hz").number(),
-            .f0_hz = json.at("f0_hz").number()};
+            .f0_hz = json.at("f0_hz").number_or_nan()};
 }
 
 RunTrack read_track(const Node& json) {

@@ -58,7 +58,7 @@ private slots:
                                          folder_.path());
             QCOMPARE(made.status, 0);
             recordings_ << name + ".wav";
-            for (const QString& ending : {"csv", "npz"}) {
+            for (const QString ending : {"csv", "npz"}) {
                 QCOMPARE(run_cli({"analyze", name + ".wav", "-o", name + "." + ending, "--window",
                                   "500"},
                                  folder_.path())
@@ -82,20 +82,20 @@ private slots:
             QCOMPARE(tracks.status, 0);
             const QJsonObject found = json_of(tracks)["resonator"].toObject();
             int compared = 0;
-            for (const QString& name : {"split_hz", "theta_w_rad", "tau_s",
-                                        "damping_anisotropy_per_s", "angle_rate_rad_s"}) {
+            for (const QString name : {"split_hz", "theta_w_rad", "tau_s",
+                                       "damping_anisotropy_per_s", "angle_rate_rad_s"}) {
                 const QJsonObject there = expected[name].toObject();
                 const QJsonObject here = found[name].toObject();
                 if (there["value"].isDouble()) {
                     QVERIFY2(here["value"].isDouble(),
                              qPrintable(name + here["reason"].toString()));
                     VYBEG_LESS(std::abs(here["value"].toDouble() - there["value"].toDouble()),
-                               there["sd"].toDouble(), name.toStdString());
+                               there["sd"].toDouble(), qPrintable(name));
                     ++compared;
                 }
             }
             VYBEG_AT_LEAST(compared, 4);
-            for (const QString& name : {"f_mean_hz", "q"}) {
+            for (const QString name : {"f_mean_hz", "q"}) {
                 QVERIFY(found[name].toObject()["value"].isNull());
                 QVERIFY(found[name].toObject()["reason"].toString().contains("no phase"));
             }

@@ -125,8 +125,8 @@ QString resultSection(const ReportContent& content) {
     if (!content.limits.empty()) {
         columns << reportText(QT_TRANSLATE_NOOP("Report", "Limits"));
     }
-    text += quantityTables(columns, resultRows(found, content.units, content.limits),
-                           columns.size());
+    text +=
+        quantityTables(columns, resultRows(found, content.units, content.limits), columns.size());
     if (const QString verdict = verdictText(content); !verdict.isEmpty()) {
         text += QStringLiteral("<p><b>%1</b></p>").arg(richText(verdict));
     }

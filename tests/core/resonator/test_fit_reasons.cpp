@@ -31,7 +31,7 @@ private slots:
 
 void TestFitReasons::everyReasonHasASentenceAndAName() {
     std::set<std::string> names;
-    for (int k = 0; k <= static_cast<int>(ReasonCode::not_converged); ++k) {
+    for (int k = 0; k <= static_cast<int>(ReasonCode::effort_axis_apart); ++k) {
         const auto code = static_cast<ReasonCode>(k);
         QVERIFY(names.insert(reason_name(code)).second);
         QVERIFY(!reason_name(code).empty());
