@@ -193,6 +193,15 @@ MessageRow message_row(ErrorCode code) {
                               "with --columns."),
                 VYBEG_MESSAGE("Message",
                               "%1: there is no column \"%2\"; the file has %3. Name others.")};
+        case ErrorCode::holds_phasors:
+            return {"holds-phasors", unreadable,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 holds phasors of a phasemeter or a lock-in, no samples. Name "
+                                  "what they refer to: vybeg-cli identify %1 --phasors pll, or "
+                                  "fixed or common, with --y-sign and --amplitude."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1 holds phasors of a phasemeter or a lock-in, no samples. The "
+                                  "window does not read them; vybeg-cli identify --phasors does.")};
         case ErrorCode::angle_unit_unknown:
             return {"angle-unit-unknown", bad_input,
                     VYBEG_MESSAGE("Message",
