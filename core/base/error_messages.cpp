@@ -194,7 +194,7 @@ MessageRow message_row(ErrorCode code) {
                 VYBEG_MESSAGE("Message",
                               "%1: there is no column \"%2\"; the file has %3. Name others.")};
         case ErrorCode::holds_phasors:
-            return {"holds-phasors", unreadable,
+            return {"holds-phasors", bad_input,
                     VYBEG_MESSAGE("Message",
                                   "%1 holds phasors of a phasemeter or a lock-in, no samples. Name "
                                   "what they refer to: vybeg-cli identify %1 --phasors pll, or "
