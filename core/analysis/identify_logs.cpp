@@ -4,6 +4,7 @@
 #include "core/base/read_value.h"
 #include "core/numerics/median.h"
 #include "core/resonator/results/power_fit.h"
+#include "core/resonator/runs/wave_uncertainty.h"
 
 #include <limits>
 #include <utility>

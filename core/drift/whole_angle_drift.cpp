@@ -171,6 +171,7 @@ void put_together(WholeAngleDrift& found) {
         }
     }
     std::vector<LogDrift> logs;
+    logs.reserve(used.size());
     for (const LogDrift* log : used) {
         logs.push_back(*log);
     }

@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/values/ids.h"
 
+#include <QFrame>
 #include <QToolButton>
 
 class QLabel;

@@ -299,9 +299,9 @@ void Ledger::measure() {
     std::vector<TrendCurve> curves;
     const AnalysisEntry* chosen = document_.analysis(currentAnalysis());
     if (chosen && chosen->shown.visible) {
-        for (const FittedTrend& trend : trends_.of(chosen->shown.id)) {
+        for (const FittedTrend& fitted : trends_.of(chosen->shown.id)) {
             curves.push_back(
-                curveOf(*chosen->shown.analysis, trend, *measuring_.a_s, *measuring_.b_s, units_));
+                curveOf(*chosen->shown.analysis, fitted, *measuring_.a_s, *measuring_.b_s, units_));
             curves.back().of = chosen->shown.id;
         }
     }
@@ -337,6 +337,7 @@ void Ledger::fillCells() {
 void Ledger::fillVariable(int column, bool concise) {
     const SlowVariable variable = variables_[static_cast<std::size_t>(column - first_variable)];
     std::vector<const AnalysisEntry*> rows;
+    rows.reserve(static_cast<std::size_t>(topLevelItemCount()));
     for (int row = 0; row < topLevelItemCount(); ++row) {
         rows.push_back(document_.analysis(analysisIdOf(*topLevelItem(row))));
     }

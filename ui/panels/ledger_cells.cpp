@@ -64,6 +64,7 @@ QString headOf(const LedgerReader& reader, SlowVariable variable, int exponent) 
 CellColumn variableColumn(const LedgerReader& reader, const std::vector<const AnalysisEntry*>& rows,
                           SlowVariable variable, bool concise) {
     std::vector<Reading> readings;
+    readings.reserve(rows.size());
     for (const AnalysisEntry* entry : rows) {
         readings.push_back(read(reader, entry, variable));
     }

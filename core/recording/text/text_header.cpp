@@ -74,7 +74,7 @@ public:
           named_(static_cast<std::size_t>(above.named)),
           first_unnamed_(above.first_unnamed),
           first_is_time_(above.first_is_time) {
-        header_.columns.resize(static_cast<std::size_t>(above.columns + above.behind));
+        header_.columns.resize(table_columns_ + static_cast<std::size_t>(above.behind));
     }
 
     TextHeader run() {

@@ -61,8 +61,8 @@ public:
         return fitted_size(problem_, main_.p, each);
     }
 
-    // Whether the fit has converged, the runs agree, the residual has the size of the noise, and the
-    // channel errors lie within three of their tolerances.
+    // Whether the fit has converged, the runs agree, the residual has the size of the noise, and
+    // the channel errors lie within three of their tolerances.
     bool explains() const;
 
     FittedMotion motion() const { return motion_of(solved()); }

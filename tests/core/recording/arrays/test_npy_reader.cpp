@@ -1,3 +1,4 @@
+#include "core/recording/bytes/byte_order.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/damaged_files.h"
 #include "tests/core/recording/python_script.h"

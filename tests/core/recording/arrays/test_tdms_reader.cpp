@@ -1,3 +1,4 @@
+#include "tests/closeness.h"
 #include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/test_registry.h"
