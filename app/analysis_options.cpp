@@ -77,6 +77,28 @@ void add_column_options(CLI::App& app, std::string& columns, double& rad_per_ang
               });
 }
 
+LockIn lock_in_value(const std::string& option, const std::string& text, double* rate_hz) {
+    const std::vector<std::string> parts = CLI::detail::split(text, ',');
+    const std::size_t count = rate_hz == nullptr ? 2 : 3;
+    std::vector<std::optional<double>> numbers;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        numbers.push_back(number_with_unit(parts[k], k == 0 ? "" : "Hz"));
+    }
+    const bool known = parts.size() == count && std::ranges::all_of(numbers, [](const auto& x) {
+                           return x && *x > 0 && *x < 1e9;
+                       });
+    if (!known || *numbers[0] != std::floor(*numbers[0]) || *numbers[0] > 8) {
+        reject(option, text,
+               rate_hz == nullptr
+                   ? "it is an order from 1 to 8 and a bandwidth, e.g. 4,20Hz"
+                   : "it is an order from 1 to 8, a bandwidth and a rate, e.g. 4,20Hz,200Hz");
+    }
+    if (rate_hz != nullptr) {
+        *rate_hz = *numbers[2];
+    }
+    return {static_cast<int>(*numbers[0]), *numbers[1]};
+}
+
 void add_phasor_options(CLI::App& app, PhasorChoice& choice) {
     add_value(app, "--phasors", "fixed|common|pll",
               "The files are logs of a lock-in or a phasemeter, with the columns Xc,Yc,Xd,Yd: "
@@ -125,16 +147,7 @@ void add_phasor_options(CLI::App& app, PhasorChoice& choice) {
         "With --phasors: RC stages of the lock-in's filter, 1 to 8, and its 3 dB bandwidth, Hz "
         "(default: none)",
         [&choice](const auto& option, const auto& text) {
-            const std::size_t comma = std::min(text.find(','), text.size());
-            const auto order = number_with_unit(text.substr(0, comma), "");
-            const auto bandwidth =
-                number_with_unit(comma < text.size() ? text.substr(comma + 1) : "", "Hz");
-            if (!order || !bandwidth || *order != std::floor(*order) || *order < 1 || *order > 8 ||
-                !(*bandwidth > 0 && *bandwidth < 1e9)) {
-                reject(option, text, "it is an order from 1 to 8 and a bandwidth, e.g. 4,20Hz");
-            }
-            choice.order = static_cast<int>(*order);
-            choice.bandwidth_hz = *bandwidth;
+            choice.filter = lock_in_value(option, text, nullptr);
         })
         ->needs(phasors);
 }

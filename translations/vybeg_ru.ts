@@ -3476,6 +3476,26 @@
 <context>
     <name>Words</name>
     <message>
+        <source>no data show the sign of Y: give --y-sign + or -</source>
+        <translation>знак Y по данным не виден: задайте --y-sign + или -</translation>
+    </message>
+    <message>
+        <source>no data show whether amplitudes are peak values: give --amplitude peak or rms</source>
+        <translation>по данным не видно, амплитудные ли это значения: задайте --amplitude peak или rms</translation>
+    </message>
+    <message>
+        <source>the frequency of the oscillator is missing at %1, so that the phase is lost: cut there with --from or --to, or name a column P</source>
+        <translation>частота генератора пропущена в %1, и фаза потеряна: отрежьте запись здесь через --from или --to или назовите столбец P</translation>
+    </message>
+    <message>
+        <source>it needs the column of the oscillator&apos;s frequency or phase: name it F or P in --columns</source>
+        <translation>нужен столбец частоты или фазы генератора: назовите его F или P в --columns</translation>
+    </message>
+    <message>
+        <source>the frequency of the reference is not in the file: give --f-ref</source>
+        <translation>частоты опоры нет в файле: задайте --f-ref</translation>
+    </message>
+    <message>
         <source>it is a workbook; save the sheet as CSV</source>
         <translation>это книга таблиц; сохраните лист как CSV</translation>
     </message>

@@ -2,6 +2,7 @@
 
 #include "core/analysis/settings.h"
 #include "core/analysis/tolerance.h"
+#include "core/numerics/lock_in.h"
 #include "core/resonator/results/resonator_fit.h"
 
 #include <cstddef>
@@ -40,8 +41,7 @@ struct PhasorChoice {
     double f_ref_hz = 0;       // 0: by the file
     int y_sign = 0;            // 1: X + iY turns as the carrier does, -1: against it; 0: not told
     double peak_per_unit = 0;  // 1, or sqrt(2) of rms values; 0: not told
-    int order = 0;             // of the filter, RC stages; 0: not told
-    double bandwidth_hz = 0;   // of the filter, 3 dB
+    LockIn filter;             // order 0: not told
 
     friend bool operator==(const PhasorChoice&, const PhasorChoice&) = default;
 };

@@ -1,6 +1,8 @@
 #include "core/analysis/phasor_log.h"
 
+#include "core/base/describe.h"
 #include "core/base/read_value.h"
+#include "core/numerics/lock_in.h"
 #include "core/numerics/median.h"
 #include "core/recording/open/log_columns.h"
 #include "core/recording/samples/channel_pair.h"
@@ -26,47 +28,6 @@ constexpr double settled = 3;  // delays of the filter in a window
 constexpr std::size_t least_windows = 100;
 constexpr double least_correlation = 1e-3;
 
-// The filter of a lock-in: RC stages of one time constant.
-struct Filter {
-    int order = 0;
-    double tau_s = 0;
-
-    double delay_s() const { return order * tau_s; }
-
-    // Response to an offset from the reference, without the delay.
-    Complex response(double offset_hz) const {
-        const double w = 2 * pi * offset_hz;
-        return std::polar(1.0, w * delay_s()) / std::pow(Complex(1, w * tau_s), order);
-    }
-
-    // Correlation of white noise behind the filter:
-    //     integral of s^(p-1) (s + x)^(p-1) e^(-2s-x) ds over that of x = 0, x = t / tau.
-    double correlation(double t_s) const {
-        if (order == 0) {
-            return t_s == 0 ? 1 : 0;
-        }
-        const double x = std::abs(t_s) / tau_s;
-        double binomial = 1;
-        double sum = 0;
-        for (int j = 0; j < order; ++j) {
-            sum += binomial * std::pow(x, order - 1 - j) * std::tgamma(order + j) /
-                   std::pow(2.0, order + j);
-            binomial *= static_cast<double>(order - 1 - j) / (j + 1);
-        }
-        const double whole = std::tgamma(2 * order - 1) / std::pow(2.0, 2 * order - 1);
-        return std::exp(-x) * sum / whole;
-    }
-};
-
-Filter filter_of(const PhasorChoice& choice) {
-    if (choice.order == 0) {
-        return {};
-    }
-    // |1 / (1 + i w tau)^p|^2 is a half at the bandwidth.
-    const double stage = std::sqrt(std::pow(2.0, 1.0 / choice.order) - 1);
-    return {choice.order, stage / (2 * pi * choice.bandwidth_hz)};
-}
-
 // Rows relative to f_ref_hz.
 struct Rows {
     double f_ref_hz = 0;
@@ -75,12 +36,18 @@ struct Rows {
     std::vector<Complex> d;
 };
 
-const ColumnRole time_of_phasors{"t", {"t", "t_s", "time", "time_s", "время"}, false};
+double step_of(const Rows& rows) {
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < rows.time_s.size(); ++k) {
+        steps.push_back(rows.time_s[k] - rows.time_s[k - 1]);
+    }
+    return median(std::move(steps));
+}
 
 // Columns of a channel in the table of both.
 std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
     const bool own = frame == PhasorFrame::pll;
-    return {time_of_phasors,
+    return {time_of_log(),
             {"Xc", {"Xc", "Input 1 I", "Input 1 X"}},
             {"Yc", {"Yc", "Input 1 Q", "Input 1 Y"}},
             {"Xd", {"Xd", "Input 2 I", "Input 2 X"}},
@@ -88,15 +55,15 @@ std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
             {"Pc", {"Pc", "Input 1 Phase"}, own},
             {"Pd", {"Pd", "Input 2 Phase"}, own},
             {"F", {"F", "f", "freq", "frequency", "Input 1 Set Frequency"}, false},
-            {"P", {"P", "phase"}, false}};
+            {"P", {"P"}, false}};
 }
 
 // Columns of the table of one channel.
 std::vector<ColumnRole> roles_of_one(PhasorFrame frame) {
-    return {time_of_phasors,
+    return {time_of_log(),
             {"X", {"X", "I"}},
             {"Y", {"Y", "Q"}},
-            {"P", {"P", "phase"}, frame == PhasorFrame::pll},
+            {"P", {"P"}, frame == PhasorFrame::pll},
             {"F", {"F", "f", "freq", "frequency"}, false}};
 }
 
@@ -116,8 +83,8 @@ struct NamedColumns {
 };
 
 Result<NamedColumns> read_columns(const std::filesystem::path& path, const OpenOptions& options,
-                                  const LogChoice& choice, std::vector<ColumnRole> roles,
-                                  const JobControl& job) {
+                                  const LogChoice& choice, const SignalSettings& signal,
+                                  std::vector<ColumnRole> roles, const JobControl& job) {
     NamedColumns columns;
     auto wishes = TRY(column_wishes(choice.names, roles));
     // What is not named may be there by its usual name.
@@ -130,6 +97,8 @@ Result<NamedColumns> read_columns(const std::filesystem::path& path, const OpenO
     }
     columns.wishes = std::move(wishes);
     auto table = TRY(read_log(path, options, columns.wishes, job));
+    TRY(keep_times(path, signal.from_s.value_or(TimeRange{}.from_s),
+                   signal.to_s.value_or(TimeRange{}.to_s), table));
     columns.table = std::move(table);
     return columns;
 }
@@ -159,17 +128,50 @@ Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const
     return phasors;
 }
 
-// The phase of an oscillator whose frequency moves, relative to its mean, which it returns.
-double turn_by_frequency(const LogColumn& frequency, Rows& rows) {
-    std::vector<double> known;
-    std::ranges::copy_if(frequency.values, std::back_inserter(known),
-                         [](double f) { return std::isfinite(f); });
-    const double mean = known.empty() ? 0 : median(known);
+// What the choice does not tell, or tells otherwise than the file.
+Error not_told(const PhasorChoice& choice, const char* what, std::vector<MessageArg> args = {}) {
+    return {ErrorCode::setting_invalid,
+            "",
+            {"--phasors", frame_name(choice.frame), words(what, std::move(args))}};
+}
+
+Status check_told(const PhasorChoice& choice) {
+    if (choice.y_sign == 0) {
+        return not_told(choice, VYBEG_MESSAGE("Words",
+                                              "no data show the sign of Y: give --y-sign + "
+                                              "or -"));
+    }
+    if (choice.peak_per_unit == 0) {
+        return not_told(choice, VYBEG_MESSAGE("Words",
+                                              "no data show whether amplitudes are peak values: "
+                                              "give --amplitude peak or rms"));
+    }
+    return {};
+}
+
+// Phase of an oscillator whose frequency moves, relative to its mean, which it returns: integral of
+// the cubic through four rows, at the ends of the straight line through two.
+Result<double> turn_by_frequency(const PhasorChoice& choice, const LogColumn& frequency,
+                                 Rows& rows) {
+    const std::vector<double>& f = frequency.values;
+    const std::vector<double>& t = rows.time_s;
+    const double step_s = step_of(rows);
+    const double mean = median(f);
     double turns = 0;
-    for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        if (!std::isfinite(f[k]) || (k > 0 && t[k] - t[k - 1] > 1.5 * step_s)) {
+            return not_told(choice,
+                            VYBEG_MESSAGE("Words",
+                                          "the frequency of the oscillator is missing at %1, so "
+                                          "that the phase is lost: cut there with --from or --to, "
+                                          "or name a column P"),
+                            {number_arg(t[k], 7, "s")});
+        }
         if (k > 0) {
-            turns += (rows.time_s[k] - rows.time_s[k - 1]) *
-                     ((frequency.values[k] + frequency.values[k - 1]) / 2 - mean);
+            const double straight = (f[k] + f[k - 1]) / 2;
+            const double bent =
+                k > 1 && k + 1 < t.size() ? (f[k] + f[k - 1] - f[k - 2] - f[k + 1]) / 24 : 0;
+            turns += (t[k] - t[k - 1]) * (straight + bent - mean);
         }
         const Complex turn = std::polar(1.0, 2 * pi * turns);
         rows.c[k] *= turn;
@@ -178,31 +180,15 @@ double turn_by_frequency(const LogColumn& frequency, Rows& rows) {
     return mean;
 }
 
-Error not_told(const PhasorChoice& choice, const char* what) {
-    return refused_value("--phasors", frame_name(choice.frame), what);
-}
-
-Status check_told(const PhasorChoice& choice) {
-    if (choice.y_sign == 0) {
-        return not_told(choice, "no data show the sign of Y: give --y-sign + or -");
-    }
-    if (choice.peak_per_unit == 0) {
-        return not_told(choice,
-                        "no data show whether amplitudes are peak values: give --amplitude peak "
-                        "or rms");
-    }
-    return {};
-}
-
 // The reference of the rows, whose phasors it turns where it moves.
 Status refer(const LogColumn* frequency, const LogColumn* phase, const std::filesystem::path& path,
              const LogChoice& choice, Rows& rows) {
     const PhasorChoice& how = choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
     if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
-        return not_told(how,
-                        "it needs the column of the oscillator's frequency or phase: name it "
-                        "F or P in --columns");
+        return not_told(how, VYBEG_MESSAGE("Words",
+                                           "it needs the column of the oscillator's frequency or "
+                                           "phase: name it F or P in --columns"));
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
@@ -212,21 +198,25 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
             rows.d[k] *= turn;
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {
-        rows.f_ref_hz = turn_by_frequency(*frequency, rows);
+        const double mean_hz = TRY(turn_by_frequency(how, *frequency, rows));
+        rows.f_ref_hz = mean_hz;
     } else if (frequency != nullptr && rows.f_ref_hz == 0) {
         rows.f_ref_hz = median(frequency->values);
     }
     if (!(rows.f_ref_hz > 0)) {
-        return not_told(how, "the frequency of the reference is not in the file: give --f-ref");
+        return not_told(
+            how, VYBEG_MESSAGE("Words",
+                               "the frequency of the reference is not in the file: give --f-ref"));
     }
     return {};
 }
 
 Result<Rows> rows_of_one_table(const std::filesystem::path& path, const OpenOptions& options,
-                               const LogChoice& choice, const JobControl& job) {
+                               const LogChoice& choice, const SignalSettings& signal,
+                               const JobControl& job) {
     const bool own = choice.phasors.frame == PhasorFrame::pll;
     const auto columns =
-        TRY(read_columns(path, options, choice, roles_of_both(choice.phasors.frame), job));
+        TRY(read_columns(path, options, choice, signal, roles_of_both(choice.phasors.frame), job));
     Rows rows;
     rows.time_s = columns.table.time_s;
     const auto channel = [&](const char* x, const char* y, const char* phase) {
@@ -242,18 +232,20 @@ Result<Rows> rows_of_one_table(const std::filesystem::path& path, const OpenOpti
 }
 
 Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOptions& options,
-                                const LogChoice& choice, const JobControl& job) {
+                                const LogChoice& choice, const SignalSettings& signal,
+                                const JobControl& job) {
     const bool own = choice.phasors.frame == PhasorFrame::pll;
     const auto roles = roles_of_one(choice.phasors.frame);
-    const auto of_c = TRY(read_columns(path, options, choice, roles, job));
-    const auto of_d = TRY(read_columns(options.channel_d_file, options, choice, roles, job));
+    const auto of_c = TRY(read_columns(path, options, choice, signal, roles, job));
+    const auto of_d =
+        TRY(read_columns(options.channel_d_file, options, choice, signal, roles, job));
     const auto& t = of_c.table.time_s;
     const auto& other = of_d.table.time_s;
     const std::size_t count = std::min(t.size(), other.size());
     Rows rows;
     for (std::size_t k = 0; k < count; ++k) {
         const double step = k > 0 ? t[k] - t[k - 1] : t[std::min(k + 1, count - 1)] - t[k];
-        if (std::abs(other[k] - t[k]) > step / 100) {
+        if (std::abs(other[k] - t[k] + of_d.table.begun_s - of_c.table.begun_s) > step / 100) {
             return refused_value("--channel-d", options.channel_d_file,
                                  "its times are not those of channel C: export both demodulators "
                                  "with the same times");
@@ -287,14 +279,6 @@ void drop_missing(Rows& rows) {
     rows.time_s.resize(kept);
     rows.c.resize(kept);
     rows.d.resize(kept);
-}
-
-double step_of(const Rows& rows) {
-    std::vector<double> steps;
-    for (std::size_t k = 1; k < rows.time_s.size(); ++k) {
-        steps.push_back(rows.time_s[k] - rows.time_s[k - 1]);
-    }
-    return median(std::move(steps));
 }
 
 // Brings the reference to the mean frequency: a mean over rows that turn is smaller than they are.
@@ -342,7 +326,7 @@ PhasorRun windows_of_rows(const Rows& rows, std::size_t count, double step_s) {
 
 // Correlation of the noise of windows of `count` rows, and the variance of one relative to that of
 // a row.
-std::pair<std::vector<double>, double> correlation_of(const Filter& filter, std::size_t count,
+std::pair<std::vector<double>, double> correlation_of(const LockIn& filter, std::size_t count,
                                                       double step_s) {
     constexpr std::size_t most_lags = 64;
     std::vector<double> sums;
@@ -400,16 +384,17 @@ const char* frame_name(PhasorFrame frame) {
 }
 
 Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,
-                                  const LogChoice& choice, const JobControl& job) {
+                                  const LogChoice& choice, const SignalSettings& signal,
+                                  const JobControl& job) {
     TRY(check_told(choice.phasors));
-    auto rows =
-        TRY(options.channel_d_file.empty() ? rows_of_one_table(path, options, choice, job)
-                                           : rows_of_two_tables(path, options, choice, job));
+    auto rows = TRY(options.channel_d_file.empty()
+                        ? rows_of_one_table(path, options, choice, signal, job)
+                        : rows_of_two_tables(path, options, choice, signal, job));
     drop_missing(rows);
     if (rows.time_s.size() < 2) {
         return Error{ErrorCode::no_valid_samples, path.string(), {}};
     }
-    const Filter filter = filter_of(choice.phasors);
+    const LockIn& filter = choice.phasors.filter;
     const double step_s = step_of(rows);
     const double told_hz = rows.f_ref_hz;
     for (double& t : rows.time_s) {

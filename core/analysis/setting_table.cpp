@@ -384,9 +384,9 @@ std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
     if (phasors.f_ref_hz > 0) {
         list.emplace_back("f_ref", round_trip_text(phasors.f_ref_hz));
     }
-    if (phasors.order > 0) {
-        list.emplace_back(
-            "lock_in", integer_text(phasors.order) + "," + round_trip_text(phasors.bandwidth_hz));
+    if (phasors.filter.order > 0) {
+        list.emplace_back("lock_in", integer_text(phasors.filter.order) + "," +
+                                         round_trip_text(phasors.filter.bandwidth_hz));
     }
     return list;
 }

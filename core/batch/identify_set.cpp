@@ -72,15 +72,16 @@ std::vector<std::string> signals_of(const RecordingRef& told, const Recording& r
 }
 
 // Reads a log into the set and returns its times.
-Result<std::vector<double>> read_log_into(OpenSet& open, const RecordingRef& told,
-                                          const JobControl& job) {
+Result<std::vector<double>> read_log_into(OpenSet& open, std::size_t place, const JobControl& job) {
+    const RecordingRef& told = open.set.recordings[place];
+    const SignalSettings& signal = open.set.settings.signal_of(place);
     const LogChoice& choice = open.set.settings.logs;
     if (choice.phasors.frame != PhasorFrame::none) {
-        auto log = TRY(read_phasor_log(told.path, told.open, choice, job));
+        auto log = TRY(read_phasor_log(told.path, told.open, choice, signal, job));
         open.phasors.push_back(std::move(log));
         return open.phasors.back().run.time_s;
     }
-    auto log = TRY(read_power_log(told.path, told.open, choice, job));
+    auto log = TRY(read_power_log(told.path, told.open, choice, signal, job));
     open.logs.push_back(std::move(log));
     return open.logs.back().time_s;
 }
@@ -88,8 +89,9 @@ Result<std::vector<double>> read_log_into(OpenSet& open, const RecordingRef& tol
 // No two logs of a set may be one file.
 Status read_logs(OpenSet& open, const JobControl& job) {
     std::map<std::string, std::string> known;
-    for (RecordingRef& told : open.set.recordings) {
-        const auto times = TRY(read_log_into(open, told, job));
+    for (std::size_t k = 0; k < open.set.recordings.size(); ++k) {
+        RecordingRef& told = open.set.recordings[k];
+        const auto times = TRY(read_log_into(open, k, job));
         auto sha256 = TRY(file_sha256(told.path, job));
         told.sha256 = std::move(sha256);
         const auto rows = static_cast<double>(times.size());
