@@ -32,6 +32,12 @@ void add_identify_options(CLI::App& app, IdentifySettings& settings);
 void add_column_options(CLI::App& app, std::string& columns, double& rad_per_angle_unit,
                         const std::string& roles);
 
+// ORDER,BW, and ,RATE where `rate_hz` is asked for.
+LockIn lock_in_value(const std::string& option, const std::string& text, double* rate_hz);
+
+// How logs of phasors were made: --phasors, --f-ref, --y-sign, --amplitude, --lock-in.
+void add_phasor_options(CLI::App& app, PhasorChoice& choice);
+
 // --tolerance alone, for the window and its report. `settings` must outlive the parse.
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings);
 

@@ -11,6 +11,7 @@
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/base/read_value.h"
 #include "core/batch/identify_set.h"
 #include "core/output/output_paths.h"
 #include "core/output/recording_json.h"
@@ -20,13 +21,19 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/file_changes.h"
 #include "core/simulation/simulate.h"
+#include "core/simulation/software_lock_in.h"
 #include "core/simulation/true_track.h"
 #include "core/track/track.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -248,9 +255,17 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
 
 int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop) {
     const double begun = seconds_now();
+    const bool has_log = request.lock_in.order > 0;
+    const std::string log_path =
+        has_log ? std::filesystem::path(request.output).replace_extension("phasors.csv").string()
+                : std::string();
+    if (has_log && request.output == "-") {
+        return log.fail(refused_value("--lock-in", "-o -", "its log needs the name of a file"));
+    }
     if (const Status possible =
             check_outputs({{"-o", request.output, "the samples go there already"},
-                           {"--truth", request.truth, ""}},
+                           {"--truth", request.truth, "the truth goes there already"},
+                           {"--lock-in", log_path, ""}},
                           {});
         !possible) {
         return log.fail(possible.error());
@@ -276,6 +291,14 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
         }
         truth.emplace(std::move(*file));
     }
+    std::optional<OutputFile> phasors;
+    if (has_log) {
+        Result<OutputFile> file = open_output(log_path, silent_job(stop));
+        if (!file) {
+            return log.fail(file.error());
+        }
+        phasors.emplace(std::move(*file));
+    }
     const FreeDecay& decay = request.decay;
     // The signals are made anew for each time that they are gone through.
     const bool peak_unknown = decay.bits > 0 && decay.full_scale == 0;
@@ -291,15 +314,32 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
         return log.fail(full_scale.error());
     }
     const bool pcm = *format == SampleFormat::wav && decay.bits > 0;
+    std::optional<SoftwareLockIn> lock_in;
     const auto run = [&](const SampleSink& sink) {
-        return simulate(decay, *full_scale, sink, job);
+        if (!has_log) {
+            return simulate(decay, *full_scale, sink, job);
+        }
+        const auto samples = std::llround(decay.rate_hz / request.lock_in_rate_hz);
+        lock_in.emplace(request.lock_in, decay.f0_hz, decay.rate_hz,
+                        std::max<std::int64_t>(samples, 1));
+        const auto both = [&](std::span<const double> c, std::span<const double> d) {
+            lock_in->take(c, d);
+            return sink(c, d);
+        };
+        return simulate(decay, *full_scale, both, job);
     };
     Status written = write_stream(
         *output, *format, {frame_count(decay), decay.rate_hz, decay.bits, *full_scale, run});
     if (written && truth) {
         written = fill_truth(*truth, *truth_format, request, *full_scale, pcm, silent_job(stop));
     }
+    if (written && phasors) {
+        written = phasors->write(lock_in->table());
+    }
     std::vector<OutputFile*> outputs{&*output};
+    if (phasors) {
+        outputs.push_back(&*phasors);
+    }
     if (truth) {
         outputs.push_back(&*truth);
     }

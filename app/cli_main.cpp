@@ -157,6 +157,7 @@ void add_identification(CLI::App& app, IdentifyRequest& request) {
                        "The files are logs or tracks without a phase, with the columns E,R,S,Q or "
                        "a,b,theta, each with =COLUMN, a name or a number, where the file calls it "
                        "otherwise");
+    add_phasor_options(app, request.settings.logs.phasors);
     add_timing(app, request.timing);
 }
 

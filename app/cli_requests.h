@@ -5,6 +5,7 @@
 #include "core/analysis/settings.h"
 #include "core/batch/batch_request.h"
 #include "core/drift/log_reading.h"
+#include "core/numerics/lock_in.h"
 #include "core/recording/samples/open_options.h"
 #include "core/simulation/free_decay.h"
 
@@ -63,6 +64,8 @@ struct SimulateRequest {
     bool timing = false;
     FreeDecay decay;
     std::int64_t window = 60;  // of the truth
+    LockIn lock_in;            // order 0: none
+    double lock_in_rate_hz = 0;
 };
 
 }  // namespace vybeg::cli

@@ -1,5 +1,6 @@
 #include "app/cli_simulate_options.h"
 
+#include "app/analysis_options.h"
 #include "app/option_values.h"
 #include "core/base/number_text.h"
 
@@ -158,6 +159,13 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
               [&request](const auto& option, const auto& text) {
                   request.window = whole_value(option, text);
               });
+    add_value(
+        app, "--lock-in", "ORDER,BW,RATE",
+        "Beside the samples, in FILE's name with .phasors.csv, their log by a lock-in at f0: RC "
+        "stages, 1 to 8, 3 dB bandwidth and rows a second",
+        [&request](const auto& option, const auto& text) {
+            request.lock_in = lock_in_value(option, text, &request.lock_in_rate_hz);
+        });
     // Options act in the order of their definition: what is typed changes the demo.
     app.add_flag_callback(
         "--demo", [&decay] { decay = demo_decay(); },

@@ -56,7 +56,8 @@ Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& co
 Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
                                         const ui::ReportTitle& title, const JobControl& job) {
     TRY(check_conditions(set));
-    OpenSet open{set, {}, {}, {}};
+    OpenSet open;
+    open.set = set;
     ui::ReportContent content;
     for (std::size_t k = 0; k < set.recordings.size(); ++k) {
         Settings settings = track;

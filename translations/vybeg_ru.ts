@@ -1454,6 +1454,18 @@
         <translation>Не удалось подогнать резонатор к %1: %2.</translation>
     </message>
     <message>
+        <source>%1 holds phasors of a phasemeter or a lock-in, no samples. Name what they refer to: vybeg-cli identify %1 --phasors pll, or fixed or common, with --y-sign and --amplitude.</source>
+        <translation>%1: комплексные амплитуды фазометра или синхронного детектора, а не отсчёты. Укажите, к чему они относятся: vybeg-cli identify %1 --phasors pll (или fixed, common), с --y-sign и --amplitude.</translation>
+    </message>
+    <message>
+        <source>%1 holds phasors of a phasemeter or a lock-in, no samples. The window does not read them; vybeg-cli identify --phasors does.</source>
+        <translation>%1: комплексные амплитуды фазометра или синхронного детектора, а не отсчёты. Окно их не читает; их читает vybeg-cli identify --phasors.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of phasors is less than four times the split of %3, so that the motion may be folded. Log them at a higher rate.</source>
+        <translation>%1: частота записи комплексных амплитуд %2 меньше четырёх разночастотностей (%3), движение может быть искажено наложением частот. Записывайте чаще.</translation>
+    </message>
+    <message>
         <source>Recording %1: the frequency drifts by %2 Hz per second (standard deviation %3); the drift is fitted, and Q is free of it.</source>
         <translation>Запись %1: частота уходит на %2 Гц в секунду (стандартное отклонение %3); уход включён в подгонку, и добротность от него не зависит.</translation>
     </message>
@@ -3463,6 +3475,26 @@
 </context>
 <context>
     <name>Words</name>
+    <message>
+        <source>no data show the sign of Y: give --y-sign + or -</source>
+        <translation>знак Y по данным не виден: задайте --y-sign + или -</translation>
+    </message>
+    <message>
+        <source>no data show whether amplitudes are peak values: give --amplitude peak or rms</source>
+        <translation>по данным не видно, амплитудные ли это значения: задайте --amplitude peak или rms</translation>
+    </message>
+    <message>
+        <source>the frequency of the oscillator is missing at %1, so that the phase is lost: cut there with --from or --to, or name a column P</source>
+        <translation>частота генератора пропущена в %1, и фаза потеряна: отрежьте запись здесь через --from или --to или назовите столбец P</translation>
+    </message>
+    <message>
+        <source>it needs the column of the oscillator&apos;s frequency or phase: name it F or P in --columns</source>
+        <translation>нужен столбец частоты или фазы генератора: назовите его F или P в --columns</translation>
+    </message>
+    <message>
+        <source>the frequency of the reference is not in the file: give --f-ref</source>
+        <translation>частоты опоры нет в файле: задайте --f-ref</translation>
+    </message>
     <message>
         <source>it is a workbook; save the sheet as CSV</source>
         <translation>это книга таблиц; сохраните лист как CSV</translation>

@@ -84,17 +84,18 @@ WaveMotion motion_of(const PhasorRun& run, const IdentifySettings& settings,
     return wave_motion(run, tolerance_of(settings, run.f_ref_hz, Taken::all), job);
 }
 
-IdentifiedRun run_of(const Windows& from, const IdentifySettings& settings, const JobControl& job) {
-    const PhasorWindows& windows = from.windows;
-    return {windows.run.f_ref_hz,
-            windows.plan.length,
-            windows.plan.count,
-            static_cast<std::int64_t>(windows.run.time_s.size()),
-            windows.noise_sd,
-            from.calibration,
-            windows.diagnostics,
-            run_track(windows.run, track_points),
-            motion_of(windows.run, settings, job)};
+RecordedRun run_of(const Recording& recording, Windows from) {
+    PhasorWindows& windows = from.windows;
+    RecordedRun run{recording_name(recording), recording.rate_relative_sd, {}, {}};
+    run.told.f0_hz = windows.run.f_ref_hz;
+    run.told.window = windows.plan.length;
+    run.told.windows = windows.plan.count;
+    run.told.windows_used = static_cast<std::int64_t>(windows.run.time_s.size());
+    run.told.noise_sd = windows.noise_sd;
+    run.told.calibration = from.calibration;
+    run.told.diagnostics = std::move(windows.diagnostics);
+    run.phasors = std::move(windows.run);
+    return run;
 }
 
 // The recordings' phasors, several recordings at a time.
@@ -173,7 +174,7 @@ void refer_to_recorded(double calibrated, ResonatorFit& fit) {
 
 // An error of the clock falsifies every absolute frequency and decay time by as much; Q, a number
 // of periods, is free of it.
-void add_clock(std::span<const Recording> recordings, Identification& found) {
+void add_clock(std::span<const RecordedRun> recordings, Identification& found) {
     const double told = found.settings.tolerance.rate_ppm.value_or(0) * 1e-6;
     // What the digits of a file leave open of its rate. A told tolerance is that of one recorder,
     // so that it leaves the differences between the recordings.
@@ -233,7 +234,7 @@ void add_envelopes(Identification& found) {
 }
 
 // The error of a fit that lacks windows, about the recording that has the fewest.
-Error named(Error error, std::span<const PhasorRun> runs, std::span<const Recording> recordings) {
+Error named(Error error, std::span<const PhasorRun> runs, std::span<const RecordedRun> recordings) {
     if (error.code == ErrorCode::fit_too_few_windows) {
         const auto finite = [](const PhasorRun& run) {
             std::int64_t count = 0;
@@ -243,17 +244,17 @@ Error named(Error error, std::span<const PhasorRun> runs, std::span<const Record
             return count;
         };
         const auto fewest = std::ranges::min_element(runs, {}, finite);
-        error.where = recording_name(recordings[static_cast<std::size_t>(fewest - runs.begin())]);
+        error.where = recordings[static_cast<std::size_t>(fewest - runs.begin())].name;
         error.args[0] = count_arg(finite(*fewest));
     }
     return error;
 }
 
 // Warnings about one recording name it by its file.
-void name_runs(std::span<const Recording> recordings, std::vector<Diagnostic>& warnings) {
+void name_runs(std::span<const RecordedRun> recordings, std::vector<Diagnostic>& warnings) {
     std::vector<MessageArg> names;
-    for (const Recording& recording : recordings) {
-        names.emplace_back(recording_name(recording));
+    for (const RecordedRun& recording : recordings) {
+        names.emplace_back(recording.name);
     }
     for (Diagnostic& warning : warnings) {
         name_recordings(names, warning.args);
@@ -271,7 +272,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
     found.timing.threads = threads;
     const double begun = job.now();
     std::vector<Result<Windows>> windows = all_windows(recordings, settings, threads, job);
-    std::vector<PhasorRun> phasors;
+    std::vector<RecordedRun> runs;
     for (std::size_t k = 0; k < windows.size(); ++k) {
         if (!windows[k]) {
             Error error = windows[k].error();
@@ -280,27 +281,38 @@ Result<Identification> identify(std::span<const Recording> recordings,
             }
             return error;
         }
-        Windows& of_run = *windows[k];
-        found.runs.push_back(run_of(of_run, settings, job));
-        found.timing.read_s += of_run.windows.read_s;
-        found.timing.carrier_s += of_run.carrier_s;
-        found.timing.estimate_s += of_run.windows.estimate_s;
-        phasors.push_back(std::move(of_run.windows.run));
+        found.timing.read_s += windows[k]->windows.read_s;
+        found.timing.carrier_s += windows[k]->carrier_s;
+        found.timing.estimate_s += windows[k]->windows.estimate_s;
+        runs.push_back(run_of(recordings[k], std::move(*windows[k])));
     }
+    found.timing.windows_s = job.now() - begun;
+    return identify_runs(std::move(runs), std::move(found), job);
+}
+
+Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identification found,
+                                     const JobControl& job) {
     const double fitted_from = job.now();
-    found.timing.windows_s = fitted_from - begun;
+    const IdentifySettings& settings = found.settings;
+    std::vector<PhasorRun> phasors;
+    for (RecordedRun& run : runs) {
+        found.runs.push_back(std::move(run.told));
+        found.runs.back().track = run_track(run.phasors, track_points);
+        found.runs.back().wave = motion_of(run.phasors, settings, job);
+        phasors.push_back(std::move(run.phasors));
+    }
     const FitOptions options = fit_options(settings, phasors.front().f_ref_hz);
     Result<ResonatorFit> fit = fit_of(phasors, options, job.silent());
     if (!fit) {
-        return named(fit.error(), phasors, recordings);
+        return named(fit.error(), phasors, runs);
     }
     found.fit = std::move(*fit);
     refuse_directions(found);
     take_breaks(found.fit.breaks, settings, phasors, job, found);
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
     add_envelopes(found);
-    add_clock(recordings, found);
-    name_runs(recordings, found.fit.warnings);
+    add_clock(runs, found);
+    name_runs(runs, found.fit.warnings);
     if (found.fit.model == ResonatorModel::structured) {
         found.drift = drift_function(phasors, found.fit, job);
         for (std::size_t k = 0; k < phasors.size() && !job.cancelled(); ++k) {

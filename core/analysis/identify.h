@@ -57,6 +57,19 @@ struct Identification {
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job);
 
+// Phasors of one recording, and what is known of it.
+struct RecordedRun {
+    std::string name;
+    double rate_relative_sd = 0;  // what the digits of its file leave open of its clock
+    PhasorRun phasors;
+    IdentifiedRun told;  // without track and wave
+};
+
+// The same from phasors. `found`: settings and what is known so far of the timing. Errors: those of
+// fit_resonator(), phasors_fold, interrupted.
+Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identification found,
+                                     const JobControl& job);
+
 // The tolerances of the settings for a fit at a frequency.
 FitOptions fit_options(const IdentifySettings& settings, double f_hz);
 

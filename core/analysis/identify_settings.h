@@ -2,6 +2,7 @@
 
 #include "core/analysis/settings.h"
 #include "core/analysis/tolerance.h"
+#include "core/numerics/lock_in.h"
 #include "core/resonator/results/resonator_fit.h"
 
 #include <cstddef>
@@ -22,11 +23,37 @@ struct PhasorWindowSettings {
     friend bool operator==(const PhasorWindowSettings&, const PhasorWindowSettings&) = default;
 };
 
-// Logs in place of recordings: what their columns are (column_wishes() of log_columns.h); empty:
-// the set has recordings.
+// Whose phase the phasors of a log refer to.
+enum class PhasorFrame {
+    none,    // the files hold samples, or no phase
+    fixed,   // one frequency, both channels
+    common,  // an oscillator that moves, both channels: a column of its frequency or phase
+    pll      // each channel its own phase, a column each
+};
+
+// As --phasors names it; "" for none.
+const char* frame_name(PhasorFrame frame);
+
+// How a lock-in or a phasemeter has made its phasors. No data show the sign of Y or whether
+// amplitudes are peak values: both have to be told.
+struct PhasorChoice {
+    PhasorFrame frame = PhasorFrame::none;
+    double f_ref_hz = 0;       // 0: by the file
+    int y_sign = 0;            // 1: X + iY turns as the carrier does, -1: against it; 0: not told
+    double peak_per_unit = 0;  // 1, or sqrt(2) of rms values; 0: not told
+    LockIn filter;             // order 0: not told
+
+    friend bool operator==(const PhasorChoice&, const PhasorChoice&) = default;
+};
+
+// Logs in place of recordings: what their columns are (column_wishes() of log_columns.h).
 struct LogChoice {
     std::string names;
     double rad_per_angle_unit = 0;  // 0: by the file
+    PhasorChoice phasors;
+
+    // Otherwise the set has recordings.
+    bool given() const { return !names.empty() || phasors.frame != PhasorFrame::none; }
 
     friend bool operator==(const LogChoice&, const LogChoice&) = default;
 };

@@ -9,18 +9,16 @@
 namespace vybeg {
 namespace {
 
-const ColumnRole time_of_log{"t", {"t", "t_s", "time", "time_s", "время"}, false};
-
 const std::vector<ColumnRole>& roles_of_powers() {
     static const std::vector<ColumnRole> roles{
-        time_of_log, {"E", {"E"}}, {"R", {"R"}}, {"S", {"S"}}, {"Q", {"Q"}}};
+        time_of_log(), {"E", {"E"}}, {"R", {"R"}}, {"S", {"S"}}, {"Q", {"Q"}}};
     return roles;
 }
 
 // Those of a track, too.
 const std::vector<ColumnRole>& roles_of_waves() {
     static const std::vector<ColumnRole> roles{
-        time_of_log,
+        time_of_log(),
         {"a", {"a", "a_A"}},
         {"b", {"b", "a_B"}},
         {"theta",
@@ -42,11 +40,15 @@ LogColumn* column_of(const std::vector<ColumnWish>& wishes, LogTable& table,
 }  // namespace
 
 Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
-                                const LogChoice& columns, const JobControl& job) {
+                                const LogChoice& columns, const SignalSettings& signal,
+                                const JobControl& job) {
+    const double from_s = signal.from_s.value_or(TimeRange{}.from_s);
+    const double to_s = signal.to_s.value_or(TimeRange{}.to_s);
     const auto waves = column_wishes(columns.names, roles_of_waves());
     if (!waves) {
         const auto wishes = TRY(column_wishes(columns.names, roles_of_powers()));
         auto table = TRY(read_log(path, options, wishes, job));
+        TRY(keep_times(path, from_s, to_s, table));
         PowerRun run;
         run.e = std::move(column_of(wishes, table, "E")->values);
         run.r = std::move(column_of(wishes, table, "R")->values);
@@ -56,6 +58,7 @@ Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOpt
         return run;
     }
     auto table = TRY(read_log(path, options, *waves, job));
+    TRY(keep_times(path, from_s, to_s, table));
     LogColumn& theta = *column_of(*waves, table, "theta");
     const auto factor = TRY(angle_factor(path, theta, columns.rad_per_angle_unit));
     for (double& value : theta.values) {

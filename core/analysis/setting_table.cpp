@@ -371,8 +371,22 @@ std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
     for (std::size_t row = 0; !each.empty() && row < list.size(); ++row) {
         list[row].second = in_one(each, row);
     }
-    if (!settings.logs.names.empty()) {
-        list.emplace_back("columns", settings.logs.names);
+    const LogChoice& logs = settings.logs;
+    const PhasorChoice& phasors = logs.phasors;
+    if (!logs.names.empty()) {
+        list.emplace_back("columns", logs.names);
+    }
+    if (phasors.frame != PhasorFrame::none) {
+        list.emplace_back("phasors", frame_name(phasors.frame));
+        list.emplace_back("y_sign", phasors.y_sign > 0 ? "+" : "-");
+        list.emplace_back("amplitude", phasors.peak_per_unit > 1 ? "rms" : "peak");
+    }
+    if (phasors.f_ref_hz > 0) {
+        list.emplace_back("f_ref", round_trip_text(phasors.f_ref_hz));
+    }
+    if (phasors.filter.order > 0) {
+        list.emplace_back("lock_in", integer_text(phasors.filter.order) + "," +
+                                         round_trip_text(phasors.filter.bandwidth_hz));
     }
     return list;
 }

@@ -43,6 +43,7 @@ enum class ErrorCode {
     variable_missing,    // args: variable asked for, the variables that the file has
     column_missing,      // args: column asked for, the columns that the file has
     angle_unit_unknown,  // args: column of angles
+    holds_phasors,       // a phasemeter or a lock-in has written it
     file_changed,        // after it was opened: its size, or the time of its last change
     list_invalid,        // args: line, column, reason. Of a measurement list.
     // The analysis is impossible: exit status 4.
@@ -62,6 +63,7 @@ enum class ErrorCode {
     fit_beat_too_fast,        // args: two lines (Hz), least window at this carrier
     fit_too_few_windows,      // args: usable windows, least number
     fit_failed,               // args: reason
+    phasors_fold,             // args: rate of the phasors, split (Hz)
     conditions_differ,        // args: condition, its value, another. In one set of recordings.
     turn_too_short,           // args: turn of the wave in degrees. Of a whole-angle log.
     same_recording,           // args: the other recording with the same samples

@@ -193,6 +193,15 @@ MessageRow message_row(ErrorCode code) {
                               "with --columns."),
                 VYBEG_MESSAGE("Message",
                               "%1: there is no column \"%2\"; the file has %3. Name others.")};
+        case ErrorCode::holds_phasors:
+            return {"holds-phasors", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 holds phasors of a phasemeter or a lock-in, no samples. Name "
+                                  "what they refer to: vybeg-cli identify %1 --phasors pll, or "
+                                  "fixed or common, with --y-sign and --amplitude."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1 holds phasors of a phasemeter or a lock-in, no samples. The "
+                                  "window does not read them; vybeg-cli identify --phasors does.")};
         case ErrorCode::angle_unit_unknown:
             return {"angle-unit-unknown", bad_input,
                     VYBEG_MESSAGE("Message",
@@ -302,6 +311,11 @@ MessageRow message_row(ErrorCode code) {
         case ErrorCode::fit_failed:
             return {"fit-failed", impossible,
                     VYBEG_MESSAGE("Message", "The resonator cannot be fitted to %1: %2.")};
+        case ErrorCode::phasors_fold:
+            return {"phasors-fold", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: %2 of phasors is less than four times the split of %3, so "
+                                  "that the motion may be folded. Log them at a higher rate.")};
         case ErrorCode::conditions_differ:
             return {"conditions-differ", impossible,
                     VYBEG_MESSAGE("Message",

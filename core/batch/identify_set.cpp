@@ -1,6 +1,6 @@
 #include "core/batch/identify_set.h"
 
-#include "core/analysis/identify_powers.h"
+#include "core/analysis/identify_logs.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/power_log.h"
 #include "core/analysis/prepare.h"
@@ -71,49 +71,70 @@ std::vector<std::string> signals_of(const RecordingRef& told, const Recording& r
     return signals;
 }
 
+// Reads a log into the set and returns its times.
+Result<std::vector<double>> read_log_into(OpenSet& open, std::size_t place, const JobControl& job) {
+    const RecordingRef& told = open.set.recordings[place];
+    const SignalSettings& signal = open.set.settings.signal_of(place);
+    const LogChoice& choice = open.set.settings.logs;
+    if (choice.phasors.frame != PhasorFrame::none) {
+        auto log = TRY(read_phasor_log(told.path, told.open, choice, signal, job));
+        open.phasors.push_back(std::move(log));
+        return open.phasors.back().run.time_s;
+    }
+    auto log = TRY(read_power_log(told.path, told.open, choice, signal, job));
+    open.logs.push_back(std::move(log));
+    return open.logs.back().time_s;
+}
+
 // No two logs of a set may be one file.
 Status read_logs(OpenSet& open, const JobControl& job) {
     std::map<std::string, std::string> known;
-    for (RecordingRef& told : open.set.recordings) {
-        auto log = TRY(read_power_log(told.path, told.open, open.set.settings.logs, job));
+    for (std::size_t k = 0; k < open.set.recordings.size(); ++k) {
+        RecordingRef& told = open.set.recordings[k];
+        const auto times = TRY(read_log_into(open, k, job));
         auto sha256 = TRY(file_sha256(told.path, job));
         told.sha256 = std::move(sha256);
-        const auto rows = static_cast<double>(log.time_s.size());
-        told.seconds = rows > 0 ? log.time_s.back() - log.time_s.front() : 0;
+        const auto rows = static_cast<double>(times.size());
+        told.seconds = rows > 0 ? times.back() - times.front() : 0;
         told.rate_hz = rows > 1 ? (rows - 1) / told.seconds : 0;
         told.f0_hz = std::numeric_limits<double>::quiet_NaN();
         const auto [same, is_new] = known.emplace(told.sha256, told.path.string());
         if (!is_new) {
             return Error{ErrorCode::same_recording, same->second, {told.path.string()}};
         }
-        open.logs.push_back(std::move(log));
+        if (!open.phasors.empty()) {
+            told.rate_hz = open.phasors.back().run.rate_hz;
+            told.f0_hz = open.phasors.back().run.f_ref_hz;
+        }
     }
     return {};
 }
 
 // Of recordings, or of logs.
 Result<Identification> identification_of(const OpenSet& open, const JobControl& job) {
-    if (open.logs.empty()) {
+    if (open.logs.empty() && open.phasors.empty()) {
         return identify(open.recordings, open.set.settings, job);
     }
     std::vector<std::string> names;
     for (const RecordingRef& told : open.set.recordings) {
         names.push_back(told.name());
     }
-    return identify_powers(open.logs, names, open.set.settings, job);
+    return open.phasors.empty() ? identify_powers(open.logs, names, open.set.settings, job)
+                                : identify_phasors(open.phasors, names, open.set.settings, job);
 }
 
 }  // namespace
 
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop) {
-    OpenSet open{set, {}, {}, {}};
+    OpenSet open;
+    open.set = set;
     TRY(check_conditions(set));
     if (!passport.empty()) {
         auto comparison = TRY(open_passport(passport, JobControl(stop)));
         open.comparison = std::move(comparison);
     }
-    if (!set.settings.logs.names.empty()) {
+    if (set.settings.logs.given()) {
         TRY(read_logs(open, JobControl(stop)));
         return open;
     }

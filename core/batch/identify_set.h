@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/measurement_list.h"
+#include "core/analysis/phasor_log.h"
 #include "core/analysis/set_result.h"
 #include "core/base/finding.h"
 #include "core/base/job_control.h"
@@ -42,6 +43,7 @@ struct OpenSet {
     MeasurementSet set;
     std::vector<Recording> recordings;  // of the set, in its order
     std::vector<PowerRun> logs;         // in place of recordings
+    std::vector<PhasorLog> phasors;     // likewise
     std::optional<PassportComparison> comparison;
 };
 

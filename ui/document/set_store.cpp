@@ -309,7 +309,8 @@ void SetStore::identifySet(SetId id) {
         emit reported(errorMessage(alike.error()));
         return;
     }
-    OpenSet open{wanted, {}, {}, {}};
+    OpenSet open;
+    open.set = wanted;
     for (const auto recording : set.recordings) {
         open.recordings.push_back(*recordings_.find(recording)->recording);
     }

@@ -36,4 +36,8 @@ Result<std::vector<ZipMember>> zip_members(const FileBytes& file);
 Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const FileBytes> file,
                                                       const ZipMember& member);
 
+// The same as a file without a name, whose path is that of the archive.
+Result<std::shared_ptr<const FileBytes>> zip_file(std::shared_ptr<const FileBytes> file,
+                                                  const ZipMember& member);
+
 }  // namespace vybeg

@@ -2,7 +2,9 @@
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/numerics/median.h"
 #include "core/recording/bytes/file_bytes.h"
+#include "core/recording/bytes/zip_directory.h"
 #include "core/recording/open/file_format.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/text_fields.h"
@@ -13,10 +15,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -89,6 +93,66 @@ Result<TextFormat> format_with_time(const File& file, const OpenOptions& options
     return find_text_format(*file, head, choice);
 }
 
+// Ticks a second, from the file that LabOne writes beside: dev_demods_0_sample_header_00000.csv.
+std::optional<double> clockbase_beside(const std::filesystem::path& path) {
+    std::string name = path.stem().string();
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    name.insert(digits, "header_");
+    const auto text = own_file_text(path.parent_path() / (name + path.extension().string()));
+    if (!text) {
+        return std::nullopt;
+    }
+    // A row of names over a row of values, or the value beside its name.
+    std::vector<std::vector<std::string>> lines;
+    std::istringstream in(*text);
+    for (std::string line; std::getline(in, line) && lines.size() < 1000;) {
+        lines.emplace_back();
+        std::istringstream fields(line);
+        for (std::string field; std::getline(fields, field, ';');) {
+            lines.back().emplace_back(trimmed(field));
+        }
+    }
+    for (std::size_t row = 0; row < lines.size(); ++row) {
+        const auto& names = lines[row];
+        const auto found = std::ranges::find(names, "clockbase");
+        const auto place = static_cast<std::size_t>(found - names.begin());
+        if (found == names.end()) {
+            continue;
+        }
+        const bool is_head = names.size() > 2 && row + 1 < lines.size();
+        const auto& values = is_head ? lines[row + 1] : names;
+        const std::size_t at = is_head ? place : place + 1;
+        const auto number = at < values.size() ? parse_number(values[at]) : std::nullopt;
+        if (number && *number > 0) {
+            return number;
+        }
+    }
+    return std::nullopt;
+}
+
+// Times in ticks become seconds from the first.
+Status count_ticks(const FileBytes& file, const OpenOptions& options, LogTable& table) {
+    std::vector<double>& t = table.time_s;
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < t.size(); ++k) {
+        steps.push_back(t[k] - t[k - 1]);
+    }
+    const double step = steps.empty() ? 0 : median(std::move(steps));
+    if (step < 1 || std::ranges::any_of(t, [](double tick) { return tick != std::floor(tick); })) {
+        return {};
+    }
+    const auto clockbase = clockbase_beside(file.path());
+    if (!clockbase && !options.rate_hz) {
+        return file.error(ErrorCode::rate_unknown);
+    }
+    const double tick_s = clockbase ? 1 / *clockbase : 1 / (step * *options.rate_hz);
+    table.begun_s = t.front() * tick_s;
+    for (std::size_t k = t.size(); k-- > 0;) {
+        t[k] = (t[k] - t.front()) * tick_s;
+    }
+    return {};
+}
+
 Result<LogTable> read_text(const File& file, const OpenOptions& options,
                            std::span<const ColumnWish> wishes, const JobControl& job) {
     const auto format = TRY(format_with_time(file, options, wishes, job));
@@ -128,6 +192,10 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
     }
     for (std::size_t k = 0; format.time_column < 0 && k < table.time_s.size(); ++k) {
         table.time_s[k] = static_cast<double>(k) / *options.rate_hz;
+    }
+    if (format.time_column >= 0 &&
+        normal_name(format.names[static_cast<std::size_t>(format.time_column)]) == "timestamp") {
+        TRY(count_ticks(*file, options, table));
     }
     return table;
 }
@@ -175,6 +243,21 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
         }
     }
     return table;
+}
+
+// The file, or the one text that it has packed.
+Result<File> unpacked(File file) {
+    const auto head = TRY(file_head(*file));
+    if (!is_zip(head)) {
+        return file;
+    }
+    auto members = TRY(zip_members(*file));
+    std::erase_if(members,
+                  [](const ZipMember& member) { return member.name.starts_with("__MACOSX/"); });
+    if (members.size() != 1 || members.front().name.ends_with(".npy")) {
+        return file;
+    }
+    return zip_file(file, members.front());
 }
 
 }  // namespace
@@ -231,7 +314,8 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
 
 Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
                           std::span<const ColumnWish> wishes, const JobControl& job) {
-    const auto file = TRY(FileBytes::open(path));
+    const auto packed = TRY(FileBytes::open(path));
+    const auto file = TRY(unpacked(packed));
     const auto head = TRY(file_head(*file));
     const FileFormat* const format = find_format(head, *file);
     if (!options.text && format && format->has_variables) {
@@ -241,6 +325,34 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
         return file->error(ErrorCode::format_unknown);
     }
     return read_text(file, options, wishes, job);
+}
+
+ColumnRole time_of_log() {
+    return {time_role, {"t", "t_s", "time", "time_s", "timestamp", "время"}, false};
+}
+
+Status keep_times(const std::filesystem::path& path, double from_s, double to_s, LogTable& table) {
+    std::vector<double>& times = table.time_s;
+    const double begin = times.empty() ? 0 : times.front();
+    const auto first = std::ranges::lower_bound(times, begin + from_s) - times.begin();
+    const auto end = std::ranges::upper_bound(times, begin + to_s) - times.begin();
+    if (first >= end) {
+        const double length_s = times.empty() ? 0 : times.back() - begin;
+        return Error{ErrorCode::range_empty,
+                     path.string(),
+                     {number_arg(std::max(from_s, 0.0)), number_arg(std::min(to_s, length_s)),
+                      number_arg(length_s)}};
+    }
+    const auto cut = [&](std::vector<double>& values) {
+        if (!values.empty()) {
+            values = std::vector<double>(values.begin() + first, values.begin() + end);
+        }
+    };
+    cut(times);
+    for (LogColumn& column : table.columns) {
+        cut(column.values);
+    }
+    return {};
 }
 
 Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
@@ -258,6 +370,9 @@ Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& 
     };
     if (says({"rad", "radians", "рад"})) {
         return half;
+    }
+    if (says({"cyc", "cycles", "turns"})) {
+        return half * 2 * std::numbers::pi;
     }
     if (says({"deg", "degrees", "°", "град"})) {
         return half * std::numbers::pi / 180;

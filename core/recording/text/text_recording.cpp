@@ -227,10 +227,20 @@ Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
     return chosen;
 }
 
+// Liquid Instruments' devices say in the first line what they are.
+bool is_of_phasemeter(const TextHead& head) {
+    const std::string& first = head.lines.empty() ? std::string() : head.lines.front();
+    return first.starts_with("% Moku") && (first.find("Phasemeter") != std::string::npos ||
+                                           first.find("Lock-in") != std::string::npos);
+}
+
 Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
                                const OpenOptions& options, const JobControl& job) {
     const TextChoice choice = options.text.value_or(TextChoice{});
     const auto head = TRY(read_text_head(file, choice.lines_to_skip, job));
+    if (is_of_phasemeter(head)) {
+        return file->error(ErrorCode::holds_phasors);
+    }
     const auto found = TRY(find_text_format(*file, head, choice));
     const TextFormat& format = found;
     const auto channels = static_cast<int>(channel_columns(format).size());

@@ -1,4 +1,4 @@
-#include "core/analysis/identify_powers.h"
+#include "core/analysis/identify_logs.h"
 
 #include "core/analysis/setting_table.h"
 #include "core/base/read_value.h"
@@ -29,7 +29,50 @@ IdentifiedRun run_of_powers(const PowerRun& log, const PhasorRun& run,
     return identified;
 }
 
+// Phasors of a rate below four times the split fold: the motion is not the one that they show.
+Status check_rate(const Identification& found, std::span<const PhasorLog> logs,
+                  std::span<const std::string> names) {
+    constexpr double least_per_split = 4;
+    const auto& modes = found.fit.modes;
+    const Estimate& split = found.fit.resonator.split_hz;
+    const double split_hz = split.given() ? split.value
+                            : modes.size() == 2
+                                ? std::abs(modes[0].f_hz.value - modes[1].f_hz.value)
+                                : 0;
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+        const double rate_hz = logs[k].run.rate_hz;
+        if (rate_hz < least_per_split * split_hz) {
+            return Error{ErrorCode::phasors_fold,
+                         names[k],
+                         {number_arg(rate_hz, 6, "Hz"), number_arg(split_hz, 6, "Hz")}};
+        }
+    }
+    return {};
+}
+
 }  // namespace
+
+Result<Identification> identify_phasors(std::span<const PhasorLog> logs,
+                                        std::span<const std::string> names,
+                                        const IdentifySettings& settings, const JobControl& job) {
+    TRY(validate(settings));
+    std::vector<RecordedRun> runs;
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+        const PhasorLog& log = logs[k];
+        RecordedRun run{names[k], 0, log.run, {}};
+        run.told.f0_hz = log.run.f_ref_hz;
+        run.told.window = log.rows_per_window;
+        run.told.windows = log.rows / log.rows_per_window;
+        run.told.windows_used = static_cast<std::int64_t>(log.run.time_s.size());
+        run.told.noise_sd = log.noise_sd;
+        runs.push_back(std::move(run));
+    }
+    Identification begun;
+    begun.settings = settings;
+    auto found = TRY(identify_runs(std::move(runs), std::move(begun), job));
+    TRY(check_rate(found, logs, names));
+    return found;
+}
 
 Result<Identification> identify_powers(std::span<const PowerRun> runs,
                                        std::span<const std::string> names,

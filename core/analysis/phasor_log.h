@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/analysis/identify_settings.h"
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/samples/open_options.h"
+#include "core/resonator/model/phasor_run.h"
+
+#include <filesystem>
+
+namespace vybeg {
+
+// A log of phasors as windows: rows of a table, several averaged into one where they are close, on
+// the times at which the lock-in's filter took them.
+struct PhasorLog {
+    PhasorRun run;
+    std::int64_t rows = 0;
+    std::int64_t rows_per_window = 0;
+    double noise_sd = 0;  // of a row, recording units
+};
+
+// Reads the times of a log of a lock-in or a phasemeter that the settings of the signal choose, in
+// the frame that the choice declares. One table holds
+// both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and lowers
+// the phasors, and correlates their noise; it leaves frequencies, decay and axes as they are,
+// because it commutes with the motion. Their noise is what a linear recurrence z(t + T) = A z(t)
+// leaves. Errors: phasors_undeclared, files_differ, rate_unknown, no_valid_samples, those of
+// column_wishes(), read_log() and angle_factor().
+Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,
+                                  const LogChoice& choice, const SignalSettings& signal,
+                                  const JobControl& job);
+
+}  // namespace vybeg

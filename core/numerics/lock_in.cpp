@@ -1,0 +1,40 @@
+#include "core/numerics/lock_in.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace vybeg {
+
+double LockIn::tau_s() const {
+    // |1 / (1 + i w tau)^p|^2 is a half at the bandwidth.
+    return order == 0
+               ? 0
+               : std::sqrt(std::pow(2.0, 1.0 / order) - 1) / (2 * std::numbers::pi * bandwidth_hz);
+}
+
+double LockIn::delay_s() const {
+    return order * tau_s();
+}
+
+std::complex<double> LockIn::response(double offset_hz) const {
+    const double w = 2 * std::numbers::pi * offset_hz;
+    return std::polar(1.0, w * delay_s()) / std::pow(std::complex<double>(1, w * tau_s()), order);
+}
+
+double LockIn::correlation(double t_s) const {
+    if (order == 0) {
+        return t_s == 0 ? 1 : 0;
+    }
+    const double x = std::abs(t_s) / tau_s();
+    double binomial = 1;
+    double sum = 0;
+    for (int j = 0; j < order; ++j) {
+        sum += binomial * std::pow(x, order - 1 - j) * std::tgamma(order + j) /
+               std::pow(2.0, order + j);
+        binomial *= static_cast<double>(order - 1 - j) / (j + 1);
+    }
+    const double whole = std::tgamma(2 * order - 1) / std::pow(2.0, 2 * order - 1);
+    return std::exp(-x) * sum / whole;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <complex>
+
+namespace vybeg {
+
+// The filter of a lock-in: RC stages of one time constant.
+struct LockIn {
+    int order = 0;            // stages; 0: no filter
+    double bandwidth_hz = 0;  // 3 dB
+
+    double tau_s() const;    // of a stage
+    double delay_s() const;  // of what moves slowly
+
+    // Response to a wave that is `offset_hz` above the reference, without the delay.
+    std::complex<double> response(double offset_hz) const;
+
+    // Correlation of white noise behind the filter, 1 at t = 0:
+    //     integral of s^(p-1) (s + x)^(p-1) e^(-2s-x) ds over that of x = 0, x = |t| / tau.
+    double correlation(double t_s) const;
+
+    friend bool operator==(const LockIn&, const LockIn&) = default;
+};
+
+}  // namespace vybeg
