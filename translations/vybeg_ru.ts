@@ -1822,6 +1822,10 @@
         <translation>%1: волна поворачивается на %2 градусов: этого мало, чтобы отличить вторую и четвёртую гармоники дрейфа от самого поворота. Нужен поворот на 180 градусов или больше.</translation>
     </message>
     <message>
+        <source>%1: the wave turns by 45 degrees or more from row to row, and its angle is wrapped: how far it turned is unknown. Log it faster, or write down the whole angle.</source>
+        <translation>%1: от строки к строке волна поворачивается на 45 градусов или больше, а угол свёрнут: на сколько она повернулась, неизвестно. Записывайте журнал чаще или пишите непрерывный угол.</translation>
+    </message>
+    <message>
         <source>The logs differ in the harmonic %1 of the drift, by %2 deviations: %3. No common value is given.</source>
         <translation>Журналы расходятся в гармонике %1 дрейфа, на %2 СКО: %3. Общее значение не приводится.</translation>
     </message>

@@ -313,6 +313,12 @@ MessageRow message_row(ErrorCode code) {
                                   "%1: the wave turns by %2 degrees, too little to tell the second "
                                   "and the fourth harmonic of the drift from the turn itself. Let "
                                   "it turn by 180 degrees or more.")};
+        case ErrorCode::turn_too_fast:
+            return {"turn-too-fast", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the wave turns by 45 degrees or more from row to row, and "
+                                  "its angle is wrapped: how far it turned is unknown. Log it "
+                                  "faster, or write down the whole angle.")};
         case ErrorCode::same_recording:
             return {"same-recording", impossible,
                     VYBEG_MESSAGE("Message",
