@@ -313,6 +313,14 @@ MessageRow message_row(ErrorCode code) {
                                   "%1: the wave turns by %2 degrees, too little to tell the second "
                                   "and the fourth harmonic of the drift from the turn itself. Let "
                                   "it turn by 180 degrees or more.")};
+        case ErrorCode::powers_disagree:
+            return {
+                "powers-disagree", impossible,
+                VYBEG_MESSAGE("Message",
+                              "%1: R^2 + S^2 + Q^2 is %2 % of E^2, and has to be all of it. "
+                              "One of the columns is in another unit, or is something else: E "
+                              "is |c|^2 + |d|^2, R is |c|^2 - |d|^2, S and Q are twice the real "
+                              "and the imaginary part of c d*.")};
         case ErrorCode::turn_too_fast:
             return {"turn-too-fast", impossible,
                     VYBEG_MESSAGE("Message",
