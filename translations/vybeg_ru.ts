@@ -1722,6 +1722,10 @@
         <translation>Записи не подходят к одному резонатору, и исключение любой одной из них этого не меняет. Моды и резонатор не приводятся: определяйте резонатор по меньшему числу записей.</translation>
     </message>
     <message>
+        <source>%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than noise explains: a column has an offset, or a gain of its own, or the wave turns far within a row. The numbers may be off by more than their uncertainties. Calibrate the columns, or log faster.</source>
+        <translation>%1: около %3 с сумма R² + S² + Q² отличается от E² на %2 %, больше, чем объясняет шум: в столбце есть сдвиг или своё усиление, либо за одну строку волна поворачивается далеко. Числа могут быть неверны больше, чем на свои неопределённости. Откалибруйте столбцы или записывайте журнал чаще.</translation>
+    </message>
+    <message>
         <source>The recordings differ by more than their noise: the decay rate by %1 %, the split by %2 %, the gain ratio by %3 % (standard deviations). The combined uncertainties hold this spread.</source>
         <translation>Записи различаются больше, чем их шум: скорость затухания на %1 %, расщепление на %2 %, отношение усилений на %3 % (стандартные отклонения). Суммарные неопределённости включают этот разброс.</translation>
     </message>
@@ -1832,6 +1836,14 @@
     <message>
         <source>%1: the wave turns by %2 degrees, too little to tell the second and the fourth harmonic of the drift from the turn itself. Let it turn by 180 degrees or more.</source>
         <translation>%1: волна поворачивается на %2 градусов: этого мало, чтобы отличить вторую и четвёртую гармоники дрейфа от самого поворота. Нужен поворот на 180 градусов или больше.</translation>
+    </message>
+    <message>
+        <source>%1: R^2 + S^2 + Q^2 is %2 % of E^2, and has to be all of it. One of the columns is in another unit, or is something else: E is |c|^2 + |d|^2, R is |c|^2 - |d|^2, S and Q are twice the real and the imaginary part of c d*.</source>
+        <translation>%1: сумма R² + S² + Q² составляет %2 % от E², а должна быть равна E². Один из столбцов записан в других единицах или содержит другую величину: E — это |c|² + |d|², R — |c|² − |d|², S и Q — удвоенные действительная и мнимая части c d*.</translation>
+    </message>
+    <message>
+        <source>%1: the wave turns by 45 degrees or more from row to row, and its angle is wrapped: how far it turned is unknown. Log it faster, or write down the whole angle.</source>
+        <translation>%1: от строки к строке волна поворачивается на 45 градусов или больше, а угол свёрнут: на сколько она повернулась, неизвестно. Записывайте журнал чаще или пишите непрерывный угол.</translation>
     </message>
     <message>
         <source>The logs differ in the harmonic %1 of the drift, by %2 deviations: %3. No common value is given.</source>
@@ -4446,6 +4458,18 @@
     <message>
         <source>Analyse it as a recording of its own</source>
         <translation>Обработайте её как отдельную запись</translation>
+    </message>
+    <message>
+        <source>it would belong to several recordings. Name one for each in a measurement list</source>
+        <translation>этот файл достался бы нескольким записям. Назовите для каждой свой в списке измерений</translation>
+    </message>
+    <message>
+        <source>it is the channel that is read as C</source>
+        <translation>это тот же канал, который читается как C</translation>
+    </message>
+    <message>
+        <source>it is a piece already</source>
+        <translation>эта часть уже названа</translation>
     </message>
     <message>
         <source>it is for files with both channels, not for a file for each channel</source>

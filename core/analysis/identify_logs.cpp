@@ -6,6 +6,7 @@
 #include "core/resonator/results/power_fit.h"
 #include "core/resonator/runs/wave_uncertainty.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -81,6 +82,21 @@ Result<Identification> identify_powers(std::span<const PowerRun> runs,
     if (settings.model == FitOptions::Model::free) {
         return refused_value("--model", "free", "logs without a phase show no free model");
     }
+    std::vector<Diagnostic> apart;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        constexpr double another_unit = 0.1;
+        constexpr double harmless = 1e-3;
+        const PowerMismatch mismatch = power_mismatch(runs[k]);
+        if (std::abs(mismatch.of_all) > another_unit) {
+            return Error{
+                ErrorCode::powers_disagree, names[k], {number_arg(100 * (1 + mismatch.of_all), 3)}};
+        }
+        if (std::abs(mismatch.worst) > harmless) {
+            apart.push_back({DiagnosticKind::powers_apart,
+                             {recording_arg(k), number_arg(100 * mismatch.worst, 2),
+                              number_arg(mismatch.at_s, 4)}});
+        }
+    }
     Identification found;
     found.settings = settings;
     const double begun = job.now();
@@ -88,6 +104,7 @@ Result<Identification> identify_powers(std::span<const PowerRun> runs,
     const FitOptions options = fit_options(settings, 0);
     auto fit = TRY(fit_powers(runs, options, job));
     found.fit = std::move(fit.fit);
+    found.fit.warnings.insert(found.fit.warnings.begin(), apart.begin(), apart.end());
     std::vector<MessageArg> called(names.begin(), names.end());
     for (Diagnostic& warning : found.fit.warnings) {
         name_recordings(called, warning.args);

@@ -63,37 +63,38 @@ enum class DiagnosticKind {
     logs_differ,                  // args: harmonic of the drift, deviations, names of the logs
     log_left_out,                 // args: log, harmonic in which it differs from the others
     angle_of_quarter,             // args: log. Its angle is wrapped at a quarter of a turn.
-    residual_above_noise,         // args: chi^2 per degree of freedom. Deviations enlarged.
-    residual_below_noise,         // args: chi^2 per degree of freedom. Deviations too large.
-    residual_coloured,            // args: chi^2 per degree of freedom. Deviations hold its colour.
-    noise_too_narrow,             // args: width (Hz) below which no residual shows a noise
-    misfit_damping,               // args: what the damping follows (words), its share at the
-                                  // largest amplitude, %
-    misfit_settling,              // args: Hz, s. A frequency that settles.
-    misfit_neighbour,             // args: frequency (Hz), per cent of the wave. Another mode.
-    misfit_channel,               // args: error as --tolerance names it, its size; held at zero
-    quadrature_by_channel,        // args: error as --tolerance names it, its size. a_B by angle.
-    rotation_or_channel,          // args: rotation of the wave, error that looks like it, its size
-    prior_left,                   // args: error as --tolerance names it, its size, in tolerances
-    anisotropy_not_passive,       // args: damping anisotropy, its greatest value 2/tau (1/s)
-    misfit_springs,               // args: Hz at the largest amplitude. Unlike along the axes.
-    misfit_pickoff,               // args: change of the gain of C, of D at the largest amplitude, %
-    fitted_phase_step,            // args: recording, step (rad), at time (s). The phase is fitted.
-    fitted_gain_step,             // args: recording, gain of C, of D (%), at time (s). Fitted.
-    fitted_knock,                 // args: recording, per cent of the wave, at time (s). Fitted.
-    event_left_out,               // args: recording, at time (s), seconds left out
-    motion_not_model,             // the halves of the recordings disagree. Deviations hold it.
-    fit_not_converged,            // the fit stopped early
-    other_gyro,                   // args: gyro of the passport, gyro of the recordings
-    option_without_effect,        // args: option of the command line, why
-    column_like_option,           // args: column of a list that is kept, the option it resembles
-    formula_in_list,              // args: line, column, field. A table program runs it.
-    earlier_rows,                 // args: file, number of its rows. An interrupted batch.
-    channels_crossed,             // args: name of the channel read as C, of that read as D
-    other_rows,                   // args: file, number of its rows. Of other settings.
-    limits_not_kept,              // args: sets outside the limits, undecided ones, all
-    database_waits,               // args: file, longest wait in s. Another program holds it.
-    same_recordings,              // args: set that the database keeps, the other one
+    powers_apart,            // args: recording, R^2 + S^2 + Q^2 less E^2 (% of it), at time (s)
+    residual_above_noise,    // args: chi^2 per degree of freedom. Deviations enlarged.
+    residual_below_noise,    // args: chi^2 per degree of freedom. Deviations too large.
+    residual_coloured,       // args: chi^2 per degree of freedom. Deviations hold its colour.
+    noise_too_narrow,        // args: width (Hz) below which no residual shows a noise
+    misfit_damping,          // args: what the damping follows (words), its share at the
+                             // largest amplitude, %
+    misfit_settling,         // args: Hz, s. A frequency that settles.
+    misfit_neighbour,        // args: frequency (Hz), per cent of the wave. Another mode.
+    misfit_channel,          // args: error as --tolerance names it, its size; held at zero
+    quadrature_by_channel,   // args: error as --tolerance names it, its size. a_B by angle.
+    rotation_or_channel,     // args: rotation of the wave, error that looks like it, its size
+    prior_left,              // args: error as --tolerance names it, its size, in tolerances
+    anisotropy_not_passive,  // args: damping anisotropy, its greatest value 2/tau (1/s)
+    misfit_springs,          // args: Hz at the largest amplitude. Unlike along the axes.
+    misfit_pickoff,          // args: change of the gain of C, of D at the largest amplitude, %
+    fitted_phase_step,       // args: recording, step (rad), at time (s). The phase is fitted.
+    fitted_gain_step,        // args: recording, gain of C, of D (%), at time (s). Fitted.
+    fitted_knock,            // args: recording, per cent of the wave, at time (s). Fitted.
+    event_left_out,          // args: recording, at time (s), seconds left out
+    motion_not_model,        // the halves of the recordings disagree. Deviations hold it.
+    fit_not_converged,       // the fit stopped early
+    other_gyro,              // args: gyro of the passport, gyro of the recordings
+    option_without_effect,   // args: option of the command line, why
+    column_like_option,      // args: column of a list that is kept, the option it resembles
+    formula_in_list,         // args: line, column, field. A table program runs it.
+    earlier_rows,            // args: file, number of its rows. An interrupted batch.
+    channels_crossed,        // args: name of the channel read as C, of that read as D
+    other_rows,              // args: file, number of its rows. Of other settings.
+    limits_not_kept,         // args: sets outside the limits, undecided ones, all
+    database_waits,          // args: file, longest wait in s. Another program holds it.
+    same_recordings,         // args: set that the database keeps, the other one
 };
 
 // first_frame is -1 where the diagnostic has no place in the recording; count is in frames.

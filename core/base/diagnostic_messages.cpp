@@ -286,6 +286,15 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "The recordings do not fit one resonator, and no single one of "
                                   "them makes the difference. Modes and resonator are refused: "
                                   "identify fewer recordings together.")};
+        case DiagnosticKind::powers_apart:
+            return {
+                "powers-apart", serious,
+                VYBEG_MESSAGE("Message",
+                              "%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more "
+                              "than noise explains: a column has an offset, or a gain of its "
+                              "own, or the wave turns far within a row. The numbers may be off "
+                              "by more than their uncertainties. Calibrate the columns, or log "
+                              "faster.")};
         case DiagnosticKind::recordings_differ:
             return {"recordings-differ", warning,
                     VYBEG_MESSAGE("Message",

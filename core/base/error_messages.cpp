@@ -327,6 +327,20 @@ MessageRow message_row(ErrorCode code) {
                                   "%1: the wave turns by %2 degrees, too little to tell the second "
                                   "and the fourth harmonic of the drift from the turn itself. Let "
                                   "it turn by 180 degrees or more.")};
+        case ErrorCode::powers_disagree:
+            return {
+                "powers-disagree", impossible,
+                VYBEG_MESSAGE("Message",
+                              "%1: R^2 + S^2 + Q^2 is %2 % of E^2, and has to be all of it. "
+                              "One of the columns is in another unit, or is something else: E "
+                              "is |c|^2 + |d|^2, R is |c|^2 - |d|^2, S and Q are twice the real "
+                              "and the imaginary part of c d*.")};
+        case ErrorCode::turn_too_fast:
+            return {"turn-too-fast", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the wave turns by 45 degrees or more from row to row, and "
+                                  "its angle is wrapped: how far it turned is unknown. Log it "
+                                  "faster, or write down the whole angle.")};
         case ErrorCode::same_recording:
             return {"same-recording", impossible,
                     VYBEG_MESSAGE("Message",

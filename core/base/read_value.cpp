@@ -21,15 +21,19 @@ struct UnitSuffix {
 
 constexpr double degree = std::numbers::pi / 180;
 
-constexpr std::array<UnitSuffix, 21> suffixes{{
+constexpr std::array<UnitSuffix, 25> suffixes{{
     {"deg", "deg", 1},
     {"deg", "mrad", 1e-3 / degree},  // before rad, of which it is a longer form
     {"deg", "rad", 1 / degree},
     {"rad", "mrad", 1e-3},
     {"rad", "rad", 1},
     {"rad", "deg", degree},
+    {"deg", "°", 1},
+    {"rad", "°", degree},
     {"s", "ms", 1e-3},
     {"s", "us", 1e-6},
+    {"s", "µs", 1e-6},  // the micro sign
+    {"s", "μs", 1e-6},  // the Greek letter
     {"s", "ns", 1e-9},
     {"s", "ps", 1e-12},
     {"s", "min", 60},
@@ -58,6 +62,7 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
         if (unit == suffix.own && text.ends_with(suffix.suffix)) {
             factor = suffix.factor;
             text.remove_suffix(std::string_view(suffix.suffix).size());
+            text = text.substr(0, text.find_last_not_of(' ') + 1);
             break;
         }
     }

@@ -123,6 +123,33 @@ Result<Identification> identification_of(const OpenSet& open, const JobControl& 
                                 : identify_phasors(open.phasors, names, open.set.settings, job);
 }
 
+// The file of a channel D, or a further piece, belongs to one recording: with several files on the
+// command line it would silently be that of all.
+Status check_parts(const MeasurementSet& set) {
+    std::map<std::pair<std::string, int>, const RecordingRef*> known;
+    for (const RecordingRef& told : set.recordings) {
+        const OpenOptions& open = told.open;
+        std::vector<std::string> parts = open.join;
+        if (!open.channel_d_file.empty()) {
+            parts.push_back(open.channel_d_file);
+        }
+        for (const std::string& part : parts) {
+            const int channel = open.channel_d_file.empty() ? 0 : open.channel_d;
+            const auto [one, is_new] = known.emplace(std::pair{part, channel}, &told);
+            if (!is_new && one->second != &told) {
+                return Error{
+                    ErrorCode::setting_invalid,
+                    "",
+                    {open.channel_d_file.empty() ? "--join" : "--channel-d", part,
+                     words(VYBEG_MESSAGE("Words",
+                                         "it would belong to several recordings. Name one for "
+                                         "each in a measurement list"))}};
+            }
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
@@ -130,6 +157,7 @@ Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
     OpenSet open;
     open.set = set;
     TRY(check_conditions(set));
+    TRY(check_parts(set));
     if (!passport.empty()) {
         auto comparison = TRY(open_passport(passport, JobControl(stop)));
         open.comparison = std::move(comparison);

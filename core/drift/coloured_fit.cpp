@@ -65,6 +65,9 @@ public:
         double p_walk = 0;
         double p_cross = 0;
         double p_slow = noise.slow == SeriesNoise::Slow::none ? 0 : noise.slow_variance;
+        // Determinant of the covariance of the states, by which its update subtracts nothing: where
+        // the slow noise is far above the white one, a difference has no digit and no sign.
+        double det = 0;
         const double sees_slow = noise.slow == SeriesNoise::Slow::value ? 1 : 0;
         for (std::size_t k = 0; k < segment_.time_s.size(); ++k) {
             if (k > 0) {
@@ -72,9 +75,15 @@ public:
                 state.row(0) += step.walk_by_slow * state.row(1);
                 state.row(1) *= step.slow_by_slow;
                 p_walk += 2 * step.walk_by_slow * p_cross +
-                          step.walk_by_slow * step.walk_by_slow * p_slow + step.q_walk;
-                p_cross = step.slow_by_slow * (p_cross + step.walk_by_slow * p_slow) + step.q_cross;
-                p_slow = step.slow_by_slow * step.slow_by_slow * p_slow + step.q_slow;
+                          step.walk_by_slow * step.walk_by_slow * p_slow;
+                p_cross = step.slow_by_slow * (p_cross + step.walk_by_slow * p_slow);
+                p_slow *= step.slow_by_slow * step.slow_by_slow;
+                det = step.slow_by_slow * step.slow_by_slow * det + p_walk * step.q_slow +
+                      p_slow * step.q_walk - 2 * p_cross * step.q_cross +
+                      step.q_walk * step.q_slow - step.q_cross * step.q_cross;
+                p_walk += step.q_walk;
+                p_cross += step.q_cross;
+                p_slow += step.q_slow;
             }
             const auto at = static_cast<Eigen::Index>(k);
             if (own_) {
@@ -84,15 +93,16 @@ public:
             row -= state.row(0) + sees_slow * state.row(1);
             const double seen_walk = p_walk + sees_slow * p_cross;
             const double seen_slow = p_cross + sees_slow * p_slow;
-            const double variance =
-                seen_walk + sees_slow * seen_slow + noise.white / segment_.count[at];
+            const double white = noise.white / segment_.count[at];
+            const double variance = seen_walk + sees_slow * seen_slow + white;
             normal.selfadjointView<Eigen::Lower>().rankUpdate(row.transpose(), 1 / variance);
             sum.log_det += std::log(variance);
             state.row(0) += seen_walk / variance * row;
             state.row(1) += seen_slow / variance * row;
-            p_walk -= seen_walk * seen_walk / variance;
-            p_cross -= seen_walk * seen_slow / variance;
-            p_slow -= seen_slow * seen_slow / variance;
+            p_walk = (p_walk * white + sees_slow * det) / variance;
+            p_cross = (p_cross * white - sees_slow * det) / variance;
+            p_slow = (p_slow * white + det) / variance;
+            det *= white / variance;
         }
         normal.triangularView<Eigen::StrictlyUpper>() = normal.transpose();
         sum.freedom += static_cast<double>(segment_.time_s.size());
@@ -140,7 +150,10 @@ Trial trial_of(const std::vector<FitSegment>& segments, SeriesKind kind, const S
     const double square = sum.normal(terms, terms) - moment.dot(solution);
     constexpr double least = 1e-40;  // of values without any noise
     const double unit = std::max(square / trial.fit.freedom, least);
-    if (!std::isfinite(unit) || !(ldlt.vectorD().minCoeff() > 0)) {
+    // A difference that the digits of its terms do not hold is no residual.
+    constexpr double digits = 1e-11;
+    const bool lost = square < digits * sum.normal(terms, terms);
+    if (lost || !std::isfinite(unit) || !(ldlt.vectorD().minCoeff() > 0)) {
         return trial;
     }
     const double log_terms = ldlt.vectorD().array().log().sum() - 2 * scale.array().log().sum();

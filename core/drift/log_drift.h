@@ -57,7 +57,7 @@ struct LogBin {
     double seconds = 0;
 };
 
-// The harmonics of one log, with its bins. Errors: turn_too_short, too_few_frames,
+// The harmonics of one log, with its bins. Errors: turn_too_short, turn_too_fast, too_few_frames,
 // no_valid_samples.
 struct BinnedLog {
     LogDrift drift;

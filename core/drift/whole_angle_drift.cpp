@@ -229,6 +229,13 @@ Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
                                           const JobControl& job) {
     WholeAngleDrift found;
     std::vector<std::vector<LogBin>> bins;
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+        for (std::size_t other = 0; other < k && !logs[k].sha256.empty(); ++other) {
+            if (logs[other].sha256 == logs[k].sha256) {
+                return Error{ErrorCode::same_recording, logs[k].name, {logs[other].name}};
+            }
+        }
+    }
     for (const WholeAngleLog& log : logs) {
         auto binned = TRY(log_drift(log, job));
         constexpr double quarter = std::numbers::pi / 2;

@@ -45,8 +45,8 @@ struct WholeAngleDrift {
 };
 
 // Fits each log and puts the logs together. Standard deviations follow the noise of the residual,
-// white or not (coloured_fit.h). Errors, about the log: turn_too_short, too_few_frames,
-// no_valid_samples; interrupted.
+// white or not (coloured_fit.h). Errors, about the log: turn_too_short, turn_too_fast,
+// too_few_frames, no_valid_samples, same_recording; interrupted.
 // Precondition: one log or more.
 Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
                                           const JobControl& job);

@@ -7,31 +7,52 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace vybeg {
 namespace {
 
 constexpr double quarter = std::numbers::pi / 2;
 
-// The change of an angle from row to row, of a wrapped one the smallest that it may be.
-double turn_between(double before, double after) {
-    return std::remainder(after - before, quarter);
-}
-
 // Rows with an angle, and what two neighbours among them usually have between them.
 struct Usual {
     std::vector<std::size_t> rows;
+    bool wraps = false;  // or may
     double step_s = 0;
     double rate = 0;  // rad/s
+
+    // The change of an angle from row to row, of a wrapped one the smallest that it may be.
+    double turn_between(double before, double after) const {
+        return wraps ? std::remainder(after - before, quarter) : after - before;
+    }
 };
+
+// Whether the angles may lie within one turn: nearly all do.
+bool may_wrap(std::vector<double> angles) {
+    if (angles.empty()) {
+        return false;
+    }
+    constexpr std::size_t aside = 100;
+    const std::size_t few = angles.size() / aside;
+    const auto low = angles.begin() + static_cast<std::ptrdiff_t>(few);
+    const auto high = angles.end() - 1 - static_cast<std::ptrdiff_t>(few);
+    std::ranges::nth_element(angles, low);
+    const double least = *low;
+    std::ranges::nth_element(angles, high);
+    return *high - least < 2 * std::numbers::pi;
+}
 
 Usual usual_of(const WholeAngleLog& log) {
     Usual usual;
+    std::vector<double> angles;
     for (std::size_t k = 0; k < log.theta.size(); ++k) {
         if (std::isfinite(log.theta[k])) {
             usual.rows.push_back(k);
+            angles.push_back(log.theta[k]);
         }
     }
+    usual.wraps = may_wrap(std::move(angles));
     std::vector<double> steps;
     std::vector<double> rates;
     for (std::size_t k = 1; k < usual.rows.size(); ++k) {
@@ -40,7 +61,7 @@ Usual usual_of(const WholeAngleLog& log) {
         const double step = log.time_s[at] - log.time_s[before];
         if (step > 0) {
             steps.push_back(step);
-            rates.push_back(turn_between(log.theta[before], log.theta[at]) / step);
+            rates.push_back(usual.turn_between(log.theta[before], log.theta[at]) / step);
         }
     }
     usual.step_s = median(std::move(steps));
@@ -48,24 +69,31 @@ Usual usual_of(const WholeAngleLog& log) {
     return usual;
 }
 
-// The period by which neighbours jump most often; 0: they do not.
-double period_of(const WholeAngleLog& log, const Usual& usual) {
+struct Jumps {
+    double period = 0;   // by which neighbours jump most often; 0: they do not
+    bool often = false;  // between every other row: the wave turns too fast for its rows
+};
+
+Jumps jumps_of(const WholeAngleLog& log, const Usual& usual) {
     std::array<std::size_t, 5> jumps{};  // by quarters of a turn
-    for (std::size_t k = 1; k < usual.rows.size(); ++k) {
+    for (std::size_t k = 1; k < usual.rows.size() && usual.wraps; ++k) {
         const std::size_t at = usual.rows[k];
         const std::size_t before = usual.rows[k - 1];
         if (log.time_s[at] - log.time_s[before] > 1.5 * usual.step_s) {
             continue;
         }
         const double change = log.theta[at] - log.theta[before];
-        const double jump = std::abs(change - turn_between(log.theta[before], log.theta[at]));
+        const double jump = std::abs(change - usual.turn_between(log.theta[before], log.theta[at]));
         const auto quarters = static_cast<std::size_t>(std::lround(std::min(jump / quarter, 9.0)));
-        if (quarters > 0 && quarters < jumps.size()) {
+        if (quarters < jumps.size()) {
             ++jumps[quarters];
         }
     }
-    const auto most = std::ranges::max_element(jumps);
-    return *most == 0 ? 0 : quarter * static_cast<double>(most - jumps.begin());
+    const auto most = std::max_element(jumps.begin() + 1, jumps.end());
+    Jumps found;
+    found.period = *most == 0 ? 0 : quarter * static_cast<double>(most - jumps.begin());
+    found.often = std::accumulate(jumps.begin() + 1, jumps.end(), std::size_t{0}) > jumps[0];
+    return found;
 }
 
 }  // namespace
@@ -73,7 +101,9 @@ double period_of(const WholeAngleLog& log, const Usual& usual) {
 UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
     const Usual usual = usual_of(log);
     UnwrappedAngle found;
-    found.period = period_of(log, usual);
+    const Jumps jumps = jumps_of(log, usual);
+    found.period = jumps.period;
+    found.too_fast = jumps.often;
     // How well the turn of a gap is known from the usual rate.
     constexpr double unsure = 0.2;
     for (const std::size_t row : usual.rows) {

@@ -31,12 +31,13 @@ struct UnwrappedAngle {
     double period = 0;  // at which the log wraps its angle, rad: pi/2, pi or 2 pi; 0: it is whole
     // Of the whole log, rad: greatest less least angle of the longest stretch.
     double turn = 0;
+    // A wrapped angle goes on by an eighth of a turn or more from row to row: how far is unknown.
+    bool too_fast = false;
 };
 
 // The angle of a log, made continuous. An angle that the controller wraps comes back by whole
 // quarters of a turn, whatever its period; across a gap it is the nearest one to the turn so far,
-// and where the gap is too long for that a new stretch begins. Precondition: less than an eighth of
-// a turn from row to row.
+// and where the gap is too long for that a new stretch begins. An angle beyond one turn is whole.
 UnwrappedAngle unwrapped_angle(const WholeAngleLog& log);
 
 }  // namespace vybeg

@@ -87,6 +87,21 @@ private slots:
         QVERIFY2(outcome.err.contains("--channel-d sig0002.ana."), outcome.err.constData());
     }
 
+    void a_part_belongs_to_one_recording_once() {
+        const Outcome several = run("identify sig0001.ana run.csv --channel-d sig0002.ana");
+        QCOMPARE(several.status, 2);
+        QVERIFY2(several.err.contains("it would belong to several recordings"),
+                 several.err.constData());
+        QCOMPARE(run("identify run.csv whole.csv --join more.csv").status, 2);
+        const Outcome same = run("info sig0001.ana --channel-d ./sig0001.ana");
+        QCOMPARE(same.status, 2);
+        QVERIFY2(same.err.contains("it is the channel that is read as C"), same.err.constData());
+        QCOMPARE(run("info run.csv --channel-d run.csv").status, 0);  // another column of it
+        const Outcome twice = run("info run.csv --join ./run.csv");
+        QCOMPARE(twice.status, 2);
+        QVERIFY2(twice.err.contains("it is a piece already"), twice.err.constData());
+    }
+
     void values_take_units() {
         const QString analyze = "analyze run.csv -o - --quiet --window 600 ";
         const auto rows = [](const QByteArray& track) {
@@ -97,6 +112,12 @@ private slots:
         QCOMPARE(plain.status, 0);
         QCOMPARE(units.status, 0);
         QCOMPARE(rows(units.out), rows(plain.out));
+        for (const char* micro : {"2.5µs", "2.5μs"}) {
+            const Outcome other =
+                run(analyze + "--from 1 --to 1.25 --f0 5300 --delay " + QString::fromUtf8(micro));
+            QCOMPARE(other.status, 0);
+            QCOMPARE(rows(other.out), rows(plain.out));
+        }
         const Outcome wrong = run(analyze + "--from 1kHz");
         QCOMPARE(wrong.status, 2);
         QVERIFY2(wrong.err.contains("in s or with its unit"), wrong.err.constData());

@@ -74,6 +74,28 @@ private slots:
         }
     }
 
+    void a_column_of_angles_alone_takes_the_rate_of_the_option() {
+        const QTemporaryDir folder;
+        QFile both(written(folder, "both.csv", "", 1));
+        QFile alone(folder.filePath("alone.csv"));
+        QVERIFY(both.open(QIODevice::ReadOnly) && alone.open(QIODevice::WriteOnly));
+        while (!both.atEnd()) {
+            alone.write(both.readLine().split(',').last());
+        }
+        alone.close();
+        const Outcome run =
+            run_cli({"drift", "alone.csv", "--rate", "10Hz", "--angle-unit", "rad", "--json"},
+                    folder.path());
+        QCOMPARE(run.status, 0);
+        const double deg_h = 3600 * 180 / std::numbers::pi;
+        const QJsonObject harmonics = json_of(run)["harmonics"].toObject();
+        VYBEG_CLOSE(harmonics["mean_deg_h"].toObject()["value"].toDouble(), 0.05 * deg_h, 0.01);
+        const Outcome named = run_cli(
+            {"drift", "alone.csv", "--rate", "10", "--columns", "theta=psi"}, folder.path());
+        QVERIFY2(named.err.contains("there is no column \"psi\"; the file has 1."),
+                 named.err.constData());
+    }
+
     void columns_are_named_and_units_asked_for() {
         const QTemporaryDir folder;
         const QString log = written(folder, "log.csv", "t,psi\n", 1);

@@ -118,6 +118,42 @@ private slots:
         QVERIFY(!compared.out.contains("\n  split                     changed"));
     }
 
+    void powers_of_another_unit_are_refused_and_an_offset_is_told() {
+        const auto written = [this](const QString& name, double e_by, double q_more) {
+            QFile file(folder_.filePath(name));
+            if (!file.open(QIODevice::WriteOnly)) {
+                qFatal("no file");
+            }
+            file.write("t_s,E,R,S,Q\n");
+            for (int k = 0; k < 400; ++k) {
+                const double t = 0.1 * k;
+                const double power = std::exp(-t / 10);
+                const double turned = 0.4 + 0.01 * t;
+                for (const double value : {t, e_by * power, power * std::cos(turned),
+                                           power * std::sin(turned), q_more}) {
+                    file.write(QByteArray::number(value, 'g', 12) + (value == q_more ? "" : ","));
+                }
+                file.write("\n");
+            }
+        };
+        written("good.csv", 1, 1e-30);
+        written("milli.csv", 1000, 1e-30);
+        written("offset.csv", 1, 5e-3);
+        const QStringList identify{"identify", "--columns", "E,R,S,Q"};
+        const Outcome good = run_cli(identify + QStringList{"good.csv"}, folder_.path());
+        QCOMPARE(good.status, 0);
+        QVERIFY2(!good.err.contains("E^2"), good.err.constData());
+        const Outcome milli = run_cli(identify + QStringList{"milli.csv"}, folder_.path());
+        QCOMPARE(milli.status, 4);
+        QVERIFY2(milli.err.contains("milli.csv: R^2 + S^2 + Q^2 is 0.0001 % of E^2"),
+                 milli.err.constData());
+        const Outcome offset = run_cli(identify + QStringList{"offset.csv"}, folder_.path());
+        QCOMPARE(offset.status, 0);
+        QVERIFY2(offset.err.contains("offset.csv: R^2 + S^2 + Q^2 differs from E^2 by"),
+                 offset.err.constData());
+        QVERIFY2(!offset.err.contains("inf"), offset.err.constData());
+    }
+
     void columns_and_models_that_cannot_be_are_refused() {
         QCOMPARE(run_cli({"identify", "0.csv", "--columns", "E,R,S"}, folder_.path()).status, 2);
         QCOMPARE(run_cli({"identify", "0.csv", "--columns", "E,R,S,Q"}, folder_.path()).status, 3);

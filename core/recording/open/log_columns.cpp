@@ -47,15 +47,15 @@ bool is_called(std::string_view name, const ColumnWish& wish) {
 Error missing_column(const FileBytes& file, const ColumnWish& wish,
                      const std::vector<std::string>& names) {
     std::string all;
-    for (const std::string& name : names) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
         all += all.empty() ? "" : ", ";
-        all += plain_text(name);
+        all += names[k].empty() ? std::to_string(k + 1) : plain_text(names[k]);
     }
     return file.error(ErrorCode::column_missing,
                       {wish.column.empty() ? wish.role.name : wish.column, all});
 }
 
-// Place of a column of a text, from 0; -1: it is not there.
+// Place of a column of a text, from 0; -1: it is not there. `order`: that of a text without names.
 int place_of(const TextFormat& format, const ColumnWish& wish, std::size_t order) {
     if (const auto number = parse_number(wish.column);
         number && *number >= 1 && *number <= format.columns) {
@@ -81,7 +81,8 @@ Result<TextFormat> format_with_time(const File& file, const OpenOptions& options
     const auto head = TRY(read_text_head(file, choice.lines_to_skip, job));
     auto format = TRY(find_text_format(*file, head, choice));
     const auto time = std::ranges::find_if(wishes, is_time);
-    if (choice.time_column || time == wishes.end()) {
+    const bool alone = format.columns == 1;  // no time beside it
+    if (choice.time_column || time == wishes.end() || alone) {
         return format;
     }
     const int place = place_of(format, *time, static_cast<std::size_t>(time - wishes.begin()));
@@ -165,7 +166,8 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
         if (is_time(wishes[k])) {
             continue;
         }
-        places[k] = place_of(format, wishes[k], k);
+        const std::size_t before = format.columns == 1 && is_time(wishes.front()) ? 1 : 0;
+        places[k] = place_of(format, wishes[k], k - before);
         if (places[k] >= 0 && places[k] != format.time_column) {
             wanted.push_back(k);
         } else if (wishes[k].role.needed || !wishes[k].column.empty()) {

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,11 @@ OpenOptions of_channel(const OpenOptions& options, int channel, std::size_t vari
         alone.variables.insert(alone.variables.end(), {"", name(2)});
     }
     return alone;
+}
+
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+    std::error_code none;
+    return std::filesystem::equivalent(one, other, none);
 }
 
 // The only channel of a file, or the one of that number.
@@ -193,6 +200,12 @@ Result<Recording> open_pair(const std::filesystem::path& path, const OpenOptions
                             const OpenFile& open) {
     auto c = TRY(open_channel(path, options, options.channel_c, 0, open));
     auto d = TRY(open_channel(options.channel_d_file, options, options.channel_d, 1, open));
+    if (is_same_file(path, options.channel_d_file) && c.channel_c == d.channel_c) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--channel-d", options.channel_d_file,
+                      words(VYBEG_MESSAGE("Words", "it is the channel that is read as C"))}};
+    }
     const std::string name_d = d.path.filename().string();
     return pair_channels(std::move(c), std::move(d), name_d);
 }
@@ -203,7 +216,14 @@ Result<Recording> open_pieces(const std::filesystem::path& path, const OpenOptio
     alone.join.clear();
     auto first = TRY(open(path, alone));
     Joiner joiner(std::move(first));
+    std::vector<std::filesystem::path> pieces{path};
     for (const std::string& name : options.join) {
+        if (std::ranges::any_of(pieces, [&](const auto& one) { return is_same_file(one, name); })) {
+            return Error{ErrorCode::setting_invalid,
+                         "",
+                         {"--join", name, words(VYBEG_MESSAGE("Words", "it is a piece already"))}};
+        }
+        pieces.emplace_back(name);
         auto piece = TRY(open(name, alone));
         TRY(joiner.add(std::move(piece)));
     }

@@ -61,6 +61,11 @@ void drop_groups(std::string& number, char group) {
     number = whole + number.substr(at);
 }
 
+// "20,000 kHz" is 20 kHz with a decimal comma: who writes thousands of hertz has no thousands left.
+bool counts_thousands(const std::string& unit) {
+    return hertz_per(unit).value_or(0) > 1;
+}
+
 // The number at the start of a text, with what stands before a colon left out ("Analog:2E-06").
 struct NumberText {
     std::string number;
@@ -90,7 +95,17 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
     while (!found.number.empty() && (found.number.back() == '.' || found.number.back() == ',')) {
         found.number.pop_back();
     }
-    drop_groups(found.number, group);
+    std::string_view unit = trimmed(text.substr(end));
+    if (unit.starts_with('(') || unit.starts_with('[')) {
+        unit.remove_prefix(1);
+    }
+    found.unit = unit.substr(0, unit.find_first_of(" \t,;|()[]\""));
+    while (found.unit.ends_with('.')) {
+        found.unit.pop_back();
+    }
+    if (!counts_thousands(found.unit)) {
+        drop_groups(found.number, group);
+    }
     std::ranges::replace(found.number, ',', '.');
     if (found.number.empty()) {
         return std::nullopt;
@@ -100,14 +115,6 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
         return std::nullopt;
     }
     found.value = *value;
-    std::string_view unit = trimmed(text.substr(end));
-    if (unit.starts_with('(') || unit.starts_with('[')) {
-        unit.remove_prefix(1);
-    }
-    found.unit = unit.substr(0, unit.find_first_of(" \t,;|()[]\""));
-    while (found.unit.ends_with('.')) {
-        found.unit.pop_back();
-    }
     return found;
 }
 
@@ -252,7 +259,9 @@ private:
     }
 
     // Steps are small: "1.333 ms" holds no thousands.
-    char group(const Key& key) const { return key.meaning == Meaning::rate ? group_ : '\0'; }
+    char group(const Key& key) const {
+        return key.meaning == Meaning::rate && !counts_thousands(key.unit) ? group_ : '\0';
+    }
 
     static std::string_view behind_last(std::string_view text,
                                         std::initializer_list<std::string_view> separators) {

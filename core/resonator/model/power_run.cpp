@@ -63,6 +63,48 @@ PowerRun powers_of_waves(std::vector<double> time_s, const std::vector<double>& 
     return run;
 }
 
+PowerMismatch power_mismatch(const PowerRun& run) {
+    const std::vector<Powers> rows = rows_of(run, run.time_s.size());
+    const auto excess = [&rows](std::size_t k) {
+        const Powers& row = rows[k];
+        return row.r * row.r + row.s * row.s + row.q * row.q - row.e * row.e;
+    };
+    // Of the rows [first, end); zero where noise explains it.
+    const auto mismatch_of = [&](std::size_t first, std::size_t end) {
+        double sum = 0;
+        double square = 0;  // of changes from row to row, which hold the noise alone
+        double power = 0;
+        for (std::size_t k = first; k < end; ++k) {
+            sum += excess(k);
+            power += rows[k].e * rows[k].e;
+            const double change = k > first ? excess(k) - excess(k - 1) : 0;
+            square += change * change;
+        }
+        const auto count = static_cast<double>(end - first);
+        const double variance = square / (2 * std::max(count - 1, 1.0));
+        // The squares of the noise add to R^2 + S^2 + Q^2: half the variance over E^2.
+        const double noise = 5 * std::sqrt(variance / count) + 2 * variance * count / power;
+        const double mean = sum / count;
+        return std::abs(mean) > noise ? mean * count / power : 0;
+    };
+    PowerMismatch found;
+    constexpr std::size_t parts = 8;
+    if (rows.size() < 2 * parts) {
+        return found;
+    }
+    found.of_all = mismatch_of(0, rows.size());
+    for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t first = part * rows.size() / parts;
+        const std::size_t end = (part + 1) * rows.size() / parts;
+        const double mismatch = mismatch_of(first, end);
+        if (std::abs(mismatch) > std::abs(found.worst)) {
+            found.worst = mismatch;
+            found.at_s = rows[(first + end) / 2].time_s;
+        }
+    }
+    return found;
+}
+
 PhasorRun phasors_without_phase(const PowerRun& powers, std::size_t most) {
     const std::vector<Powers> rows = rows_of(powers, most);
     PhasorRun run;

@@ -25,6 +25,15 @@ struct PowerRun {
 PowerRun powers_of_waves(std::vector<double> time_s, const std::vector<double>& a_A,
                          const std::vector<double>& a_B, const std::vector<double>& theta_A);
 
+// By how much R^2 + S^2 + Q^2 differs from E^2, as a share of it, beyond noise: a column has
+// another unit, gain or offset, which no residual need show.
+struct PowerMismatch {
+    double of_all = 0;  // of the whole run, by its power
+    double worst = 0;   // of its parts: an offset shows where the wave is small
+    double at_s = 0;    // the middle of that part
+};
+PowerMismatch power_mismatch(const PowerRun& run);
+
 // The phasors of a run up to their phase, `phase_lost`: |z|^2 is E, the rest is the direction of
 // (R, S, Q). Rows without a number or without power are left out; more than `most` rows are merged.
 // sd is that of equal noise of E, R, S and Q by their third differences.

@@ -200,7 +200,11 @@ std::vector<MessageArg> named_error(const ChannelError& error, double size, doub
     const char* name = "";
     switch (error.source) {
         case skew_error: unit = 180 / pi, name = "deg"; break;
-        case delay_error: unit = -1e9 / (2 * pi * f_ref_hz), name = "ns"; break;
+        case delay_error:
+            // Of a log without a phase the frequency is unknown.
+            unit = f_ref_hz > 0 ? -1e9 / (2 * pi * f_ref_hz) : -1;
+            name = f_ref_hz > 0 ? "ns" : "rad";
+            break;
         case phase_drift_error: name = "rad"; break;
         default: break;
     }

@@ -300,7 +300,9 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
         consider(settling.fall, DiagnosticKind::misfit_settling,
                  {number_arg(settling.most_hz, 2), number_arg(settling.time_s, 2)});
     }
-    if (cause || causes == Causes::without_lines || job.cancelled()) {
+    // Logs without a phase have no frequencies.
+    const bool no_lines = causes == Causes::without_lines || problem.runs.front().phase_lost;
+    if (cause || no_lines || job.cancelled()) {
         return cause;
     }
     const Line line = strongest_line(problem, posterior, fine, f_ref_hz, scale, job);

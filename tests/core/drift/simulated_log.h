@@ -2,6 +2,7 @@
 
 #include "core/drift/whole_angle_log.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -42,7 +43,8 @@ inline WholeAngleLog simulated_log(const HeldLoop& loop, const std::string& name
     std::normal_distribution<double> normal;
     const auto count = static_cast<std::size_t>(loop.seconds * loop.rate_hz);
     const double h = 1 / loop.rate_hz;
-    constexpr int parts = 20;
+    // Short enough for rows that are far apart.
+    const int parts = std::max(20, static_cast<int>(std::abs(loop.turn) * h / 1e-3));
     const auto rate = [&loop](double theta) {
         return loop.turn + loop.c2 * std::cos(2 * theta) + loop.s2 * std::sin(2 * theta) +
                loop.c4 * std::cos(4 * theta) + loop.s4 * std::sin(4 * theta);
@@ -75,6 +77,23 @@ inline WholeAngleLog simulated_log(const HeldLoop& loop, const std::string& name
         slow = keeps * slow + loop.slow * renews * normal(random);
         slow_rate = keeps * slow_rate + loop.slow_rate * renews * normal(random);
     }
+    return log;
+}
+
+// A loop whose turn becomes another one half way.
+inline WholeAngleLog simulated_log_with_turn(HeldLoop loop, double turn_then) {
+    loop.seconds /= 2;
+    WholeAngleLog log = simulated_log(loop);
+    loop.turn = turn_then;
+    loop.start = log.theta.back() + turn_then / loop.rate_hz;
+    ++loop.seed;
+    const WholeAngleLog then = simulated_log(loop);
+    for (std::size_t k = 0; k < then.time_s.size(); ++k) {
+        log.time_s.push_back(loop.seconds + then.time_s[k]);
+        log.theta.push_back(then.theta[k]);
+    }
+    log.amplitude_effort.clear();
+    log.quadrature_effort.clear();
     return log;
 }
 

@@ -75,6 +75,71 @@ private slots:
         }
     }
 
+    // Straight lines between rows made the turn hundreds of its deviations wrong.
+    void rows_far_apart_are_as_good() {
+        for (const double degrees : {3.0, 10.0, 40.0}) {
+            for (const double share : {0.02, 0.1}) {
+                HeldLoop loop = loop_of();
+                loop.rate_hz = 1;
+                loop.seconds = 1000;
+                loop.turn = degrees * pi / 180;
+                loop.white = 1e-6;
+                loop.c2 = share * loop.turn;
+                loop.s4 = -share * loop.turn;
+                const WholeAngleDrift found = drift_of({simulated_log(loop)});
+                VYBEG_LESS(worst_deviation(found, loop), 4.5);
+                VYBEG_LESS(found.harmonics[0].sd, 1e-8);
+            }
+        }
+    }
+
+    // A search that ran into noises without digits gave harmonics of a sixth of the turn, with 12
+    // digits.
+    void a_turn_that_steps_or_turns_back_is_noise_of_the_turn() {
+        for (const double then : {0.06, -0.05}) {
+            HeldLoop loop = loop_of();
+            loop.rate_hz = 2;
+            loop.seconds = 1500;
+            const WholeAngleDrift found = drift_of({simulated_log_with_turn(loop, then)});
+            VYBEG_LESS(worst_deviation(found, loop, 1), 4.5);
+            VYBEG_MORE(found.harmonics[0].sd, 1e-3);
+        }
+    }
+
+    void a_whole_angle_may_go_far_from_row_to_row_and_a_wrapped_one_may_not() {
+        HeldLoop loop = loop_of();
+        loop.rate_hz = 1;
+        loop.turn = 1;  // 57 degrees
+        loop.white = 1e-6;
+        const WholeAngleLog whole = simulated_log(loop, "fast.csv");
+        const WholeAngleDrift found = drift_of({whole});
+        VYBEG_LESS(worst_deviation(found, loop), 4.5);
+        QVERIFY(found.warnings.empty());
+        for (const double period : {2 * pi, pi}) {
+            const Result<WholeAngleDrift> refused =
+                whole_angle_drift(std::vector{wrapped(whole, period)}, {});
+            QVERIFY(!refused);
+            QCOMPARE(refused.error().code, ErrorCode::turn_too_fast);
+            QCOMPARE(QString::fromStdString(english(refused.error())),
+                     QString("fast.csv: the wave turns by 45 degrees or more from row to row, and "
+                             "its angle is wrapped: how far it turned is unknown. Log it faster, "
+                             "or write down the whole angle."));
+        }
+        loop.turn = 0.75;  // 43 degrees
+        const WholeAngleLog slower = simulated_log(loop);
+        for (const double period : {2 * pi, pi, pi / 2}) {
+            VYBEG_LESS(worst_deviation(drift_of({wrapped(slower, period)}), loop), 4.5);
+        }
+    }
+
+    void a_log_named_twice_is_refused() {
+        WholeAngleLog log = simulated_log(loop_of(), "a.csv");
+        log.sha256 = "12";
+        const Result<WholeAngleDrift> found = whole_angle_drift(std::vector{log, log}, {});
+        QVERIFY(!found);
+        QCOMPARE(found.error().code, ErrorCode::same_recording);
+    }
+
     void a_wrapped_angle_is_the_same_log() {
         const HeldLoop loop = loop_of();
         const WholeAngleLog whole = simulated_log(loop);

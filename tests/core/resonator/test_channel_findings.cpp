@@ -1,5 +1,6 @@
 // What a fit says of channel errors that are far from what is known of them.
 #include "core/base/messages.h"
+#include "core/resonator/results/channel_findings.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 #include "tests/test_registry.h"
@@ -69,6 +70,12 @@ class TestChannelFindings : public QObject {
     Q_OBJECT
 
 private slots:
+    void a_delay_is_a_phase_where_the_frequency_is_unknown() {
+        const auto delay = std::ranges::find(channel_errors, delay_error, &ChannelError::source);
+        QVERIFY(named_error(*delay, -2 * pi * 1e-5, 1000).at(1) == number_arg(10, 2, "ns"));
+        QVERIFY(named_error(*delay, -0.01, 0).at(1) == number_arg(0.01, 2, "rad"));
+    }
+
     // Waves of no quadrature and of any, the same at all angles or not.
     void good_channels_say_nothing() {
         for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -28,6 +28,15 @@ using namespace vybeg::test;
 
 constexpr double pi = std::numbers::pi;
 
+namespace {
+
+PowerRun log_of_noise(double power) {
+    std::mt19937_64 random(1);
+    return log_of({.tau = 20}, 0.1, 30, {.power = power}, random);
+}
+
+}  // namespace
+
 class TestPowerFit : public QObject {
     Q_OBJECT
 
@@ -113,6 +122,41 @@ private slots:
             resonator_of(set_of({.split = 1e-4, .r = 0}, 1, 28, {.power = 1e-4}, 3));
         QVERIFY(!found.split_hz.given());
         QVERIFY(!found.angle_rate_rad_s.given());
+    }
+
+    // E^2 = R^2 + S^2 + Q^2 holds for any two channels, whatever they are.
+    void powers_of_one_motion_agree_at_any_noise() {
+        for (unsigned seed = 1; seed <= 20; ++seed) {
+            for (const Noise noise : {Noise{.power = 1e-5}, Noise{.power = 0.1},
+                                      Noise{.phasor = 1e-3}, Noise{.power = 1e-3, .phasor = 0.1}}) {
+                for (const PowerRun& run : set_of({.tau = 20}, 2, 60, noise, seed)) {
+                    QCOMPARE(power_mismatch(run).of_all, 0.0);
+                    VYBEG_LESS(std::abs(power_mismatch(run).worst), 0.05);
+                }
+            }
+        }
+    }
+
+    void a_column_of_another_unit_or_with_an_offset_does_not() {
+        const PowerRun good = log_of_noise(1e-5);
+        PowerRun milli = good;
+        PowerRun half = good;
+        PowerRun offset = good;
+        PowerRun amplitude = good;
+        for (std::size_t k = 0; k < good.e.size(); ++k) {
+            milli.e[k] *= 1000;
+            half.r[k] /= 2;
+            offset.q[k] += 0.02;
+            amplitude.e[k] = std::sqrt(amplitude.e[k]);
+        }
+        VYBEG_CLOSE(power_mismatch(milli).of_all, -1, 1e-5);
+        VYBEG_LESS(power_mismatch(half).of_all, -0.5);
+        VYBEG_LESS(power_mismatch(amplitude).of_all, -0.1);
+        // (Q + 0.02)^2 - Q^2, the more of it the smaller the wave.
+        const PowerMismatch found = power_mismatch(offset);
+        VYBEG_LESS(std::abs(found.of_all), 0.01);
+        VYBEG_MORE(std::abs(found.worst), 1e-3);
+        VYBEG_MORE(found.at_s, 25.0);
     }
 
     void a_log_of_another_gyro_is_seen() {

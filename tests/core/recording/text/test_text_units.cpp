@@ -291,6 +291,8 @@ private slots:
         QTest::newRow("comma") << "Abtastrate: 33.333 Hz" << true;
         QTest::newRow("no thousands") << "Sample Rate: 33.333 kHz" << false;
         QTest::newRow("no thousands, comma") << "Abtastrate: 33,333 kHz" << true;
+        QTest::newRow("comma in the header alone") << "Sample Rate: 33,333 kHz" << false;
+        QTest::newRow("comma, the unit in the key") << "Input Rate In kHz: 33,333" << false;
     }
     void thousands_in_a_rate_are_read() {
         QFETCH(QString, rate);
