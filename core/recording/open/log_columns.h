@@ -39,15 +39,15 @@ struct LogColumn {
 };
 
 struct LogTable {
-    std::vector<double> time_s;      // rising
+    std::vector<double> time_s;  // rising
     double begun_s = 0;  // by the clock that the times of files of one device have in common
     std::vector<LogColumn> columns;  // of the wishes, in their order; that of the time is empty
 };
 
 // Reads the columns of a text, of NPZ, MAT or HDF5. A text without names has them in the order of
 // the wishes. Times are those of the file, never brought onto a grid; those of a text without times
-// follow from --rate. Times in ticks, as those of LabOne, are brought to seconds by the clockbase of
-// the _header_ file beside it, or by --rate. A ZIP file of one text is that text. Errors:
+// follow from --rate. Times in ticks, as those of LabOne, are brought to seconds by the clockbase
+// of the _header_ file beside it, or by --rate. A ZIP file of one text is that text. Errors:
 // column_missing, rate_unknown and those of the readers.
 Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
                           std::span<const ColumnWish> wishes, const JobControl& job);
