@@ -1458,8 +1458,8 @@
         <translation>%1: комплексные амплитуды фазометра или синхронного детектора, а не отсчёты. Укажите, к чему они относятся: vybeg-cli identify %1 --phasors pll (или fixed, common), с --y-sign и --amplitude.</translation>
     </message>
     <message>
-        <source>%1 holds phasors of a phasemeter or a lock-in, no samples. The window does not read them; vybeg-cli identify --phasors does.</source>
-        <translation>%1: комплексные амплитуды фазометра или синхронного детектора, а не отсчёты. Окно их не читает; их читает vybeg-cli identify --phasors.</translation>
+        <source>%1 holds phasors of a phasemeter or a lock-in, no samples. The window does not read them; the command line does.</source>
+        <translation>%1: комплексные амплитуды фазометра или синхронного детектора, а не отсчёты. Окно их не читает; их читает командная строка.</translation>
     </message>
     <message>
         <source>%1: %2 of phasors is less than four times the split of %3, so that the motion may be folded. Log them at a higher rate.</source>

@@ -201,7 +201,7 @@ MessageRow message_row(ErrorCode code) {
                                   "fixed or common, with --y-sign and --amplitude."),
                     VYBEG_MESSAGE("Message",
                                   "%1 holds phasors of a phasemeter or a lock-in, no samples. The "
-                                  "window does not read them; vybeg-cli identify --phasors does.")};
+                                  "window does not read them; the command line does.")};
         case ErrorCode::angle_unit_unknown:
             return {"angle-unit-unknown", bad_input,
                     VYBEG_MESSAGE("Message",
