@@ -3,6 +3,7 @@
 #include "app/cli_simulate_options.h"
 #include "app/cli_support.h"
 #include "core/analysis/analyse.h"
+#include "core/analysis/analyse_log.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/inspect.h"
@@ -18,6 +19,7 @@
 #include "core/output/sample_files.h"
 #include "core/output/track_file.h"
 #include "core/output/track_header.h"
+#include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/file_changes.h"
 #include "core/simulation/simulate.h"
@@ -188,6 +190,31 @@ int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     return written ? 0 : log.fail(written.error());
 }
 
+namespace {
+
+// Of a log in place of a recording; all that needs samples is known to be absent.
+Status write_log_track(const AnalyzeRequest& request, TrackFormat format, OutputFile& output,
+                       Log& log, const JobControl& job) {
+    const double begun = seconds_now();
+    const auto analysis =
+        TRY(analyse_log(request.input, request.open, request.log, request.settings, job));
+    const auto sha256 = TRY(file_sha256(request.input, job));
+    log.warnings(std::vector<NamedWarnings>{{"", analysis.diagnostics},
+                                            {"", without_effect(request.settings, request.log)}});
+    const double analysed = seconds_now();
+    TRY(write_track(output, format, analysis.track,
+                    track_header(program, request.input, sha256, request.log, analysis), job));
+    TRY(output.commit());
+    if (request.timing) {
+        Timing timing = analysis.timing;
+        timing.estimate_s = analysed - begun - timing.read_s;
+        say_timing(timing, seconds_now() - analysed, analysis.plan.count);
+    }
+    return {};
+}
+
+}  // namespace
+
 int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     if (const Status valid = validate(request.settings); !valid) {
         return log.fail(valid.error());
@@ -200,6 +227,13 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     const Result<TrackFormat> format = format_of_track(request.output);
     if (!format) {
         return log.fail(format.error());
+    }
+    if (request.log.given()) {
+        Result<OutputFile> output = open_output(request.output, silent_job(stop));
+        const Status written =
+            output ? write_log_track(request, *format, *output, log, job_of(stop, log))
+                   : Status(output.error());
+        return written ? 0 : log.fail(written.error());
     }
     const double begun = seconds_now();
     const Result<Recording> recording =

@@ -28,6 +28,7 @@ struct AnalyzeRequest {
     std::string output;  // "-": standard output
     OpenOptions open;
     Settings settings;
+    LogChoice log;  // the input is one, where it is given
     bool timing = false;
 };
 

@@ -3488,6 +3488,10 @@
 <context>
     <name>Words</name>
     <message>
+        <source>a log without a phase has no frequency, and a delay is a phase at one: give the carrier f0, too</source>
+        <translation>в журнале без фазы нет частоты, а задержка — это фаза на ней: задайте и несущую f0</translation>
+    </message>
+    <message>
         <source>no data show the sign of Y: give --y-sign + or -</source>
         <translation>знак Y по данным не виден: задайте --y-sign + или -</translation>
     </message>

@@ -154,24 +154,6 @@ void take_breaks(std::span<const FittedBreak> breaks, const IdentifySettings& se
     }
 }
 
-// The fit sees D over the calibration's gain ratio.
-void refer_to_recorded(double calibrated, ResonatorFit& fit) {
-    Estimate& kappa = fit.resonator.kappa;
-    kappa.value *= calibrated;
-    kappa.sd *= calibrated;
-    kappa.u *= calibrated;
-    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
-        if (resonator_parameters[k].member == &ResonatorEstimate::kappa) {
-            for (double& each : fit.sensitivities[k]) {
-                each *= calibrated;
-            }
-            for (double& each : fit.shares[k]) {
-                each *= std::abs(calibrated);
-            }
-        }
-    }
-}
-
 // An error of the clock falsifies every absolute frequency and decay time by as much; Q, a number
 // of periods, is free of it.
 void add_clock(std::span<const RecordedRun> recordings, Identification& found) {
@@ -288,6 +270,23 @@ Result<Identification> identify(std::span<const Recording> recordings,
     }
     found.timing.windows_s = job.now() - begun;
     return identify_runs(std::move(runs), std::move(found), job);
+}
+
+void refer_to_recorded(double calibrated, ResonatorFit& fit) {
+    Estimate& kappa = fit.resonator.kappa;
+    kappa.value *= calibrated;
+    kappa.sd *= calibrated;
+    kappa.u *= calibrated;
+    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
+        if (resonator_parameters[k].member == &ResonatorEstimate::kappa) {
+            for (double& each : fit.sensitivities[k]) {
+                each *= calibrated;
+            }
+            for (double& each : fit.shares[k]) {
+                each *= std::abs(calibrated);
+            }
+        }
+    }
 }
 
 Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identification found,

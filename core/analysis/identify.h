@@ -70,6 +70,9 @@ struct RecordedRun {
 Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identification found,
                                      const JobControl& job);
 
+// The fit sees D over the calibration's gain ratio: brings its own to the recorded channels.
+void refer_to_recorded(double calibrated, ResonatorFit& fit);
+
 // The tolerances of the settings for a fit at a frequency.
 FitOptions fit_options(const IdentifySettings& settings, double f_hz);
 

@@ -104,6 +104,7 @@ Result<Identification> identify_powers(std::span<const PowerRun> runs,
     const FitOptions options = fit_options(settings, 0);
     auto fit = TRY(fit_powers(runs, options, job));
     found.fit = std::move(fit.fit);
+    refer_to_recorded(settings.signal.calibration.kappa, found.fit);
     found.fit.warnings.insert(found.fit.warnings.begin(), apart.begin(), apart.end());
     std::vector<MessageArg> called(names.begin(), names.end());
     for (Diagnostic& warning : found.fit.warnings) {

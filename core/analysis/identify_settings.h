@@ -54,6 +54,7 @@ struct LogChoice {
 
     // Otherwise the set has recordings.
     bool given() const { return !names.empty() || phasors.frame != PhasorFrame::none; }
+    bool without_phase() const { return given() && phasors.frame == PhasorFrame::none; }
 
     friend bool operator==(const LogChoice&, const LogChoice&) = default;
 };

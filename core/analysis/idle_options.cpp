@@ -22,6 +22,8 @@ bool has_variables(const Recording& recording) {
     return format && format->has_variables;
 }
 
+constexpr const char* no_samples = "a log holds no samples of the carrier";
+
 class Findings {
 public:
     void add(bool idle, const char* option, const char* why) {
@@ -31,6 +33,17 @@ public:
     }
     void add_idle_search(const SignalSettings& settings) {
         add(settings.band && settings.f0_hz, "--band", "--f0 skips the search for the carrier");
+    }
+    // What is of samples.
+    void add_idle_on_log(const SignalSettings& signal, const LogChoice& log) {
+        const Calibration& calibration = signal.calibration;
+        const bool delayed = calibration.delay_d_s != 0 && log.without_phase();
+        add(calibration.offset_auto || calibration.offset_c != 0 || calibration.offset_d != 0,
+            "--offset", no_samples);
+        add(signal.band.has_value(), "--band", no_samples);
+        add(signal.filter.has_value(), "--filter", no_samples);
+        add(signal.f0_hz && !delayed, "--f0", no_samples);
+        add(signal.repair_lost, "--repair-lost", no_samples);
     }
     std::vector<Diagnostic> take() { return std::move(found_); }
 
@@ -55,6 +68,22 @@ std::vector<Diagnostic> without_effect(const IdentifySettings& settings) {
     const std::vector<SignalSettings>& each = settings.of_recordings;
     const auto idle = std::ranges::find_if(each, [](const auto& s) { return s.band && s.f0_hz; });
     found.add_idle_search(idle == each.end() ? settings.signal : *idle);
+    if (settings.logs.given()) {
+        found.add_idle_on_log(settings.signal, settings.logs);
+        found.add(settings.windows.window.has_value(), "--window", no_samples);
+        found.add(settings.windows.periods.has_value(), "--periods", no_samples);
+    }
+    return found.take();
+}
+
+std::vector<Diagnostic> without_effect(const Settings& settings, const LogChoice& log) {
+    const Settings usual;
+    Findings found;
+    found.add_idle_on_log(settings, log);
+    found.add(settings.algorithm != usual.algorithm, "--algorithm", no_samples);
+    found.add(settings.window != usual.window, "--window", no_samples);
+    found.add(settings.periods.has_value(), "--periods", no_samples);
+    found.add(settings.hop != usual.hop, "--hop", no_samples);
     return found.take();
 }
 

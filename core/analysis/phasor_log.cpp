@@ -71,14 +71,16 @@ struct NamedColumns {
     std::vector<ColumnWish> wishes;
     LogTable table;
 
+    // Precondition: `role` is among the wishes.
+    const LogColumn& of(std::string_view role) const {
+        const auto wish = std::ranges::find_if(
+            wishes, [role](const ColumnWish& each) { return each.role.name == role; });
+        return table.columns[static_cast<std::size_t>(wish - wishes.begin())];
+    }
     // nullptr: the file has no such column.
-    const LogColumn* find(const char* role) const {
-        for (std::size_t k = 0; k < wishes.size(); ++k) {
-            if (wishes[k].role.name == std::string_view(role) && !table.columns[k].values.empty()) {
-                return &table.columns[k];
-            }
-        }
-        return nullptr;
+    const LogColumn* find(std::string_view role) const {
+        const LogColumn& column = of(role);
+        return column.values.empty() ? nullptr : &column;
     }
 };
 
@@ -105,8 +107,8 @@ Result<NamedColumns> read_columns(const std::filesystem::path& path, const OpenO
 
 // One channel: X + iY, turned by its phase.
 struct Channel {
-    const LogColumn* x;
-    const LogColumn* y;
+    const LogColumn& x;
+    const LogColumn& y;
     const LogColumn* phase;  // nullptr: that of the reference
 };
 
@@ -117,10 +119,10 @@ Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const
     if (channel.phase != nullptr) {
         rad = TRY(angle_factor(path, *channel.phase, choice.rad_per_angle_unit));
     }
-    std::vector<Complex> phasors(channel.x->values.size());
+    std::vector<Complex> phasors(channel.x.values.size());
     for (std::size_t k = 0; k < phasors.size(); ++k) {
         phasors[k] =
-            how.peak_per_unit * Complex(channel.x->values[k], how.y_sign * channel.y->values[k]);
+            how.peak_per_unit * Complex(channel.x.values[k], how.y_sign * channel.y.values[k]);
         if (channel.phase != nullptr) {
             phasors[k] *= std::polar(1.0, rad * channel.phase->values[k]);
         }
@@ -220,8 +222,8 @@ Result<Rows> rows_of_one_table(const std::filesystem::path& path, const OpenOpti
     Rows rows;
     rows.time_s = columns.table.time_s;
     const auto channel = [&](const char* x, const char* y, const char* phase) {
-        return phasors_of(
-            path, {columns.find(x), columns.find(y), own ? columns.find(phase) : nullptr}, choice);
+        return phasors_of(path, {columns.of(x), columns.of(y), own ? columns.find(phase) : nullptr},
+                          choice);
     };
     auto c = TRY(channel("Xc", "Yc", "Pc"));
     rows.c = std::move(c);
@@ -253,7 +255,7 @@ Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOpt
     }
     rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
     const auto channel = [&](const NamedColumns& from, const std::filesystem::path& file) {
-        return phasors_of(file, {from.find("X"), from.find("Y"), own ? from.find("P") : nullptr},
+        return phasors_of(file, {from.of("X"), from.of("Y"), own ? from.find("P") : nullptr},
                           choice);
     };
     auto c = TRY(channel(of_c, path));
@@ -294,6 +296,19 @@ void centre(double step_s, Rows& rows) {
         rows.d[k] *= turn;
     }
     rows.f_ref_hz += offset_hz;
+}
+
+// What the calibration says of D and of the electrodes' angle (calibration.h, without offsets).
+void calibrate(const Calibration& calibration, Rows& rows) {
+    const Complex gain =
+        std::polar(calibration.kappa, 2 * pi * rows.f_ref_hz * calibration.delay_d_s);
+    const Complex turn = std::polar(1.0, calibration.angle_zero_deg * pi / 90);
+    for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
+        const Complex c = rows.c[k];
+        const Complex d = gain * rows.d[k];
+        rows.c[k] = c * turn.real() + d * turn.imag();
+        rows.d[k] = d * turn.real() - c * turn.imag();
+    }
 }
 
 // Means of `count` rows that follow each other without a gap.
@@ -408,6 +423,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
             rows.d[k] /= response;
         }
     }
+    calibrate(signal.calibration, rows);
     const double window_s = std::max(usual_window_s, settled * filter.delay_s());
     const auto count =
         std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(window_s / step_s)), 1,

@@ -20,11 +20,11 @@ struct PhasorLog {
 };
 
 // Reads the times of a log of a lock-in or a phasemeter that the settings of the signal choose, in
-// the frame that the choice declares. One table holds
-// both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and lowers
-// the phasors, and correlates their noise; it leaves frequencies, decay and axes as they are,
-// because it commutes with the motion. Their noise is what a linear recurrence z(t + T) = A z(t)
-// leaves. Errors: phasors_undeclared, files_differ, rate_unknown, no_valid_samples, those of
+// the frame that the choice declares, and applies their calibration but for the offsets. One table
+// holds both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and
+// lowers the phasors, and correlates their noise; it leaves frequencies, decay and axes as they
+// are, because it commutes with the motion. Their noise is what a linear recurrence z(t + T) = A
+// z(t) leaves. Errors: phasors_undeclared, files_differ, rate_unknown, no_valid_samples, those of
 // column_wishes(), read_log() and angle_factor().
 Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,
                                   const LogChoice& choice, const SignalSettings& signal,

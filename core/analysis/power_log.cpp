@@ -1,7 +1,10 @@
 #include "core/analysis/power_log.h"
 
+#include "core/base/messages.h"
 #include "core/recording/open/log_columns.h"
 
+#include <complex>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +40,36 @@ LogColumn* column_of(const std::vector<ColumnWish>& wishes, LogTable& table,
     return nullptr;
 }
 
+// What the calibration says of D and of the electrodes' angle: (E + R)/2 and (E - R)/2 are |c|^2
+// and |d|^2, (S + iQ)/2 is c d*, and R + iS turns by 4 theta.
+Status calibrate(const SignalSettings& signal, PowerRun& run) {
+    using Complex = std::complex<double>;
+    constexpr double pi = std::numbers::pi;
+    const Calibration& told = signal.calibration;
+    if (told.delay_d_s != 0 && !signal.f0_hz) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--delay", number_arg(told.delay_d_s, 3, "s"),
+                      words(VYBEG_MESSAGE("Words",
+                                          "a log without a phase has no frequency, and a delay is "
+                                          "a phase at one: give the carrier f0, too"))}};
+    }
+    const Complex gain =
+        std::polar(told.kappa, -2 * pi * signal.f0_hz.value_or(0) * told.delay_d_s);
+    const Complex turn = std::polar(1.0, -told.angle_zero_deg * pi / 45);
+    for (std::size_t k = 0; k < run.e.size(); ++k) {
+        const double of_c = (run.e[k] + run.r[k]) / 2;
+        const double of_d = std::norm(gain) * (run.e[k] - run.r[k]) / 2;
+        const Complex both = gain * Complex(run.s[k], run.q[k]);
+        const Complex turned = turn * Complex(of_c - of_d, both.real());
+        run.e[k] = of_c + of_d;
+        run.r[k] = turned.real();
+        run.s[k] = turned.imag();
+        run.q[k] = both.imag();
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
@@ -55,6 +88,7 @@ Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOpt
         run.s = std::move(column_of(wishes, table, "S")->values);
         run.q = std::move(column_of(wishes, table, "Q")->values);
         run.time_s = std::move(table.time_s);
+        TRY(calibrate(signal, run));
         return run;
     }
     auto table = TRY(read_log(path, options, *waves, job));
@@ -64,8 +98,10 @@ Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOpt
     for (double& value : theta.values) {
         value *= factor;
     }
-    return powers_of_waves(std::move(table.time_s), column_of(*waves, table, "a")->values,
-                           column_of(*waves, table, "b")->values, theta.values);
+    PowerRun run = powers_of_waves(std::move(table.time_s), column_of(*waves, table, "a")->values,
+                                   column_of(*waves, table, "b")->values, theta.values);
+    TRY(calibrate(signal, run));
+    return run;
 }
 
 }  // namespace vybeg

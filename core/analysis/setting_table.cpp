@@ -376,6 +376,9 @@ std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
     if (!logs.names.empty()) {
         list.emplace_back("columns", logs.names);
     }
+    if (logs.rad_per_angle_unit > 0) {
+        list.emplace_back("angle_unit", logs.rad_per_angle_unit < 1 ? "deg" : "rad");
+    }
     if (phasors.frame != PhasorFrame::none) {
         list.emplace_back("phasors", frame_name(phasors.frame));
         list.emplace_back("y_sign", phasors.y_sign > 0 ? "+" : "-");

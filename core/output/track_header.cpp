@@ -6,8 +6,49 @@
 #include "core/base/plain_text.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace vybeg {
+namespace {
+
+void add_results(const AnalysisSummary& analysis, std::vector<std::string>& lines) {
+    lines.push_back("f0_Hz: " + round_trip_text(analysis.f0_hz()));
+    lines.push_back("residual: " + round_trip_text(analysis.residual));
+    if (analysis.means.windows > 0 && !std::isnan(analysis.f0_hz())) {
+        lines.push_back("mean_f_Hz: " + round_trip_text(analysis.means.mean_f_hz));
+        lines.push_back("mean_f_at_s: " + round_trip_text(analysis.means.mean_at_s));
+        lines.push_back("sd_mean_f_Hz: " + round_trip_text(analysis.means.sd_mean_f_hz));
+        lines.push_back("noise: " + round_trip_text(analysis.means.noise));
+    }
+    for (const Diagnostic& diagnostic : analysis.diagnostics) {
+        lines.push_back((severity(diagnostic.kind) == Severity::note ? "note: " : "warning: ") +
+                        english(diagnostic));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> track_header(const std::string& program, const std::filesystem::path& log,
+                                      const std::string& sha256, const LogChoice& choice,
+                                      const AnalysisSummary& analysis) {
+    std::vector<std::string> lines{program, "input: " + plain_text(log.filename().string()),
+                                   "sha256: " + sha256};
+    IdentifySettings settings;
+    settings.signal = analysis.settings;
+    settings.logs = choice;
+    settings.windows.window = analysis.plan.length;
+    for (const auto& [name, value] : settings_list(settings)) {
+        constexpr std::array of_logs{"window",    "from",       "to",      "kappa",   "delay",
+                                     "f0",        "angle-zero", "columns", "phasors", "y_sign",
+                                     "amplitude", "f_ref",      "lock_in"};
+        if (std::ranges::find(of_logs, name) != of_logs.end()) {
+            lines.push_back(name + ": " + value);
+        }
+    }
+    add_results(analysis, lines);
+    return lines;
+}
 
 std::vector<std::string> track_header(const std::string& program, const Recording& recording,
                                       const std::string& sha256, const AnalysisSummary& analysis) {
@@ -28,18 +69,7 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
     for (const auto& [name, value] : settings_list(analysis.settings)) {
         lines.push_back(name + ": " + value);
     }
-    lines.push_back("f0_Hz: " + round_trip_text(analysis.f0_hz()));
-    lines.push_back("residual: " + round_trip_text(analysis.residual));
-    if (analysis.means.windows > 0) {
-        lines.push_back("mean_f_Hz: " + round_trip_text(analysis.means.mean_f_hz));
-        lines.push_back("mean_f_at_s: " + round_trip_text(analysis.means.mean_at_s));
-        lines.push_back("sd_mean_f_Hz: " + round_trip_text(analysis.means.sd_mean_f_hz));
-        lines.push_back("noise: " + round_trip_text(analysis.means.noise));
-    }
-    for (const Diagnostic& diagnostic : analysis.diagnostics) {
-        lines.push_back((severity(diagnostic.kind) == Severity::note ? "note: " : "warning: ") +
-                        english(diagnostic));
-    }
+    add_results(analysis, lines);
     return lines;
 }
 

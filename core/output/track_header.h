@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/analysis/identify_settings.h"
 #include "core/recording/samples/recording.h"
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +15,11 @@ namespace vybeg {
 // every setting as used, f0, window residual, warnings. Without the "# ".
 std::vector<std::string> track_header(const std::string& program, const Recording& recording,
                                       const std::string& sha256, const AnalysisSummary& analysis);
+
+// The same of the track of a log (analyse_log.h).
+std::vector<std::string> track_header(const std::string& program, const std::filesystem::path& log,
+                                      const std::string& sha256, const LogChoice& choice,
+                                      const AnalysisSummary& analysis);
 
 // Header lines as they go into a file: a file name may contain a line feed, a line may not.
 std::vector<std::string> single_lines(std::span<const std::string> header);

@@ -314,6 +314,57 @@ private slots:
         QCOMPARE(nameless.status, 2);
     }
 
+    // A gain and an angle of the electrodes that are told count as for samples; what is of samples
+    // is named.
+    void calibration_of_a_log() {
+        QStringList identify{"identify", "-o",        "-",        "--phasors", "fixed",
+                             "--f-ref",  "5300.1",    "--y-sign", "+",         "--amplitude",
+                             "peak",     "--lock-in", "4,30Hz"};
+        for (int k = 0; k < runs; ++k) {
+            const QString name = QString("fixed%1.csv").arg(k);
+            write(name, log_of(folder_.filePath(QString::number(k) + ".npy"), {4, 30, 150},
+                               Frame::fixed, 1, 1));
+            identify << name;
+        }
+        // Empty where the command fails.
+        const auto resonator = [&](const QStringList& more) {
+            return json_of(run_cli(identify + more, folder_.path()))["resonator"].toObject();
+        };
+        const auto value = [](const QJsonObject& of, const QString& name) {
+            return of[name].toObject()["value"].toDouble();
+        };
+        const QJsonObject as_it_is = resonator({});
+        const QJsonObject told =
+            resonator({"--kappa", "0.8", "--tolerance", "kappa=0.5", "--angle-zero", "10"});
+        const double sd = as_it_is["theta_w_rad"].toObject()["sd"].toDouble();
+        VYBEG_CLOSE(value(as_it_is, "theta_w_rad") - value(told, "theta_w_rad"), pi / 18, 2 * sd);
+        VYBEG_CLOSE(value(told, "kappa"), 1, 0.002);
+        const Outcome idle = run_cli(identify + QStringList{"--window", "600"}, folder_.path());
+        QVERIFY2(idle.err.contains("--window has no effect: a log holds no samples"),
+                 idle.err.constData());
+    }
+
+    void analyze_writes_the_track_of_a_log() {
+        write("track_of.csv", log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1));
+        const QStringList analyze{"analyze",     "track_of.csv", "-o",     "-",        "--phasors",
+                                  "fixed",       "--f-ref",      "5300.1", "--y-sign", "+",
+                                  "--amplitude", "peak"};
+        const Outcome run = run_cli(analyze, folder_.path());
+        VYBEG_EQUAL(run.status, 0, run.err.constData());
+        QVERIFY(run.out.contains("# phasors: fixed\n"));
+        QVERIFY(run.out.contains("# y_sign: +\n"));
+        QVERIFY(!run.out.contains("# algorithm"));
+        // 20 s in windows of 15 ms or more.
+        VYBEG_WITHIN(run.out.count('\n'), 1100, 300);
+        QCOMPARE(run_cli(analyze + QStringList{"--offset", "auto"}, folder_.path())
+                     .err.count("--offset has no effect"),
+                 1);
+        const Outcome untold =
+            run_cli({"analyze", "track_of.csv", "-o", "-", "--phasors", "fixed"}, folder_.path());
+        QCOMPARE(untold.status, 2);
+        QVERIFY(untold.out.isEmpty());
+    }
+
     // A moved part of a log, whose first seconds are those of a hand.
     void part_of_a_log() {
         QByteArray log = log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1);

@@ -105,6 +105,31 @@ private slots:
         }
     }
 
+    void a_track_of_a_track_is_that_track() {
+        const Outcome again = run_cli(
+            {"analyze", tracks_.front(), "--columns", "a,b,theta", "-o", "-"}, folder_.path());
+        VYBEG_EQUAL(again.status, 0, again.err.constData());
+        QVERIFY(again.out.contains("# columns: a,b,theta\n"));
+        QFile file(folder_.filePath(tracks_.front()));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const auto row = [](const QByteArray& text, int number) {
+            return text.split('\n').at(text.count("# ") + 1 + number).split(',');
+        };
+        const QList<QByteArray> expected = row(file.readAll(), 300);
+        const QList<QByteArray> found = row(again.out, 300);
+        for (int column = 0; column < 4; ++column) {
+            VYBEG_CLOSE(found[column].toDouble(), expected[column].toDouble(), 1e-12);
+        }
+        QCOMPARE(found[4], QByteArray("nan"));  // alpha
+        QCOMPARE(found[5], QByteArray("nan"));  // f
+        const Outcome delayed = run_cli(
+            {"analyze", tracks_.front(), "--columns", "a,b,theta", "--delay", "1us", "-o", "-"},
+            folder_.path());
+        QCOMPARE(delayed.status, 2);
+        QVERIFY2(delayed.err.contains("a log without a phase has no frequency"),
+                 delayed.err.constData());
+    }
+
     void a_passport_of_tracks_compares_with_samples() {
         QCOMPARE(run_cli(QStringList{"identify", "--columns", "a,b,theta", "--passport", "p.json"} +
                              tracks_,
