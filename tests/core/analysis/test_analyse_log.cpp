@@ -207,7 +207,7 @@ private slots:
         QVERIFY(has(found->track.flags()[100], Flag::circular));
         QVERIFY(std::isnan(found->track.values(SlowVariable::two_theta_A)[100]));
         VYBEG_CLOSE(found->track.values(SlowVariable::a_A)[100],
-                   Wave{}.a_A_at(found->track.time_s()[100]), 1e-3);
+                    Wave{}.a_A_at(found->track.time_s()[100]), 1e-3);
     }
 
 private:
