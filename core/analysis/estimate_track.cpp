@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <mutex>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -300,7 +299,7 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                          double rate_hz, int threads, const TrackSink& sink,
                                          const JobControl& job) {
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
-    AngleUnwrapper angle(prepared.calibration.angle_zero_deg * std::numbers::pi / 90);
+    AngleUnwrapper angle(prepared.calibration.two_theta_zero());
     EstimationSummary summary;
     const double independent =
         std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length));

@@ -302,12 +302,9 @@ void centre(double step_s, Rows& rows) {
 void calibrate(const Calibration& calibration, Rows& rows) {
     const Complex gain =
         std::polar(calibration.kappa, 2 * pi * rows.f_ref_hz * calibration.delay_d_s);
-    const Complex turn = std::polar(1.0, calibration.angle_zero_deg * pi / 90);
     for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
-        const Complex c = rows.c[k];
-        const Complex d = gain * rows.d[k];
-        rows.c[k] = c * turn.real() + d * turn.imag();
-        rows.d[k] = d * turn.real() - c * turn.imag();
+        rows.d[k] *= gain;
+        turn_channels(calibration.two_theta_zero(), rows.c[k], rows.d[k]);
     }
 }
 
@@ -432,6 +429,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     log.rows = static_cast<std::int64_t>(rows.time_s.size());
     log.rows_per_window = static_cast<std::int64_t>(count);
     log.run = windows_of_rows(rows, count, step_s);
+    log.run.two_theta_zero = signal.calibration.two_theta_zero();
     auto [correlation, share] = correlation_of(filter, count, step_s);
     const double neighbours = correlation.size() > 1 ? correlation[1] : 0;
     const double sd = noise_of(log.run, neighbours);

@@ -292,9 +292,9 @@ private:
 Phasors moved(const Phasors& local, double cycles, double two_theta_zero) {
     const std::complex<double> back =
         std::polar(1.0, -2 * std::numbers::pi * std::remainder(cycles, 1.0));
-    const double cosine = std::cos(two_theta_zero);
-    const double sine = std::sin(two_theta_zero);
-    return {back * (local.c * cosine + local.d * sine), back * (local.d * cosine - local.c * sine)};
+    Phasors phasors{back * local.c, back * local.d};
+    turn_channels(two_theta_zero, phasors.c, phasors.d);
+    return phasors;
 }
 
 struct Noise {
@@ -308,10 +308,11 @@ PhasorRun collect(const Estimates& estimates, const ConditionedRecording& prepar
                   const WindowPlan& plan, const std::vector<PhaseStep>& steps, double rate_hz,
                   const WindowMean& mean, const Noise& noise) {
     const double limit = noise.residual * chi2_ratio(disturbed, noise.freedom);
-    const double two_theta_zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
+    const double two_theta_zero = prepared.calibration.two_theta_zero();
     PhasorRun run;
     run.f_ref_hz = prepared.f0_hz;
     run.rate_hz = rate_hz;
+    run.two_theta_zero = two_theta_zero;
     run.window_s = static_cast<double>(plan.length) / rate_hz;
     FilteredNoise filtered;
     if (prepared.filter) {

@@ -56,7 +56,8 @@ Status calibrate(const SignalSettings& signal, PowerRun& run) {
     }
     const Complex gain =
         std::polar(told.kappa, -2 * pi * signal.f0_hz.value_or(0) * told.delay_d_s);
-    const Complex turn = std::polar(1.0, -told.angle_zero_deg * pi / 45);
+    run.two_theta_zero = told.two_theta_zero();
+    const Complex turn = std::polar(1.0, -2 * run.two_theta_zero);
     for (std::size_t k = 0; k < run.e.size(); ++k) {
         const double of_c = (run.e[k] + run.r[k]) / 2;
         const double of_d = std::norm(gain) * (run.e[k] - run.r[k]) / 2;

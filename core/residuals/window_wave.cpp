@@ -42,7 +42,7 @@ std::int64_t window_about(const WindowPlan& plan, std::int64_t frame) {
 WindowWave::WindowWave(const Analysis& analysis, std::int64_t window, double rate_hz) {
     const auto row = static_cast<std::size_t>(window);
     const auto value = [&](SlowVariable variable) { return analysis.track.values(variable)[row]; };
-    const double zero = analysis.settings.calibration.angle_zero_deg * std::numbers::pi / 90;
+    const double zero = analysis.settings.calibration.two_theta_zero();
     const double angle = value(SlowVariable::two_theta_A) + zero;
     const double a_A = value(SlowVariable::a_A);
     double a_B = value(SlowVariable::a_B);

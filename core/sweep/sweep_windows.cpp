@@ -13,7 +13,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -118,7 +117,7 @@ Result<std::vector<WaveState>> waves_of(const ConditionedRecording& prepared,
     plan.count = std::min(plan.count, wave_count);
     Settings likely = settings;
     likely.algorithm = Algorithm::maximum_likelihood;
-    const double zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
+    const double zero = prepared.calibration.two_theta_zero();
     const auto collect = [&](const Track& rows) -> Status {
         for (std::size_t k = 0; k < rows.rows(); ++k) {
             const auto value = [&](SlowVariable v) { return rows.values(v)[k]; };
@@ -151,8 +150,7 @@ public:
             noise =
                 equivalent_noise(white_, *prepared_.filter, prepared_.f0_hz, plan.length, rate_hz_);
         }
-        NeighbourScatter scatter(plan, rate_hz_,
-                                 prepared_.calibration.angle_zero_deg * std::numbers::pi / 90,
+        NeighbourScatter scatter(plan, rate_hz_, prepared_.calibration.two_theta_zero(),
                                  windows_over(faults_, plan), noise);
         const TrackSink sink = [&](const Track& rows) -> Status {
             scatter.take(rows);

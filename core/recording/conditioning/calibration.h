@@ -3,6 +3,7 @@
 #include "core/recording/samples/sample_source.h"
 
 #include <memory>
+#include <numbers>
 
 namespace vybeg {
 
@@ -17,6 +18,8 @@ struct Calibration {
         false;             // the offsets are each channel's mean over whole periods of the carrier
     double delay_d_s = 0;  // by how much channel D comes late, seconds
     double angle_zero_deg = 0;  // angle of the first electrode; subtracted from theta_A
+
+    double two_theta_zero() const { return angle_zero_deg * std::numbers::pi / 90; }  // rad
 
     friend bool operator==(const Calibration&, const Calibration&) = default;
 };

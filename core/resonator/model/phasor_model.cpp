@@ -244,8 +244,21 @@ Channels channels_at(const ScaledRun& run, const Eigen::VectorXd& shared,
     return channels;
 }
 
+Vector2cd turned(double two_theta_zero, Vector2cd z) {
+    if (two_theta_zero != 0) {
+        turn_channels(two_theta_zero, z[0], z[1]);
+    }
+    return z;
+}
+
+// `z`: of the recorded channels, not turned.
 Vector2cd seen(const Channels& channels, const Vector2cd& z) {
     return {channels.c * z[0], channels.gain * z[1] + channels.cross * z[0]};
+}
+
+// From the wave of a run to its phasors, both turned by its angle zero.
+Vector2cd seen(const ScaledRun& run, const Channels& channels, const Vector2cd& z) {
+    return turned(run.two_theta_zero, seen(channels, turned(-run.two_theta_zero, z)));
 }
 
 // Measured less predicted phasors of a window.
@@ -300,7 +313,7 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
                 walk = {};
             }
             z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
-            expected.push_back(seen(channels_at(run, shared, own, breaks, t), z));
+            expected.push_back(seen(run, channels_at(run, shared, own, breaks, t), z));
         }
         return expected;
     }
@@ -310,7 +323,7 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
             motion.restart(breaks.start());
         }
         expected.push_back(
-            seen(channels_at(run, shared, own, breaks, run.time_s[k]), motion.at(k).z));
+            seen(run, channels_at(run, shared, own, breaks, run.time_s[k]), motion.at(k).z));
     }
     return expected;
 }
@@ -331,7 +344,9 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         const Channels channels = channels_at(run, shared, own, breaks, run.time_s[k]);
         const Motion at = motion.at(k);
         const double weight = run.weight[k];
-        const Vector2cd expected = seen(channels, at.z);
+        const Vector2cd wave = turned(-run.two_theta_zero, at.z);
+        const Vector2cd of_channels = seen(channels, wave);
+        const Vector2cd expected = turned(run.two_theta_zero, of_channels);
         const auto row = static_cast<Eigen::Index>(4 * k);
         const Vector2cd left = left_of(run, k, expected);
         out.residual.segment<4>(row) << left[0].real(), left[0].imag(), left[1].real(),
@@ -344,22 +359,27 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
             out.by_parameter(row + 3, column) = weight * by[1].imag();
         };
         for (int rate = 0; rate < rate_count; ++rate) {
-            put(rate, seen(channels, at.by.col(rate)));
+            put(rate, seen(run, channels, at.by.col(rate)));
         }
         for (int part = 0; part < 4; ++part) {
-            put(own_column(start_at + part), seen(channels, at.by.col(start_column + part)));
+            put(own_column(start_at + part), seen(run, channels, at.by.col(start_column + part)));
         }
         if (with_cubic) {
-            put(cubic_at, seen(channels, at.by.col(cubic_column)));
+            put(cubic_at, seen(run, channels, at.by.col(cubic_column)));
         }
-        const Complex d_gain = channels.gain * at.z[1];
-        const Complex d_cross = channels.d * at.z[0];
-        put(kappa_at, {0, -expected[1] / kappa});
-        put(skew_at, {0, std::cos(shared[skew_at]) * d_cross});
-        put(crosstalk_at, {0, i * d_cross});
-        put(phase_at, {0, i * d_gain});
-        put(phase_drift_at, {0, i * channels.x * d_gain});
-        put(gain_drift_at, {0, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain});
+        // Of the recorded channels.
+        const auto put_channels = [&](int column, const Vector2cd& change) {
+            put(column, turned(run.two_theta_zero, change));
+        };
+        const Complex d_gain = channels.gain * wave[1];
+        const Complex d_cross = channels.d * wave[0];
+        put_channels(kappa_at, {0, -of_channels[1] / kappa});
+        put_channels(skew_at, {0, std::cos(shared[skew_at]) * d_cross});
+        put_channels(crosstalk_at, {0, i * d_cross});
+        put_channels(phase_at, {0, i * d_gain});
+        put_channels(phase_drift_at, {0, i * channels.x * d_gain});
+        put_channels(gain_drift_at,
+                     {0, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain});
         put(own_column(frequency_at), 2 * pi * channels.u * i * expected);
         put(own_column(drift_at), pi * channels.u * channels.u * i * expected);
         int column = own_column(own_count);
@@ -370,11 +390,11 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
             if (each.kind == BreakKind::phase) {
                 put(column, i * expected);
             } else if (each.kind == BreakKind::gain) {
-                put(column, {expected[0], 0});
-                put(column + 1, {0, expected[1]});
+                put_channels(column, {of_channels[0], 0});
+                put_channels(column + 1, {0, of_channels[1]});
             } else if (each.kind == BreakKind::start) {
                 for (int part = 0; part < 4; ++part) {
-                    put(column + part, seen(channels, at.by.col(start_column + part)));
+                    put(column + part, seen(run, channels, at.by.col(start_column + part)));
                 }
             }
             column += break_size(each.kind);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <vector>
 
@@ -41,8 +42,21 @@ struct PhasorRun {
     std::vector<double> noise_correlation{};
     std::vector<RunBreak> breaks{};  // in the order of time
     double rate_hz = 0;              // of the recording's samples; 0: unknown
+    // Twice the angle of the first electrode, which is subtracted: (c, d) are the channels turned
+    // by it, and errors of the channels are those of the channels turned back.
+    double two_theta_zero = 0;
     // The phase common to c and d is unknown in each window: it says nothing, nor does f_ref.
     bool phase_lost = false;
 };
+
+// Turns (c, d) into channels whose first electrode stands at the angle of which this is the double.
+template <class Value>
+void turn_channels(double two_theta_zero, Value& c, Value& d) {
+    const Value old = c;
+    const double cosine = std::cos(two_theta_zero);
+    const double sine = std::sin(two_theta_zero);
+    c = cosine * old + sine * d;
+    d = cosine * d - sine * old;
+}
 
 }  // namespace vybeg

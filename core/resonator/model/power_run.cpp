@@ -109,6 +109,7 @@ PhasorRun phasors_without_phase(const PowerRun& powers, std::size_t most) {
     const std::vector<Powers> rows = rows_of(powers, most);
     PhasorRun run;
     run.phase_lost = true;
+    run.two_theta_zero = powers.two_theta_zero;
     std::vector<double> steps;
     double square = 0;
     for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -18,6 +18,7 @@ struct PowerRun {
     std::vector<double> r;
     std::vector<double> s;
     std::vector<double> q;
+    double two_theta_zero = 0;  // as PhasorRun
 };
 
 // Powers of the waves a_A, a_B at theta_A (METHOD section 1), whose phase is not needed.

@@ -16,6 +16,7 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
     scaled.window_s = run.window_s;
     scaled.correlation = run.noise_correlation;
     scaled.phase_lost = run.phase_lost;
+    scaled.two_theta_zero = run.two_theta_zero;
     scaled.duration_s = run.time_s.back() + run.window_s / 2;
     std::vector<double> steps;
     double power = 0;
@@ -30,8 +31,10 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         const double at = std::max(scaled.z[k].squaredNorm() - 4 * variance, 0.0);
         // Likewise for each channel; negative values are kept, so that means of pure noise are
         // unbiased.
-        const double c = std::norm(scaled.z[k][0]) - 2 * variance;
-        const double d = std::norm(scaled.z[k][1]) - 2 * variance;
+        Eigen::Vector2cd channels = scaled.z[k];
+        turn_channels(-run.two_theta_zero, channels[0], channels[1]);
+        const double c = std::norm(channels[0]) - 2 * variance;
+        const double d = std::norm(channels[1]) - 2 * variance;
         PowerSums& sums = scaled.power_sums;
         sums.cc += c * c;
         sums.cd += c * d;

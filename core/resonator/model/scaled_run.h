@@ -46,7 +46,8 @@ struct ScaledRun {
     // Share of the power kept by the windows' means, at the run's mean frequency.
     double power_kept = 1;
     double power = 0;         // power of the run's frequency in recorded channels
-    bool phase_lost = false;  // as PhasorRun
+    bool phase_lost = false;  // as PhasorRun, like the next
+    double two_theta_zero = 0;
     PowerSums power_sums;
     RunDeviation deviation;  // zero unless the runs of the set differ
     // Makes the noise of C and D equal and independent, in units of the windows' sd.

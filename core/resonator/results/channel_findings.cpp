@@ -79,17 +79,19 @@ std::optional<Diagnostic> held_finding(const FitProblem& problem, const Posterio
 
 // A ratio a_B/a_A at the start of a recording.
 struct Quadrature {
-    double two_theta = 0;
+    double two_theta = 0;  // from the electrode of C
     double ratio = 0;
     double variance = 0;
 };
 
-std::vector<Quadrature> quadratures_of(std::span<const RunEstimate> runs) {
+std::vector<Quadrature> quadratures_of(const FittedSet& set, std::span<const RunEstimate> runs) {
     std::vector<Quadrature> all;
-    for (const RunEstimate& run : runs) {
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const RunEstimate& run = runs[k];
         if (run.two_theta_A_rad.given() && run.a_A.given() && run.a_B.given()) {
             const double sd = run.a_B.sd / run.a_A.value;
-            all.push_back({run.two_theta_A_rad.value, run.a_B.value / run.a_A.value, sd * sd});
+            all.push_back({run.two_theta_A_rad.value + set.problem->runs[k].two_theta_zero,
+                           run.a_B.value / run.a_A.value, sd * sd});
         }
     }
     return all;
@@ -151,7 +153,7 @@ std::optional<Diagnostic> quadrature_finding(const FittedSet& set,
                                              const ResonatorEstimate& resonator,
                                              std::span<const RunEstimate> runs,
                                              const ChannelTolerance& tolerance, double f_ref_hz) {
-    const std::vector<Quadrature> all = quadratures_of(runs);
+    const std::vector<Quadrature> all = quadratures_of(set, runs);
     if (all.size() < least_runs) {
         return {};
     }

@@ -72,6 +72,7 @@ PhasorRun merged_by(const PhasorRun& run, std::size_t count) {
     merged.window_s = run.window_s * static_cast<double>(count);
     merged.noise_correlation = merged_correlation(run, count);
     merged.breaks = run.breaks;
+    merged.two_theta_zero = run.two_theta_zero;
     // Correlated noise averages less.
     const double noise_left = merged_covariance(run, count, 0) * static_cast<double>(count);
     const double share = 1 / static_cast<double>(count);

@@ -24,7 +24,12 @@ PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, doub
         const double x = run.time_s[k] / (run.time_s.back() + run.window_s / 2);
         const Complex gain = (1 + one.gain_drift * x) / (1 + one.kappa) *
                              std::polar(1.0, one.phase_rad + one.phase_drift * x);
-        seen.d[k] = gain * run.d[k] + Complex(std::sin(one.skew_rad), one.crosstalk) * run.c[k];
+        Complex c = run.c[k];
+        Complex& d = seen.d[k];
+        turn_channels(-run.two_theta_zero, c, d);
+        d = gain * d + Complex(std::sin(one.skew_rad), one.crosstalk) * c;
+        turn_channels(run.two_theta_zero, c, d);
+        seen.c[k] = c;
     }
     return seen;
 }

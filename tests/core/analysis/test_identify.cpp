@@ -1,4 +1,5 @@
 #include "core/analysis/identify.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/uncertainty_budget.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
@@ -139,6 +140,59 @@ private slots:
             VYBEG_CLOSE_RATIO(std::sqrt(squares), row.combined, 1e-6);
         }
         VYBEG_CLOSE_RATIO(budget.front().shares[rate_error], 1e-5 * 5300, 0.01);
+    }
+
+    // Errors of the channels are those of the electrodes, wherever angles count from: the same
+    // resonator, its axes moved by the angle of the first electrode.
+    void the_angle_of_the_first_electrode_moves_the_angles_alone_data() {
+        QTest::addColumn<double>("angle_zero_deg");
+        for (const double angle : {-70.0, 10.0, 22.5, 30.0, 45.0}) {
+            QTest::addRow("%g", angle) << angle;
+        }
+    }
+    void the_angle_of_the_first_electrode_moves_the_angles_alone() {
+        QFETCH(double, angle_zero_deg);
+        std::vector<Recording> runs;
+        for (int k = 0; k < 4; ++k) {
+            FreeDecay decay;
+            decay.seconds = 8;
+            decay.tau_s = 10;
+            decay.split_hz = 0.3;
+            decay.theta_w = 0.4;
+            decay.damping_anisotropy_per_s = 0.01;
+            decay.theta_tau = 0.2;
+            decay.noise = 1e-3;
+            decay.kappa = 1.03;
+            decay.skew_deg = 0.5;
+            decay.two_theta_A = 0.3 + k * std::numbers::pi / 4;
+            decay.seed = static_cast<std::uint64_t>(k + 1);
+            runs.push_back(simulated_recording(decay));
+        }
+        IdentifySettings settings;
+        settings.tolerance.kappa = 0.05;
+        settings.tolerance.skew_deg = 1;
+        const Result<Identification> plain = identify(runs, settings, {});
+        settings.signal.calibration.angle_zero_deg = angle_zero_deg;
+        const Result<Identification> turned = identify(runs, settings, {});
+        QVERIFY(plain && turned);
+        QCOMPARE(turned->fit.model, ResonatorModel::structured);
+        for (const auto& parameter : resonator_parameters) {
+            const Estimate& one = plain->fit.resonator.*parameter.member;
+            const Estimate& other = turned->fit.resonator.*parameter.member;
+            QCOMPARE(other.given(), one.given());
+            if (!one.given()) {
+                continue;
+            }
+            const bool angle = parameter.member == &ResonatorEstimate::theta_w_rad ||
+                               parameter.member == &ResonatorEstimate::theta_tau_rad;
+            const double moved = angle ? angle_zero_deg * std::numbers::pi / 180 : 0;
+            const double difference =
+                std::remainder(other.value - one.value + moved, angle ? std::numbers::pi / 2 : 1e9);
+            VYBEG_LESS(std::abs(difference), 0.05 * one.sd, parameter.name);
+            VYBEG_CLOSE_RATIO(other.sd, one.sd, 0.02, parameter.name);
+            VYBEG_CLOSE_RATIO(other.uncertainty(), one.uncertainty(), 0.02, parameter.name);
+        }
+        VYBEG_CLOSE(turned->fit.resonator.kappa.value, 1.03, 5 * turned->fit.resonator.kappa.sd);
     }
 
     // A gain ratio known to a per cent moves the decay of a wave that turns.

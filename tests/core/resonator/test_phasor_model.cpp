@@ -54,13 +54,17 @@ class TestPhasorModel : public QObject {
 private slots:
     void the_derivatives_are_those_of_central_differences_data() {
         QTest::addColumn<double>("cubic");
-        QTest::newRow("linear") << 0.0;
-        QTest::newRow("cubic spring") << 0.3;
+        QTest::addColumn<double>("two_theta_zero");
+        QTest::newRow("linear") << 0.0 << 0.0;
+        QTest::newRow("cubic spring") << 0.3 << 0.0;
+        QTest::newRow("turned channels") << 0.0 << 0.7;
     }
 
     void the_derivatives_are_those_of_central_differences() {
         QFETCH(double, cubic);
-        const ScaledRun run = some_run();
+        QFETCH(double, two_theta_zero);
+        ScaledRun run = some_run();
+        run.two_theta_zero = two_theta_zero;
         const Eigen::VectorXd shared = some_shared(cubic);
         const Eigen::VectorXd own = some_own();
         const Linearised at = linearised(run, shared, own, run.size(), true);
@@ -85,7 +89,8 @@ private slots:
     }
 
     void expected_phasors_and_residuals_are_of_one_model() {
-        const ScaledRun run = some_run();
+        ScaledRun run = some_run();
+        run.two_theta_zero = 0.4;
         for (const double cubic : {0.0, 0.3}) {
             const Eigen::VectorXd shared = some_shared(cubic);
             const double one = residuals_of(run, shared, some_own()).squaredNorm();
