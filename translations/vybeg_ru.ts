@@ -1454,12 +1454,12 @@
         <translation>Не удалось подогнать резонатор к %1: %2.</translation>
     </message>
     <message>
-        <source>%1 holds phasors of a phasemeter or a lock-in, no samples. Name what they refer to: vybeg-cli identify %1 --phasors pll, or fixed or common, with --y-sign and --amplitude.</source>
-        <translation>%1: комплексные амплитуды фазометра или синхронного детектора, а не отсчёты. Укажите, к чему они относятся: vybeg-cli identify %1 --phasors pll (или fixed, common), с --y-sign и --amplitude.</translation>
+        <source>%1 is a log, no recording: it holds %2. Read it with vybeg-cli identify %3; if the columns are samples all the same, give them other names.</source>
+        <translation>%1 — журнал, а не запись: в нём %2. Прочитайте его командой vybeg-cli identify %3; если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
     </message>
     <message>
-        <source>%1 holds phasors of a phasemeter or a lock-in, no samples. The window does not read them; the command line does.</source>
-        <translation>%1: комплексные амплитуды фазометра или синхронного детектора, а не отсчёты. Окно их не читает; их читает командная строка.</translation>
+        <source>%1 is a log, no recording: it holds %2. The window does not read logs; vybeg-cli identify %3 does. If the columns are samples all the same, give them other names.</source>
+        <translation>%1 — журнал, а не запись: в нём %2. Окно журналов не читает; их читает vybeg-cli identify %3. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
     </message>
     <message>
         <source>%1: %2 of phasors is less than four times the split of %3, so that the motion may be folded. Log them at a higher rate.</source>
@@ -3487,6 +3487,14 @@
 </context>
 <context>
     <name>Words</name>
+    <message>
+        <source>phasors of a phasemeter or a lock-in</source>
+        <translation>комплексные амплитуды фазометра или синхронного детектора</translation>
+    </message>
+    <message>
+        <source>the powers E, R, S and Q</source>
+        <translation>величины E, R, S и Q</translation>
+    </message>
     <message>
         <source>a log without a phase has no frequency, and a delay is a phase at one: give the carrier f0, too</source>
         <translation>в журнале без фазы нет частоты, а задержка — это фаза на ней: задайте и несущую f0</translation>

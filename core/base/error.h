@@ -43,7 +43,7 @@ enum class ErrorCode {
     variable_missing,    // args: variable asked for, the variables that the file has
     column_missing,      // args: column asked for, the columns that the file has
     angle_unit_unknown,  // args: column of angles
-    holds_phasors,       // a phasemeter or a lock-in has written it
+    holds_log,           // args: what it holds in place of samples, options to read it with
     file_changed,        // after it was opened: its size, or the time of its last change
     list_invalid,        // args: line, column, reason. Of a measurement list.
     // The analysis is impossible: exit status 4.

@@ -193,15 +193,16 @@ MessageRow message_row(ErrorCode code) {
                               "with --columns."),
                 VYBEG_MESSAGE("Message",
                               "%1: there is no column \"%2\"; the file has %3. Name others.")};
-        case ErrorCode::holds_phasors:
-            return {"holds-phasors", bad_input,
+        case ErrorCode::holds_log:
+            return {"holds-log", bad_input,
                     VYBEG_MESSAGE("Message",
-                                  "%1 holds phasors of a phasemeter or a lock-in, no samples. Name "
-                                  "what they refer to: vybeg-cli identify %1 --phasors pll, or "
-                                  "fixed or common, with --y-sign and --amplitude."),
+                                  "%1 is a log, no recording: it holds %2. Read it with "
+                                  "vybeg-cli identify %3; if the columns are samples all the same, "
+                                  "give them other names."),
                     VYBEG_MESSAGE("Message",
-                                  "%1 holds phasors of a phasemeter or a lock-in, no samples. The "
-                                  "window does not read them; the command line does.")};
+                                  "%1 is a log, no recording: it holds %2. The window does not "
+                                  "read logs; vybeg-cli identify %3 does. If the columns are "
+                                  "samples all the same, give them other names.")};
         case ErrorCode::angle_unit_unknown:
             return {"angle-unit-unknown", bad_input,
                     VYBEG_MESSAGE("Message",

@@ -179,6 +179,28 @@ private slots:
         QVERIFY2(!offset.err.contains("inf"), offset.err.constData());
     }
 
+    // As samples they would be two channels with an offset.
+    void logs_are_no_recordings() {
+        for (const QString columns : {"E,R,S,Q", "Xc,Yc,Xd,Yd"}) {
+            QFile file(folder_.filePath("log.csv"));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("t_s," + columns.toUtf8() + "\n");
+            for (int k = 0; k < 400; ++k) {
+                file.write(QByteArray::number(0.1 * k) + ",1,0.5,0.5,0.1\n");
+            }
+            file.close();
+            for (const QString command : {"info", "identify"}) {
+                const Outcome refused = run_cli({command, "log.csv"}, folder_.path());
+                QCOMPARE(refused.status, 3);
+                QVERIFY2(refused.err.contains("log.csv is a log, no recording"),
+                         refused.err.constData());
+                QVERIFY2(refused.err.contains(columns.startsWith('E') ? "--columns E,R,S,Q"
+                                                                      : "--phasors fixed"),
+                         refused.err.constData());
+            }
+        }
+    }
+
     void columns_and_models_that_cannot_be_are_refused() {
         QCOMPARE(run_cli({"identify", "0.csv", "--columns", "E,R,S"}, folder_.path()).status, 2);
         QCOMPARE(run_cli({"identify", "0.csv", "--columns", "E,R,S,Q"}, folder_.path()).status, 3);

@@ -35,14 +35,15 @@ bool names(const ResonatorFit& fit, std::size_t run) {
     return false;
 }
 
-Tally tally(SetKind kind, int count, std::size_t runs, double least, double most) {
+Tally tally(SetKind kind, int count, std::size_t runs, double least, double most,
+            double two_theta_zero = 0) {
     std::vector<Tally> each(static_cast<std::size_t>(count));
     test::for_each_seed(count, [&](int k) {
         // Sizes in a fixed order without a relation to the seeds' sets.
         const double share = std::fmod(k * 0.618034, 1.0);
         const double size = least * std::pow(most / least, share);
         const auto seed = static_cast<std::uint64_t>(k) + 1;
-        const test::ViolatedSet set = test::violated_set(kind, seed, size, runs);
+        const test::ViolatedSet set = test::violated_set(kind, seed, size, runs, two_theta_zero);
         const Result<ResonatorFit> fit = fit_resonator(set.runs, {.spread = {}}, {});
         if (!fit) {
             qFatal("the fit failed");
@@ -92,16 +93,21 @@ private slots:
 
     void one_recording_that_does_not_belong_is_named_data() {
         QTest::addColumn<int>("kind");
-        QTest::newRow("another gyro") << static_cast<int>(SetKind::foreign);
-        QTest::newRow("channels exchanged") << static_cast<int>(SetKind::exchanged);
-        QTest::newRow("sign of D") << static_cast<int>(SetKind::sign);
-        QTest::newRow("drive left on") << static_cast<int>(SetKind::drive);
+        QTest::addColumn<double>("two_theta_zero");
+        QTest::newRow("another gyro") << static_cast<int>(SetKind::foreign) << 0.0;
+        QTest::newRow("channels exchanged") << static_cast<int>(SetKind::exchanged) << 0.0;
+        QTest::newRow("sign of D") << static_cast<int>(SetKind::sign) << 0.0;
+        QTest::newRow("drive left on") << static_cast<int>(SetKind::drive) << 0.0;
+        QTest::newRow("exchanged, turned electrodes")
+            << static_cast<int>(SetKind::exchanged) << 0.7;
+        QTest::newRow("sign of D, turned electrodes") << static_cast<int>(SetKind::sign) << 0.7;
     }
 
     // Sets of four (rows 28 to 30).
     void one_recording_that_does_not_belong_is_named() {
         QFETCH(int, kind);
-        const Tally sets = tally(static_cast<SetKind>(kind), 12, 4, 0, 0);
+        QFETCH(double, two_theta_zero);
+        const Tally sets = tally(static_cast<SetKind>(kind), 12, 4, 0, 0, two_theta_zero);
         VYBEG_EQUAL(sets.wrong + sets.elsewhere, 0);
         VYBEG_AT_LEAST(sets.right, 11);
         VYBEG_EQUAL(sets.fits + sets.spread, 0);

@@ -88,8 +88,9 @@ inline PhasorRun driven_phasors(FreeDecay decay, std::int64_t window, std::uint6
 }
 
 // `size`: relative size of a violation of part, kappa, tau, split. `runs`: 0 draws 2, 3, 4 or 6.
-inline ViolatedSet violated_set(SetKind kind, std::uint64_t seed, double size,
-                                std::size_t runs = 0) {
+// `two_theta_zero`: of the electrode from which all angles count.
+inline ViolatedSet violated_set(SetKind kind, std::uint64_t seed, double size, std::size_t runs = 0,
+                                double two_theta_zero = 0) {
     using std::numbers::pi;
     SetRandom random{std::mt19937_64(seed * 16 + static_cast<std::uint64_t>(kind))};
     ViolatedSet set;
@@ -151,8 +152,14 @@ inline ViolatedSet violated_set(SetKind kind, std::uint64_t seed, double size,
         for (std::complex<double>& d : phasors.d) {
             d *= bad && kind == SetKind::sign ? -1 : 1;
         }
+        phasors.two_theta_zero = two_theta_zero;
+        for (std::size_t at = 0; at < phasors.c.size(); ++at) {
+            turn_channels(two_theta_zero, phasors.c[at], phasors.d[at]);
+        }
         set.runs.push_back(std::move(phasors));
     }
+    set.resonator.theta_w -= two_theta_zero / 2;
+    set.resonator.theta_tau -= two_theta_zero / 2;
     return set;
 }
 

@@ -234,15 +234,46 @@ bool is_of_phasemeter(const TextHead& head) {
                                            first.find("Lock-in") != std::string::npos);
 }
 
+// A table whose columns say by their names that they are no samples.
+struct LogKind {
+    std::vector<const char*> columns;
+    const char* holds;
+    const char* read_with;
+};
+
+constexpr const char* phasors = VYBEG_MESSAGE("Words", "phasors of a phasemeter or a lock-in");
+constexpr const char* phasor_options =
+    "--phasors fixed|common|pll --y-sign +|- --amplitude peak|rms";
+
+// Tracks, whose columns are known, too, open: their values are numbers over time.
+Status check_holds_samples(const FileBytes& file, const TextHead& head, const TextFormat& format) {
+    const std::array<LogKind, 2> kinds{{{{"Xc", "Yc", "Xd", "Yd"}, phasors, phasor_options},
+                                        {{"E", "R", "S", "Q"},
+                                         VYBEG_MESSAGE("Words", "the powers E, R, S and Q"),
+                                         "--columns E,R,S,Q"}}};
+    const auto is_there = [&](const char* column) {
+        return std::ranges::find(format.names, column) != format.names.end();
+    };
+    for (const LogKind& kind : kinds) {
+        if (std::ranges::all_of(kind.columns, is_there)) {
+            return file.error(ErrorCode::holds_log, {words(kind.holds), kind.read_with});
+        }
+    }
+    return is_of_phasemeter(head)
+               ? Status(file.error(ErrorCode::holds_log, {words(phasors), phasor_options}))
+               : Status();
+}
+
 Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
                                const OpenOptions& options, const JobControl& job) {
     const TextChoice choice = options.text.value_or(TextChoice{});
     const auto head = TRY(read_text_head(file, choice.lines_to_skip, job));
-    if (is_of_phasemeter(head)) {
-        return file->error(ErrorCode::holds_phasors);
+    const auto found = find_text_format(*file, head, choice);
+    TRY(check_holds_samples(*file, head, found ? *found : TextFormat()));
+    if (!found) {
+        return found.error();
     }
-    const auto found = TRY(find_text_format(*file, head, choice));
-    const TextFormat& format = found;
+    const TextFormat& format = *found;
     const auto channels = static_cast<int>(channel_columns(format).size());
     TRY(check_channels(*file, channels, options));
     const auto chosen = TRY(columns_for(*file, format, options));
