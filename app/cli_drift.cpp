@@ -92,7 +92,8 @@ int run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
         }
         output.emplace(std::move(*file));
     }
-    const Result<WholeAngleDrift> drift = whole_angle_drift(logs, job_of(stop, log));
+    const Result<WholeAngleDrift> drift =
+        whole_angle_drift(logs, job_of(stop, log), request.channels);
     if (!drift) {
         return log.fail(drift.error());
     }

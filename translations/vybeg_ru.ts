@@ -1722,6 +1722,10 @@
         <translation>Записи не подходят к одному резонатору, и исключение любой одной из них этого не меняет. Моды и резонатор не приводятся: определяйте резонатор по меньшему числу записей.</translation>
     </message>
     <message>
+        <source>%1: the phasors of C turn at %2 from the reference, those of D at %3, as if Y of one had the other sign. Export both channels with one sign of Y, or exchange its sign in the file. The numbers hold only if the reference lies in the middle between two modes.</source>
+        <translation>%1: фазоры C вращаются относительно опорной частоты на %2, фазоры D — на %3, как если бы Y одного из каналов имел другой знак. Запишите оба канала с одним знаком Y или смените его знак в файле. Числа верны, только если опорная частота лежит посередине между двумя модами.</translation>
+    </message>
+    <message>
         <source>%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than noise explains: a column has an offset, or a gain of its own, or the wave turns far within a row. The numbers may be off by more than their uncertainties. Calibrate the columns, or log faster.</source>
         <translation>%1: около %3 с сумма R² + S² + Q² отличается от E² на %2 %, больше, чем объясняет шум: в столбце есть сдвиг или своё усиление, либо за одну строку волна поворачивается далеко. Числа могут быть неверны больше, чем на свои неопределённости. Откалибруйте столбцы или записывайте журнал чаще.</translation>
     </message>
@@ -1852,6 +1856,14 @@
     <message>
         <source>%1 does not fit the other logs, in the harmonic %2 of the drift. The drift is that of the others.</source>
         <translation>%1 не согласуется с остальными журналами в гармонике %2 дрейфа. Дрейф определён по остальным.</translation>
+    </message>
+    <message>
+        <source>Gain ratio and skew of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u.</source>
+        <translation>Отношение коэффициентов передачи и неортогональность каналов в пределах допусков дают поворачивающейся волне четвёртую гармонику %1; она входит в u. От дрейфа её отличит журнал с обратным поворотом; меньший допуск (--tolerance kappa=...,skew=...) уменьшит u.</translation>
+    </message>
+    <message>
+        <source>Gain ratio and skew of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift.</source>
+        <translation>Отношение коэффициентов передачи и неортогональность каналов в пределах допусков дают поворачивающейся волне четвёртую гармонику %1; она входит в u. От дрейфа её отличит журнал с обратным поворотом.</translation>
     </message>
     <message>
         <source>%1 wraps its angle at 90 degrees: the sign of the second harmonic is that of its first quarter of a turn.</source>
@@ -2031,6 +2043,10 @@
     <message>
         <source>No log holds the effort of the controller for it.</source>
         <translation>Ни в одном журнале нет нужного для этого управляющего воздействия.</translation>
+    </message>
+    <message>
+        <source>The mean of the amplitude effort is below zero, as if it took energy from the wave. Write both efforts with the signs with which they raise a_A and a_B.</source>
+        <translation>Среднее воздействие по амплитуде отрицательно, как если бы оно отнимало энергию у волны. Запишите оба воздействия с теми знаками, с которыми они увеличивают a_A и a_B.</translation>
     </message>
     <message>
         <source>The fourth harmonic of the effort, or of the drift, is within its noise. Record a longer log.</source>
@@ -2993,6 +3009,10 @@
         <translation>10⁻⁴ проникания</translation>
     </message>
     <message>
+        <source>Calibrate with κ = %1</source>
+        <translation>Калибровать с κ = %1</translation>
+    </message>
+    <message>
         <source>Frequencies by the clock of the recorder.</source>
         <translation>Частоты — по часам регистратора.</translation>
     </message>
@@ -3498,6 +3518,14 @@
     <message>
         <source>a log without a phase has no frequency, and a delay is a phase at one: give the carrier f0, too</source>
         <translation>в журнале без фазы нет частоты, а задержка — это фаза на ней: задайте и несущую f0</translation>
+    </message>
+    <message>
+        <source>%1 is smaller than %2 in %3 rows of %4, which it cannot be: the columns are exchanged or have unlike units</source>
+        <translation>%1 меньше %2 в %3 строках из %4, чего быть не может: столбцы переставлены или в разных единицах</translation>
+    </message>
+    <message>
+        <source>no wave stands out of the noise</source>
+        <translation>волна не выделяется из шума</translation>
     </message>
     <message>
         <source>no data show the sign of Y: give --y-sign + or -</source>

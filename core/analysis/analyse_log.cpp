@@ -114,7 +114,7 @@ Result<PhasorLog> read_as_phasors(const std::filesystem::path& path, const OpenO
     }
     constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max() / 2;
     const auto powers = TRY(read_power_log(path, options, choice, signal, job));
-    PhasorLog log{phasors_without_phase(powers, all_rows),
+    PhasorLog log{phasors_without_phase(powers, all_rows), 0,
                   static_cast<std::int64_t>(powers.time_s.size()), 1, 0};
     if (log.run.time_s.empty()) {
         return Error{ErrorCode::no_valid_samples, path.string(), {}};

@@ -215,32 +215,13 @@ void add_envelopes(Identification& found) {
     }
 }
 
-// The error of a fit that lacks windows, about the recording that has the fewest.
-Error named(Error error, std::span<const PhasorRun> runs, std::span<const RecordedRun> recordings) {
-    if (error.code == ErrorCode::fit_too_few_windows) {
-        const auto finite = [](const PhasorRun& run) {
-            std::int64_t count = 0;
-            for (std::size_t k = 0; k < run.c.size(); ++k) {
-                count += std::isfinite(std::abs(run.c[k]) + std::abs(run.d[k])) ? 1 : 0;
-            }
-            return count;
-        };
-        const auto fewest = std::ranges::min_element(runs, {}, finite);
-        error.where = recordings[static_cast<std::size_t>(fewest - runs.begin())].name;
-        error.args[0] = count_arg(finite(*fewest));
-    }
-    return error;
-}
-
-// Warnings about one recording name it by its file.
-void name_runs(std::span<const RecordedRun> recordings, std::vector<Diagnostic>& warnings) {
+std::vector<MessageArg> names_of(std::span<const RecordedRun> recordings) {
     std::vector<MessageArg> names;
+    names.reserve(recordings.size());
     for (const RecordedRun& recording : recordings) {
         names.emplace_back(recording.name);
     }
-    for (Diagnostic& warning : warnings) {
-        name_recordings(names, warning.args);
-    }
+    return names;
 }
 
 }  // namespace
@@ -303,7 +284,7 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
     const FitOptions options = fit_options(settings, phasors.front().f_ref_hz);
     Result<ResonatorFit> fit = fit_of(phasors, options, job.silent());
     if (!fit) {
-        return named(fit.error(), phasors, runs);
+        return named(fit.error(), names_of(runs));
     }
     found.fit = std::move(*fit);
     refuse_directions(found);
@@ -311,7 +292,9 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
     add_envelopes(found);
     add_clock(runs, found);
-    name_runs(runs, found.fit.warnings);
+    for (Diagnostic& warning : found.fit.warnings) {
+        name_recordings(names_of(runs), warning.args);
+    }
     if (found.fit.model == ResonatorModel::structured) {
         found.drift = drift_function(phasors, found.fit, job);
         for (std::size_t k = 0; k < phasors.size() && !job.cancelled(); ++k) {
@@ -323,6 +306,14 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
         return Error{ErrorCode::interrupted, {}, {}};
     }
     return found;
+}
+
+Error named(Error error, std::span<const MessageArg> names) {
+    if (error.code == ErrorCode::fit_too_few_windows) {
+        name_recordings(names, error.args);
+        error.where = error.args.back().text;
+    }
+    return error;
 }
 
 FitOptions fit_options(const IdentifySettings& settings, double f_hz) {

@@ -73,6 +73,9 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
 // The fit sees D over the calibration's gain ratio: brings its own to the recorded channels.
 void refer_to_recorded(double calibrated, ResonatorFit& fit);
 
+// The error of a fit, about the recording that it is about.
+Error named(Error error, std::span<const MessageArg> names);
+
 // The tolerances of the settings for a fit at a frequency.
 FitOptions fit_options(const IdentifySettings& settings, double f_hz);
 

@@ -1,5 +1,6 @@
 #include "core/analysis/identify_logs.h"
 
+#include "core/analysis/power_log.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/read_value.h"
 #include "core/numerics/median.h"
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,8 @@ namespace vybeg {
 namespace {
 
 constexpr std::size_t power_track_points = 200;
+// Of a log whose carrier nobody tells: an assumed delay counts as it does at most.
+constexpr double high_carrier_hz = 1e4;
 
 IdentifiedRun run_of_powers(const PowerRun& log, const PhasorRun& run,
                             const ChannelTolerance& tolerance, const JobControl& job) {
@@ -41,7 +45,7 @@ Status check_rate(const Identification& found, std::span<const PhasorLog> logs,
                                 ? std::abs(modes[0].f_hz.value - modes[1].f_hz.value)
                                 : 0;
     for (std::size_t k = 0; k < logs.size(); ++k) {
-        const double rate_hz = logs[k].run.rate_hz;
+        const double rate_hz = logs[k].rate_hz;
         if (rate_hz < least_per_split * split_hz) {
             return Error{ErrorCode::phasors_fold,
                          names[k],
@@ -72,6 +76,15 @@ Result<Identification> identify_phasors(std::span<const PhasorLog> logs,
     begun.settings = settings;
     auto found = TRY(identify_runs(std::move(runs), std::move(begun), job));
     TRY(check_rate(found, logs, names));
+    for (std::size_t k = logs.size(); k-- > 0;) {
+        const auto [of_c, of_d] = logs[k].mirrored_hz;
+        if (of_c != 0) {
+            found.fit.warnings.insert(
+                found.fit.warnings.begin(),
+                {DiagnosticKind::phasors_mirrored,
+                 {names[k], number_arg(of_c, 3, "Hz"), number_arg(of_d, 3, "Hz")}});
+        }
+    }
     return found;
 }
 
@@ -81,6 +94,11 @@ Result<Identification> identify_powers(std::span<const PowerRun> runs,
     TRY(validate(settings));
     if (settings.model == FitOptions::Model::free) {
         return refused_value("--model", "free", "logs without a phase show no free model");
+    }
+    const std::optional<double>& carrier_hz = settings.signal.f0_hz;
+    const double delay_s = settings.tolerance.delay_s.value_or(0);
+    if (delay_s > 0 && !carrier_hz) {
+        return refused_delay("--tolerance delay", delay_s);
     }
     std::vector<Diagnostic> apart;
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -100,13 +118,16 @@ Result<Identification> identify_powers(std::span<const PowerRun> runs,
     Identification found;
     found.settings = settings;
     const double begun = job.now();
-    // A delay is a phase at a frequency that is not known.
-    const FitOptions options = fit_options(settings, 0);
-    auto fit = TRY(fit_powers(runs, options, job));
+    const FitOptions options = fit_options(settings, carrier_hz.value_or(high_carrier_hz));
+    const std::vector<MessageArg> called(names.begin(), names.end());
+    auto fitted = fit_powers(runs, options, job);
+    if (!fitted) {
+        return named(fitted.error(), called);
+    }
+    PowerFit& fit = *fitted;
     found.fit = std::move(fit.fit);
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
     found.fit.warnings.insert(found.fit.warnings.begin(), apart.begin(), apart.end());
-    std::vector<MessageArg> called(names.begin(), names.end());
     for (Diagnostic& warning : found.fit.warnings) {
         name_recordings(called, warning.args);
     }

@@ -37,12 +37,12 @@ public:
     // What is of samples.
     void add_idle_on_log(const SignalSettings& signal, const LogChoice& log) {
         const Calibration& calibration = signal.calibration;
-        const bool delayed = calibration.delay_d_s != 0 && log.without_phase();
         add(calibration.offset_auto || calibration.offset_c != 0 || calibration.offset_d != 0,
             "--offset", no_samples);
         add(signal.band.has_value(), "--band", no_samples);
         add(signal.filter.has_value(), "--filter", no_samples);
-        add(signal.f0_hz && !delayed, "--f0", no_samples);
+        // Without a phase a delay counts at it.
+        add(signal.f0_hz && !log.without_phase(), "--f0", no_samples);
         add(signal.repair_lost, "--repair-lost", no_samples);
     }
     std::vector<Diagnostic> take() { return std::move(found_); }

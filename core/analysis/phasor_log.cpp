@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -24,7 +25,7 @@ using Complex = std::complex<double>;
 
 constexpr double pi = std::numbers::pi;
 constexpr double usual_window_s = 0.015;
-constexpr double settled = 3;  // delays of the filter in a window
+constexpr double settled = 3;  // delays of the filter, after which its noise is nearly new
 constexpr std::size_t least_windows = 100;
 constexpr double least_correlation = 1e-3;
 
@@ -48,10 +49,10 @@ double step_of(const Rows& rows) {
 std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
     const bool own = frame == PhasorFrame::pll;
     return {time_of_log(),
-            {"Xc", {"Xc", "Input 1 I", "Input 1 X"}},
-            {"Yc", {"Yc", "Input 1 Q", "Input 1 Y"}},
-            {"Xd", {"Xd", "Input 2 I", "Input 2 X"}},
-            {"Yd", {"Yd", "Input 2 Q", "Input 2 Y"}},
+            {"Xc", {"Xc", "Input 1 I", "Input 1 X", "demods/0/sample/x", "demods(1).sample.x"}},
+            {"Yc", {"Yc", "Input 1 Q", "Input 1 Y", "demods/0/sample/y", "demods(1).sample.y"}},
+            {"Xd", {"Xd", "Input 2 I", "Input 2 X", "demods/1/sample/x", "demods(2).sample.x"}},
+            {"Yd", {"Yd", "Input 2 Q", "Input 2 Y", "demods/1/sample/y", "demods(2).sample.y"}},
             {"Pc", {"Pc", "Input 1 Phase"}, own},
             {"Pd", {"Pd", "Input 2 Phase"}, own},
             {"F", {"F", "f", "freq", "frequency", "Input 1 Set Frequency"}, false},
@@ -72,37 +73,33 @@ struct NamedColumns {
     LogTable table;
 
     // Precondition: `role` is among the wishes.
-    const LogColumn& of(std::string_view role) const {
+    LogColumn& of(std::string_view role) {
         const auto wish = std::ranges::find_if(
             wishes, [role](const ColumnWish& each) { return each.role.name == role; });
         return table.columns[static_cast<std::size_t>(wish - wishes.begin())];
     }
     // nullptr: the file has no such column.
-    const LogColumn* find(std::string_view role) const {
-        const LogColumn& column = of(role);
+    LogColumn* find(std::string_view role) {
+        LogColumn& column = of(role);
         return column.values.empty() ? nullptr : &column;
     }
 };
 
 Result<NamedColumns> read_columns(const std::filesystem::path& path, const OpenOptions& options,
                                   const LogChoice& choice, const SignalSettings& signal,
-                                  std::vector<ColumnRole> roles, const JobControl& job) {
-    NamedColumns columns;
+                                  const std::vector<ColumnRole>& roles, const JobControl& job) {
     auto wishes = TRY(column_wishes(choice.names, roles));
-    // What is not named may be there by its usual name.
-    for (const ColumnRole& role : roles) {
-        if (std::ranges::none_of(wishes, [&](const ColumnWish& wish) {
-                return wish.role.name == std::string_view(role.name);
-            })) {
-            wishes.push_back({role, ""});
-        }
-    }
-    columns.wishes = std::move(wishes);
-    auto table = TRY(read_log(path, options, columns.wishes, job));
+    auto table = TRY(read_log(path, options, wishes, job));
     TRY(keep_times(path, signal.from_s.value_or(TimeRange{}.from_s),
                    signal.to_s.value_or(TimeRange{}.to_s), table));
-    columns.table = std::move(table);
-    return columns;
+    return NamedColumns{std::move(wishes), std::move(table)};
+}
+
+// Brings Y and both columns of D to the unit of X of C.
+void share_unit(const LogColumn& x_of_c, std::initializer_list<LogColumn*> others) {
+    for (LogColumn* const other : others) {
+        bring_to_unit_of(x_of_c, *other);
+    }
 }
 
 // One channel: X + iY, turned by its phase.
@@ -182,6 +179,24 @@ Result<double> turn_by_frequency(const PhasorChoice& choice, const LogColumn& fr
     return mean;
 }
 
+// The frequency to which a phase column is relative, where the oscillator's own stands beside it:
+// its mean less the rate of the phase; of a phase that is wrapped by the smallest step from row to
+// row.
+double frequency_behind(double rad, const LogColumn& phase, const LogColumn& frequency,
+                        const Rows& rows) {
+    std::vector<double> rates;
+    rates.reserve(rows.time_s.size());
+    for (std::size_t k = 1; k < rows.time_s.size(); ++k) {
+        const double turned = std::remainder(rad * (phase.values[k] - phase.values[k - 1]), 2 * pi);
+        const double of_phase = turned / (2 * pi * (rows.time_s[k] - rows.time_s[k - 1]));
+        const double rate = (frequency.values[k] + frequency.values[k - 1]) / 2 - of_phase;
+        if (std::isfinite(rate)) {
+            rates.push_back(rate);
+        }
+    }
+    return median(std::move(rates));
+}
+
 // The reference of the rows, whose phasors it turns where it moves.
 Status refer(const LogColumn* frequency, const LogColumn* phase, const std::filesystem::path& path,
              const LogChoice& choice, Rows& rows) {
@@ -198,6 +213,9 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
             const Complex turn = std::polar(1.0, rad * phase->values[k]);
             rows.c[k] *= turn;
             rows.d[k] *= turn;
+        }
+        if (frequency != nullptr && rows.f_ref_hz == 0) {
+            rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {
         const double mean_hz = TRY(turn_by_frequency(how, *frequency, rows));
@@ -217,8 +235,9 @@ Result<Rows> rows_of_one_table(const std::filesystem::path& path, const OpenOpti
                                const LogChoice& choice, const SignalSettings& signal,
                                const JobControl& job) {
     const bool own = choice.phasors.frame == PhasorFrame::pll;
-    const auto columns =
+    auto columns =
         TRY(read_columns(path, options, choice, signal, roles_of_both(choice.phasors.frame), job));
+    share_unit(columns.of("Xc"), {&columns.of("Yc"), &columns.of("Xd"), &columns.of("Yd")});
     Rows rows;
     rows.time_s = columns.table.time_s;
     const auto channel = [&](const char* x, const char* y, const char* phase) {
@@ -238,9 +257,9 @@ Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOpt
                                 const JobControl& job) {
     const bool own = choice.phasors.frame == PhasorFrame::pll;
     const auto roles = roles_of_one(choice.phasors.frame);
-    const auto of_c = TRY(read_columns(path, options, choice, signal, roles, job));
-    const auto of_d =
-        TRY(read_columns(options.channel_d_file, options, choice, signal, roles, job));
+    auto of_c = TRY(read_columns(path, options, choice, signal, roles, job));
+    auto of_d = TRY(read_columns(options.channel_d_file, options, choice, signal, roles, job));
+    share_unit(of_c.of("X"), {&of_c.of("Y"), &of_d.of("X"), &of_d.of("Y")});
     const auto& t = of_c.table.time_s;
     const auto& other = of_d.table.time_s;
     const std::size_t count = std::min(t.size(), other.size());
@@ -254,7 +273,7 @@ Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOpt
         }
     }
     rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
-    const auto channel = [&](const NamedColumns& from, const std::filesystem::path& file) {
+    const auto channel = [&](NamedColumns& from, const std::filesystem::path& file) {
         return phasors_of(file, {from.of("X"), from.of("Y"), own ? from.find("P") : nullptr},
                           choice);
     };
@@ -281,6 +300,34 @@ void drop_missing(Rows& rows) {
     rows.time_s.resize(kept);
     rows.c.resize(kept);
     rows.d.resize(kept);
+}
+
+// Rates of both channels from the reference, Hz, where they are opposite; else zeros. Both hold the
+// same two modes: only with a sign of Y of their own, or with the reference just between modes each
+// of which is in one channel, do they turn against each other.
+std::array<double, 2> opposite_rates(double step_s, const Rows& rows) {
+    constexpr double alike = 0.25;
+    constexpr double certain = 10;
+    std::array<double, 2> rates{};
+    for (const std::size_t channel : {0, 1}) {
+        const std::vector<Complex>& z = channel == 0 ? rows.c : rows.d;
+        Complex sum = 0;
+        for (std::size_t k = 1; k < z.size(); ++k) {
+            sum += z[k] * std::conj(z[k - 1]);
+        }
+        double across = 0;
+        for (std::size_t k = 1; k < z.size(); ++k) {
+            const double off = (z[k] * std::conj(z[k - 1]) * std::conj(sum)).imag();
+            across += off * off;
+        }
+        const double angle = std::arg(sum);
+        if (std::abs(angle) < certain * std::sqrt(across) / std::norm(sum)) {
+            return {};
+        }
+        rates[channel] = angle / (2 * pi * step_s);
+    }
+    const bool opposite = std::abs(rates[0] + rates[1]) < alike * std::abs(rates[0] - rates[1]);
+    return opposite ? rates : std::array<double, 2>{};
 }
 
 // Brings the reference to the mean frequency: a mean over rows that turn is smaller than they are.
@@ -312,7 +359,6 @@ void calibrate(const Calibration& calibration, Rows& rows) {
 PhasorRun windows_of_rows(const Rows& rows, std::size_t count, double step_s) {
     PhasorRun run;
     run.f_ref_hz = rows.f_ref_hz;
-    run.rate_hz = 1 / step_s;
     run.window_s = static_cast<double>(count) * step_s;
     for (std::size_t from = 0; from + count <= rows.time_s.size();) {
         std::size_t last = from;
@@ -361,31 +407,72 @@ std::pair<std::vector<double>, double> correlation_of(const LockIn& filter, std:
     return {sums, first / static_cast<double>(n * n)};
 }
 
-// Sd of the noise of a window's real or imaginary part: what the linear recurrence of the motion
-// leaves in stretches of windows.
-double noise_of(const PhasorRun& run, double neighbours) {
+// Whether the window follows that before without a gap.
+bool goes_on(const PhasorRun& run, std::size_t k) {
+    return run.time_s[k] - run.time_s[k - 1] < 1.5 * run.window_s;
+}
+
+// What the linear recurrence of the motion leaves of a run, in stretches of windows.
+struct Recurrence {
+    double sd = 0;         // of the noise of a window's real or imaginary part
+    double explained = 1;  // share of the power
+};
+
+Recurrence recurrence_of(const PhasorRun& run, double neighbours) {
+    double power = 0;
+    double left = 0;
     constexpr Eigen::Index stretch = 40;
+    constexpr Eigen::Index least = 7;
+    Eigen::MatrixX2cd before(stretch, 2);
+    Eigen::MatrixX2cd after(stretch, 2);
     std::vector<double> variances;
-    const auto size = static_cast<Eigen::Index>(run.c.size());
-    for (Eigen::Index from = 0; from + 8 <= size; from += stretch) {
-        const Eigen::Index steps = std::min(stretch, size - from - 1);
-        if (steps < 7) {
-            break;
+    Eigen::Index steps = 0;
+    for (std::size_t k = 1; k < run.c.size(); ++k) {
+        if (goes_on(run, k)) {
+            before.row(steps) << run.c[k - 1], run.d[k - 1];
+            after.row(steps) << run.c[k], run.d[k];
+            ++steps;
         }
-        Eigen::MatrixX2cd before(steps, 2);
-        Eigen::MatrixX2cd after(steps, 2);
-        for (Eigen::Index k = 0; k < steps; ++k) {
-            const auto at = static_cast<std::size_t>(from + k);
-            before.row(k) << run.c[at], run.d[at];
-            after.row(k) << run.c[at + 1], run.d[at + 1];
+        const bool last = k + 1 == run.c.size() && steps >= least;
+        if (steps == stretch || last) {
+            const auto from = before.topRows(steps);
+            const auto to = after.topRows(steps);
+            const Eigen::Matrix2cd a = from.colPivHouseholderQr().solve(to);
+            const double rest = (to - from * a).squaredNorm();
+            const double each = rest / static_cast<double>(4 * (steps - 2));
+            const double grows = 1 + a.squaredNorm() / 2 - neighbours * a.trace().real();
+            variances.push_back(each / grows);
+            power += to.squaredNorm();
+            left += rest;
+            steps = 0;
         }
-        const Eigen::Matrix2cd a = before.colPivHouseholderQr().solve(after);
-        const double rest = (after - before * a).squaredNorm();
-        const double each = rest / static_cast<double>(4 * (steps - 2));
-        const double grows = 1 + a.squaredNorm() / 2 - neighbours * a.trace().real();
-        variances.push_back(each / grows);
     }
-    return variances.empty() ? 0 : std::sqrt(median(std::move(variances)));
+    return variances.empty()
+               ? Recurrence{}
+               : Recurrence{std::sqrt(median(std::move(variances))), 1 - left / power};
+}
+
+// Whether windows follow their neighbours, as noise does not: a wave of much noise does so in the
+// sum of all, a beat in each stretch.
+bool holds_wave(const PhasorRun& run, double neighbours, double explained) {
+    constexpr double more_than_noise = 0.3;
+    if (explained > more_than_noise) {
+        return true;
+    }
+    constexpr std::size_t few = 20;
+    constexpr double deviations = 5;
+    Complex follows = 0;
+    double power = 0;
+    std::size_t pairs = 0;
+    for (std::size_t k = 1; k < run.c.size(); ++k) {
+        if (goes_on(run, k)) {
+            follows += run.c[k] * std::conj(run.c[k - 1]) + run.d[k] * std::conj(run.d[k - 1]);
+            power += std::norm(run.c[k]) + std::norm(run.d[k]);
+            ++pairs;
+        }
+    }
+    const double of_noise = neighbours + deviations / std::sqrt(2.0 * static_cast<double>(pairs));
+    return pairs < few || std::abs(follows) > of_noise * power;
 }
 
 }  // namespace
@@ -403,8 +490,12 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
                         ? rows_of_one_table(path, options, choice, signal, job)
                         : rows_of_two_tables(path, options, choice, signal, job));
     drop_missing(rows);
-    if (rows.time_s.size() < 2) {
-        return Error{ErrorCode::no_valid_samples, path.string(), {}};
+    constexpr std::size_t least_rows = 8;
+    if (rows.time_s.size() < least_rows) {
+        return Error{ErrorCode::too_few_frames,
+                     path.string(),
+                     {count_arg(static_cast<std::int64_t>(rows.time_s.size())),
+                      count_arg(static_cast<std::int64_t>(least_rows))}};
     }
     const LockIn& filter = choice.phasors.filter;
     const double step_s = step_of(rows);
@@ -412,6 +503,8 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     for (double& t : rows.time_s) {
         t -= filter.delay_s();
     }
+    PhasorLog log;
+    log.mirrored_hz = opposite_rates(step_s, rows);
     centre(step_s, rows);
     if (choice.phasors.frame == PhasorFrame::fixed) {
         const Complex response = filter.response(rows.f_ref_hz - told_hz);
@@ -421,18 +514,31 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
         }
     }
     calibrate(signal.calibration, rows);
-    const double window_s = std::max(usual_window_s, settled * filter.delay_s());
-    const auto count =
-        std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(window_s / step_s)), 1,
-                                std::max<std::size_t>(rows.time_s.size() / least_windows, 1));
-    PhasorLog log;
+    const auto rows_in = [&](double window_s) {
+        return std::clamp<std::size_t>(
+            static_cast<std::size_t>(std::lround(window_s / step_s)), 1,
+            std::max<std::size_t>(rows.time_s.size() / least_windows, 1));
+    };
+    // The noise shows where that of neighbours is not the same.
+    const std::size_t apart = rows_in(std::max(usual_window_s, settled * filter.delay_s()));
+    const PhasorRun settled_run = windows_of_rows(rows, apart, step_s);
+    const auto [settled_correlation, settled_share] = correlation_of(filter, apart, step_s);
+    const double neighbours = settled_correlation.size() > 1 ? settled_correlation[1] : 0;
+    const Recurrence recurrence = recurrence_of(settled_run, neighbours);
+    if (!holds_wave(settled_run, neighbours, recurrence.explained)) {
+        return Error{ErrorCode::fit_failed,
+                     path.string(),
+                     {words(VYBEG_MESSAGE("Words", "no wave stands out of the noise"))}};
+    }
+    // Means over more than the filter's own would lose a fast beat.
+    const std::size_t count = rows_in(std::max(usual_window_s, filter.delay_s() / 10));
     log.rows = static_cast<std::int64_t>(rows.time_s.size());
+    log.rate_hz = 1 / step_s;
     log.rows_per_window = static_cast<std::int64_t>(count);
     log.run = windows_of_rows(rows, count, step_s);
     log.run.two_theta_zero = signal.calibration.two_theta_zero();
     auto [correlation, share] = correlation_of(filter, count, step_s);
-    const double neighbours = correlation.size() > 1 ? correlation[1] : 0;
-    const double sd = noise_of(log.run, neighbours);
+    const double sd = recurrence.sd * std::sqrt(share / settled_share);
     // Digits of a file without noise.
     constexpr double least = 1e-15;
     double size = 0;

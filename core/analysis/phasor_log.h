@@ -6,6 +6,7 @@
 #include "core/recording/samples/open_options.h"
 #include "core/resonator/model/phasor_run.h"
 
+#include <array>
 #include <filesystem>
 
 namespace vybeg {
@@ -13,10 +14,14 @@ namespace vybeg {
 // A log of phasors as windows: rows of a table, several averaged into one where they are close, on
 // the times at which the lock-in's filter took them.
 struct PhasorLog {
-    PhasorRun run;
+    PhasorRun run;       // without a rate of samples, of which a break might have lost some
+    double rate_hz = 0;  // of the rows
     std::int64_t rows = 0;
     std::int64_t rows_per_window = 0;
     double noise_sd = 0;  // of a row, recording units
+    // Rates of C and D from the reference where they are opposite, as those of unlike signs of Y
+    // are, Hz; zeros: they are not.
+    std::array<double, 2> mirrored_hz{};
 };
 
 // Reads the times of a log of a lock-in or a phasemeter that the settings of the signal choose, in
@@ -24,7 +29,7 @@ struct PhasorLog {
 // holds both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and
 // lowers the phasors, and correlates their noise; it leaves frequencies, decay and axes as they
 // are, because it commutes with the motion. Their noise is what a linear recurrence z(t + T) = A
-// z(t) leaves. Errors: phasors_undeclared, files_differ, rate_unknown, no_valid_samples, those of
+// z(t) leaves. Errors: phasors_undeclared, files_differ, rate_unknown, too_few_frames, those of
 // column_wishes(), read_log() and angle_factor().
 Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,
                                   const LogChoice& choice, const SignalSettings& signal,

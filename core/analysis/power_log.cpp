@@ -3,7 +3,10 @@
 #include "core/base/messages.h"
 #include "core/recording/open/log_columns.h"
 
+#include <cmath>
 #include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -40,6 +43,31 @@ LogColumn* column_of(const std::vector<ColumnWish>& wishes, LogTable& table,
     return nullptr;
 }
 
+// Refuses columns whose largest is another one than `role`, whose values `largest` are.
+Status check_largest(const LogChoice& choice, const char* role, const std::vector<double>& largest,
+                     const char* other, const std::vector<double>& values) {
+    constexpr double margin = 1.1;  // both may be the same but for the noise
+    std::size_t smaller = 0;
+    std::size_t rows = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (std::isfinite(largest[k] + values[k])) {
+            ++rows;
+            smaller += std::abs(values[k]) > margin * largest[k] ? 1 : 0;
+        }
+    }
+    if (2 * smaller <= rows) {
+        return {};
+    }
+    return Error{ErrorCode::setting_invalid,
+                 "",
+                 {"--columns", choice.names,
+                  words(VYBEG_MESSAGE("Words",
+                                      "%1 is smaller than %2 in %3 rows of %4, which it cannot be: "
+                                      "the columns are exchanged or have unlike units"),
+                        {role, other, count_arg(static_cast<std::int64_t>(smaller)),
+                         count_arg(static_cast<std::int64_t>(rows))})}};
+}
+
 // What the calibration says of D and of the electrodes' angle: (E + R)/2 and (E - R)/2 are |c|^2
 // and |d|^2, (S + iQ)/2 is c d*, and R + iS turns by 4 theta.
 Status calibrate(const SignalSettings& signal, PowerRun& run) {
@@ -47,12 +75,7 @@ Status calibrate(const SignalSettings& signal, PowerRun& run) {
     constexpr double pi = std::numbers::pi;
     const Calibration& told = signal.calibration;
     if (told.delay_d_s != 0 && !signal.f0_hz) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--delay", number_arg(told.delay_d_s, 3, "s"),
-                      words(VYBEG_MESSAGE("Words",
-                                          "a log without a phase has no frequency, and a delay is "
-                                          "a phase at one: give the carrier f0, too"))}};
+        return refused_delay("--delay", told.delay_d_s);
     }
     const Complex gain =
         std::polar(told.kappa, -2 * pi * signal.f0_hz.value_or(0) * told.delay_d_s);
@@ -79,30 +102,44 @@ Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOpt
     const double from_s = signal.from_s.value_or(TimeRange{}.from_s);
     const double to_s = signal.to_s.value_or(TimeRange{}.to_s);
     const auto waves = column_wishes(columns.names, roles_of_waves());
-    if (!waves) {
-        const auto wishes = TRY(column_wishes(columns.names, roles_of_powers()));
-        auto table = TRY(read_log(path, options, wishes, job));
-        TRY(keep_times(path, from_s, to_s, table));
-        PowerRun run;
-        run.e = std::move(column_of(wishes, table, "E")->values);
-        run.r = std::move(column_of(wishes, table, "R")->values);
-        run.s = std::move(column_of(wishes, table, "S")->values);
-        run.q = std::move(column_of(wishes, table, "Q")->values);
-        run.time_s = std::move(table.time_s);
-        TRY(calibrate(signal, run));
-        return run;
-    }
-    auto table = TRY(read_log(path, options, *waves, job));
+    const auto wishes = TRY(waves ? waves : column_wishes(columns.names, roles_of_powers()));
+    auto table = TRY(read_log(path, options, wishes, job));
     TRY(keep_times(path, from_s, to_s, table));
-    LogColumn& theta = *column_of(*waves, table, "theta");
-    const auto factor = TRY(angle_factor(path, theta, columns.rad_per_angle_unit));
-    for (double& value : theta.values) {
-        value *= factor;
+    const auto column = [&](const char* role) -> LogColumn& {
+        return *column_of(wishes, table, role);
+    };
+    PowerRun run;
+    if (waves) {
+        LogColumn& theta = column("theta");
+        const auto factor = TRY(angle_factor(path, theta, columns.rad_per_angle_unit));
+        for (double& value : theta.values) {
+            value *= factor;
+        }
+        bring_to_unit_of(column("a"), column("b"));
+        TRY(check_largest(columns, "a", column("a").values, "b", column("b").values));
+        run = powers_of_waves(std::move(table.time_s), column("a").values, column("b").values,
+                              theta.values);
+    } else {
+        for (const char* const other : {"R", "S", "Q"}) {
+            TRY(check_largest(columns, "E", column("E").values, other, column(other).values));
+        }
+        run.e = std::move(column("E").values);
+        run.r = std::move(column("R").values);
+        run.s = std::move(column("S").values);
+        run.q = std::move(column("Q").values);
+        run.time_s = std::move(table.time_s);
     }
-    PowerRun run = powers_of_waves(std::move(table.time_s), column_of(*waves, table, "a")->values,
-                                   column_of(*waves, table, "b")->values, theta.values);
     TRY(calibrate(signal, run));
     return run;
+}
+
+Error refused_delay(const char* option, double delay_s) {
+    return {ErrorCode::setting_invalid,
+            "",
+            {option, number_arg(delay_s, 3, "s"),
+             words(VYBEG_MESSAGE("Words",
+                                 "a log without a phase has no frequency, and a delay is a phase "
+                                 "at one: give the carrier f0, too"))}};
 }
 
 }  // namespace vybeg

@@ -12,10 +12,14 @@ namespace vybeg {
 
 // Reads a log of E, R, S, Q or of a, b, theta, as `columns` says, of the times that the settings of
 // the signal choose, and applies their calibration but for the offsets. A delay of D needs f0_hz: a
-// log without a phase has no frequency. Errors: setting_invalid, those of column_wishes(),
-// read_log(), keep_times() and angle_factor().
+// log without a phase has no frequency. Columns that are exchanged are refused where E or a is not
+// the largest. Errors: setting_invalid, those of column_wishes(), read_log(), keep_times() and
+// angle_factor().
 Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
                                 const LogChoice& columns, const SignalSettings& signal,
                                 const JobControl& job);
+
+// Refuses a delay (s), which a log without a phase cannot take without a carrier.
+Error refused_delay(const char* option, double delay_s);
 
 }  // namespace vybeg

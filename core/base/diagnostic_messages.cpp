@@ -286,6 +286,14 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "The recordings do not fit one resonator, and no single one of "
                                   "them makes the difference. Modes and resonator are refused: "
                                   "identify fewer recordings together.")};
+        case DiagnosticKind::phasors_mirrored:
+            return {
+                "phasors-mirrored", serious,
+                VYBEG_MESSAGE("Message",
+                              "%1: the phasors of C turn at %2 from the reference, those of D at "
+                              "%3, as if Y of one had the other sign. Export both channels with "
+                              "one sign of Y, or exchange its sign in the file. The numbers hold "
+                              "only if the reference lies in the middle between two modes.")};
         case DiagnosticKind::powers_apart:
             return {
                 "powers-apart", serious,
@@ -324,6 +332,17 @@ MessageRow message_row(DiagnosticKind kind) {
                 VYBEG_MESSAGE("Message",
                               "%1 does not fit the other logs, in the harmonic %2 of the drift. "
                               "The drift is that of the others.")};
+        case DiagnosticKind::turn_one_way:
+            return {"turn-one-way", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "Gain ratio and skew of the channels within their tolerance give "
+                                  "a wave that turns a fourth harmonic of %1, which u holds. A log "
+                                  "of the opposite turn tells it from the drift; a smaller "
+                                  "tolerance (--tolerance kappa=...,skew=...) lowers u."),
+                    VYBEG_MESSAGE("Message",
+                                  "Gain ratio and skew of the channels within their tolerance give "
+                                  "a wave that turns a fourth harmonic of %1, which u holds. A log "
+                                  "of the opposite turn tells it from the drift.")};
         case DiagnosticKind::angle_of_quarter:
             return {"angle-of-quarter", warning,
                     VYBEG_MESSAGE("Message",

@@ -61,7 +61,7 @@ enum class ErrorCode {
     fit_window_too_short,     // args: window in samples, least window at this carrier
     fit_window_turns,         // args: window in samples, two lines (Hz), most samples
     fit_beat_too_fast,        // args: two lines (Hz), least window at this carrier
-    fit_too_few_windows,      // args: usable windows, least number
+    fit_too_few_windows,      // args: usable windows, least number, recording
     fit_failed,               // args: reason
     phasors_fold,             // args: rate of the phasors, split (Hz)
     conditions_differ,        // args: condition, its value, another. In one set of recordings.

@@ -103,7 +103,7 @@ Status read_logs(OpenSet& open, const JobControl& job) {
             return Error{ErrorCode::same_recording, same->second, {told.path.string()}};
         }
         if (!open.phasors.empty()) {
-            told.rate_hz = open.phasors.back().run.rate_hz;
+            told.rate_hz = open.phasors.back().rate_hz;
             told.f0_hz = open.phasors.back().run.f_ref_hz;
         }
     }

@@ -15,18 +15,18 @@ namespace vybeg {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr Eigen::Index fourth = 3;  // of log_terms
 
-// A pair (x cos 4 axis, x sin 4 axis) with its covariance.
+// A pair (x cos 4 axis, x sin 4 axis) with the covariance of its noise and that for u.
 struct Pair {
     Eigen::Vector2d value;
     Eigen::Matrix2d covariance;
+    Eigen::Matrix2d wide = covariance;
 
     double size() const { return value.norm(); }
-    double sd_size() const { return sd_along(value / size()); }
-    double sd_axis() const {
-        return sd_along(Eigen::Vector2d(-value[1], value[0]) / size()) / (4 * size());
-    }
+    double sd_size() const { return sd_along(value / size(), covariance); }
+    double u_size() const { return sd_along(value / size(), wide); }
+    double sd_axis() const { return sd_along(across(), covariance) / (4 * size()); }
+    double u_axis() const { return sd_along(across(), wide) / (4 * size()); }
     double largest_sd() const {
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(covariance,
                                                                    Eigen::EigenvaluesOnly);
@@ -37,13 +37,15 @@ struct Pair {
     bool has_axis() const { return size() > 5 * largest_sd(); }
 
 private:
-    double sd_along(const Eigen::Vector2d& direction) const {
+    Eigen::Vector2d across() const { return Eigen::Vector2d(-value[1], value[0]) / size(); }
+    static double sd_along(const Eigen::Vector2d& direction, const Eigen::Matrix2d& covariance) {
         return std::sqrt(direction.dot(covariance * direction));
     }
 };
 
 Pair turned(const Pair& pair, const Eigen::Matrix2d& by) {
-    return {by * pair.value, by * pair.covariance * by.transpose()};
+    return {by * pair.value, by * pair.covariance * by.transpose(),
+            by * pair.wide * by.transpose()};
 }
 
 Reason within(const Pair& pair, const char* unit) {
@@ -52,17 +54,19 @@ Reason within(const Pair& pair, const char* unit) {
 }
 
 void take(const Pair& pair, const char* unit, Estimate& size, Estimate& axis) {
-    size = pair.has_size() ? Estimate{pair.size(), pair.sd_size(), {}}
+    size = pair.has_size() ? Estimate{pair.size(), pair.sd_size(), {}, pair.u_size()}
                            : Estimate{.reason = within(pair, unit)};
-    axis = pair.has_axis()
-               ? Estimate{std::atan2(pair.value[1], pair.value[0]) / 4, pair.sd_axis(), {}}
-               : Estimate{.reason = within(pair, unit)};
+    axis = pair.has_axis() ? Estimate{std::atan2(pair.value[1], pair.value[0]) / 4,
+                                      pair.sd_axis(),
+                                      {},
+                                      pair.u_axis()}
+                           : Estimate{.reason = within(pair, unit)};
 }
 
-// Whether the mean of an amplitude effort, by which all is divided, is above its noise.
-bool drives(const EffortHarmonics& amplitude) {
+// Whether the mean of an amplitude effort, by which all is divided, has this sign beyond its noise.
+bool drives(const EffortHarmonics& amplitude, int sign) {
     constexpr double least = 5;
-    return amplitude.coefficients[0] > least * std::sqrt(amplitude.covariance(0, 0));
+    return sign * amplitude.coefficients[0] > least * std::sqrt(amplitude.covariance(0, 0));
 }
 
 // The fourth harmonic of an effort over the mean of the amplitude effort. Of two efforts of one log
@@ -70,15 +74,16 @@ bool drives(const EffortHarmonics& amplitude) {
 Pair relative(const EffortHarmonics& effort, const EffortHarmonics& amplitude) {
     const double mean = amplitude.coefficients[0];
     const Eigen::Vector2d harmonic = effort.coefficients.segment<2>(fourth);
-    Pair pair{harmonic / mean, effort.covariance.block<2, 2>(fourth, fourth) / (mean * mean)};
-    pair.covariance +=
-        pair.value * pair.value.transpose() * amplitude.covariance(0, 0) / (mean * mean);
-    return pair;
+    const Eigen::Vector2d value = harmonic / mean;
+    const Eigen::Matrix2d covariance = (effort.covariance.block<2, 2>(fourth, fourth) +
+                                        value * value.transpose() * amplitude.covariance(0, 0)) /
+                                       (mean * mean);
+    return {value, covariance};
 }
 
 struct EffortPair {
     std::optional<Pair> pair;
-    bool differ = false;  // the logs do
+    Reason reason = {ReasonCode::effort_missing, {}};  // without a pair, or of logs that differ
 };
 
 // The weighted mean of all logs that have the efforts.
@@ -88,8 +93,15 @@ EffortPair of_logs(std::span<const LogDrift> logs,
     Eigen::Vector2d moment = Eigen::Vector2d::Zero();
     double square = 0;
     double freedom = -2;
+    EffortPair found;
     for (const LogDrift& log : logs) {
-        if (log.amplitude && log.*effort && drives(*log.amplitude)) {
+        if (!log.amplitude || !(log.*effort)) {
+            continue;
+        }
+        if (drives(*log.amplitude, -1)) {
+            return {std::nullopt, {ReasonCode::effort_negative, {}}};
+        }
+        if (drives(*log.amplitude, 1)) {
             const Pair pair = relative(*(log.*effort), *log.amplitude);
             const Eigen::Matrix2d weight = pair.covariance.inverse();
             information += weight;
@@ -98,12 +110,14 @@ EffortPair of_logs(std::span<const LogDrift> logs,
             freedom += 2;
         }
     }
-    EffortPair found;
     if (freedom >= 0) {
-        found.pair = Pair{information.inverse() * moment, information.inverse()};
-        found.differ =
-            freedom > 0 && chi2_deviations(std::max(square - found.pair->value.dot(moment), 0.0),
-                                           freedom) > log_differs;
+        const Eigen::Vector2d mean = information.inverse() * moment;
+        const bool differ = freedom > 0 && chi2_deviations(std::max(square - mean.dot(moment), 0.0),
+                                                           freedom) > log_differs;
+        found.reason = {ReasonCode::logs_differ, {}};
+        if (!differ) {
+            found.pair = Pair{mean, information.inverse()};
+        }
     }
     return found;
 }
@@ -112,13 +126,11 @@ Estimate refused(ReasonCode code, std::vector<MessageArg> args = {}) {
     return Estimate{.reason = {code, std::move(args)}};
 }
 
-// tau = 2 rho/g.
+// tau = 2 rho/g. An error of the channels moves both alike: the controller holds an amplitude that
+// it sees too large at some angles, and its effort pays for the change.
 Estimate tau_of(const Pair& damping, const EffortPair& effort) {
     if (!effort.pair) {
-        return refused(ReasonCode::effort_missing);
-    }
-    if (effort.differ) {
-        return refused(ReasonCode::logs_differ);
+        return Estimate{.reason = effort.reason};
     }
     const Pair& rho = *effort.pair;
     if (!damping.has_axis() || !rho.has_axis()) {
@@ -131,28 +143,27 @@ Estimate tau_of(const Pair& damping, const EffortPair& effort) {
         return refused(ReasonCode::effort_axis_apart, {number_arg(std::abs(apart) * 180 / pi, 3)});
     }
     const double tau = 2 * rho.size() / damping.size();
-    return {
-        tau, tau * std::hypot(rho.sd_size() / rho.size(), damping.sd_size() / damping.size()), {}};
+    const double sd =
+        tau * std::hypot(rho.sd_size() / rho.size(), damping.sd_size() / damping.size());
+    return {tau, sd, {}, sd};
 }
 
 }  // namespace
 
-HeldResonator held_resonator(const Eigen::Vector2d& drift, const Eigen::Matrix2d& covariance,
-                             std::span<const LogDrift> logs) {
+HeldResonator held_resonator(const Eigen::Vector2d& drift, const Eigen::Matrix2d& of_noise,
+                             const Eigen::Matrix2d& with_channels, std::span<const LogDrift> logs) {
     HeldResonator found;
     // (g/4) sin 4(theta - theta_tau) has cos4 = -g/4 sin 4 theta_tau, sin4 = g/4 cos 4 theta_tau.
     Eigen::Matrix2d to_damping;
     to_damping << 0, 4, -4, 0;
-    const Pair damping = turned({drift, covariance}, to_damping);
+    const Pair damping = turned({drift, of_noise, with_channels}, to_damping);
     take(damping, "1/s", found.damping_anisotropy_per_s, found.theta_tau_rad);
     found.tau_s = tau_of(damping, of_logs(logs, &LogDrift::amplitude));
     // The effort is against the growth pi split a_A sin 4(theta - theta_w) of the quadrature, in
     // units of that against the decay a_A/tau of the amplitude.
     const EffortPair effort = of_logs(logs, &LogDrift::quadrature);
-    if (!effort.pair || effort.differ || !found.tau_s.given()) {
-        const Reason reason = !effort.pair    ? Reason{ReasonCode::effort_missing, {}}
-                              : effort.differ ? Reason{ReasonCode::logs_differ, {}}
-                                              : found.tau_s.reason;
+    if (!effort.pair || !found.tau_s.given()) {
+        const Reason reason = effort.pair ? found.tau_s.reason : effort.reason;
         found.split_hz.reason = found.theta_w_rad.reason = reason;
         return found;
     }
@@ -164,6 +175,7 @@ HeldResonator held_resonator(const Eigen::Vector2d& drift, const Eigen::Matrix2d
     if (found.split_hz.given()) {
         const double of_tau = found.tau_s.sd / found.tau_s.value;
         found.split_hz.sd = std::hypot(found.split_hz.sd, found.split_hz.value * of_tau);
+        found.split_hz.u = found.split_hz.sd;
     }
     return found;
 }

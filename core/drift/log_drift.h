@@ -24,6 +24,7 @@ namespace vybeg {
 // are those of all logs, each of which has a turn of its own.
 inline constexpr std::array log_harmonics{2, 4};
 inline constexpr Eigen::Index log_terms = 5;  // m, c2, s2, c4, s4
+inline constexpr Eigen::Index fourth = 3;     // where the fourth harmonic begins
 inline constexpr std::array<const char*, log_terms> log_term_names{"mean", "cos2", "sin2", "cos4",
                                                                    "sin4"};
 // From this normal deviate on two numbers are not the same.

@@ -3,7 +3,8 @@
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/log_columns.h"
 
-#include <array>
+#include <algorithm>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -33,6 +34,9 @@ Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
     auto sha256 = TRY(file_sha256(path, job));
     log.sha256 = std::move(sha256);
     log.time_s = std::move(table.time_s);
+    const auto amplitude = std::ranges::find_if(wishes, [](const ColumnWish& wish) {
+        return wish.role.name == std::string_view("amplitude");
+    });
     for (std::size_t k = 0; k < wishes.size(); ++k) {
         LogColumn& column = table.columns[k];
         const std::string_view role = wishes[k].role.name;
@@ -44,6 +48,8 @@ Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
         } else if (role == "amplitude") {
             log.amplitude_effort = std::move(column.values);
         } else if (role == "quadrature") {
+            bring_to_unit_of(
+                table.columns[static_cast<std::size_t>(amplitude - wishes.begin())], column);
             log.quadrature_effort = std::move(column.values);
         }
     }

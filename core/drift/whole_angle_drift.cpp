@@ -5,6 +5,7 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/harmonic_terms.h"
 #include "core/numerics/median.h"
+#include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,37 +36,103 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix) {
 // The weighted mean of some terms over logs, and chi^2 about it.
 struct Mean {
     Eigen::VectorXd value;
-    Eigen::MatrixXd covariance;
+    Eigen::MatrixXd covariance;  // of the noise
+    Eigen::MatrixXd with_channels;
     double chi2 = 0;
     double freedom = 0;
 
     double deviations() const { return freedom > 0 ? chi2_deviations(chi2, freedom) : 0; }
 };
 
-Mean mean_of(const std::vector<const LogDrift*>& logs, Eigen::Index first, Eigen::Index count) {
-    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
-    Eigen::VectorXd moment = Eigen::VectorXd::Zero(count);
-    for (const LogDrift* log : logs) {
-        const Eigen::MatrixXd weight =
-            inverse_of(log->covariance.block(first, first, count, count));
-        information += weight;
-        moment += weight * log->coefficients.segment(first, count);
+// Errors of the channels make a fourth harmonic of the turn m: m (gain cos 4 theta - skew sin 4
+// theta). They are unknowns of all logs with a prior of their tolerance, and logs that turn
+// differently tell them from the drift. Solved for the drift at the mean turn: the turn of a log
+// alone takes nothing from its digits.
+class MeanOfLogs {
+public:
+    MeanOfLogs(const std::vector<const LogDrift*>& logs, const ChannelTolerance& channels,
+               Eigen::Index first, Eigen::Index count)
+        : logs_(logs), first_(first), count_(count) {
+        const bool holds_fourth = first + count == log_terms;
+        const std::array tolerances{channels.kappa, channels.skew_rad};
+        for (Eigen::Index k = 0; holds_fourth && k < 2; ++k) {
+            const double sd = tolerances[static_cast<std::size_t>(k)];
+            if (sd > 0) {
+                errors_.emplace_back(fourth + k - first, 1 / (sd * sd));
+            }
+        }
+        double weights = 0;
+        for (const LogDrift* log : logs) {
+            const double weight = 1 / log->covariance(log_terms - 1, log_terms - 1);
+            mean_turn_ += weight * log->coefficients[0];
+            weights += weight;
+        }
+        mean_turn_ /= weights;
     }
-    Mean mean;
-    mean.covariance = inverse_of(information);
-    mean.value = mean.covariance * moment;
-    for (const LogDrift* log : logs) {
-        const Eigen::VectorXd off = log->coefficients.segment(first, count) - mean.value;
-        mean.chi2 += off.dot(inverse_of(log->covariance.block(first, first, count, count)) * off);
-    }
-    mean.freedom = static_cast<double>(count) * (static_cast<double>(logs.size()) - 1);
-    return mean;
-}
 
-std::vector<LogAgreement> agreement_of(const std::vector<const LogDrift*>& logs) {
+    Mean mean() const {
+        const auto size = count_ + static_cast<Eigen::Index>(errors_.size());
+        Eigen::MatrixXd of_noise = Eigen::MatrixXd::Zero(size, size);
+        Eigen::VectorXd moment = Eigen::VectorXd::Zero(size);
+        for (const LogDrift* log : logs_) {
+            const Eigen::MatrixXd terms = terms_of(*log);
+            const Eigen::MatrixXd weighted = terms.transpose() * weight_of(*log);
+            of_noise += weighted * terms;
+            moment += weighted * log->coefficients.segment(first_, count_);
+        }
+        Eigen::MatrixXd information = of_noise;
+        for (std::size_t k = 0; k < errors_.size(); ++k) {
+            const Eigen::Index at = count_ + static_cast<Eigen::Index>(k);
+            information(at, at) += errors_[k].second;
+        }
+        const Eigen::MatrixXd inverse = inverse_of(information);
+        const Eigen::VectorXd solved = inverse * moment;
+        Eigen::MatrixXd to_drift = Eigen::MatrixXd::Identity(count_, size);
+        Mean mean;
+        for (std::size_t k = 0; k < errors_.size(); ++k) {
+            const Eigen::Index at = count_ + static_cast<Eigen::Index>(k);
+            to_drift(errors_[k].first, at) = -mean_turn_;
+            mean.chi2 += solved[at] * solved[at] * errors_[k].second;
+        }
+        mean.value = to_drift * solved;
+        mean.covariance = to_drift * inverse * of_noise * inverse * to_drift.transpose();
+        mean.with_channels = to_drift * inverse * to_drift.transpose();
+        for (const LogDrift* log : logs_) {
+            const Eigen::VectorXd off =
+                log->coefficients.segment(first_, count_) - terms_of(*log) * solved;
+            mean.chi2 += off.dot(weight_of(*log) * off);
+        }
+        mean.freedom = static_cast<double>(count_) * (static_cast<double>(logs_.size()) - 1);
+        return mean;
+    }
+
+private:
+    Eigen::MatrixXd weight_of(const LogDrift& log) const {
+        return inverse_of(log.covariance.block(first_, first_, count_, count_));
+    }
+
+    Eigen::MatrixXd terms_of(const LogDrift& log) const {
+        const auto size = count_ + static_cast<Eigen::Index>(errors_.size());
+        Eigen::MatrixXd terms = Eigen::MatrixXd::Identity(count_, size);
+        for (std::size_t k = 0; k < errors_.size(); ++k) {
+            terms(errors_[k].first, count_ + static_cast<Eigen::Index>(k)) =
+                log.coefficients[0] - mean_turn_;
+        }
+        return terms;
+    }
+
+    const std::vector<const LogDrift*>& logs_;
+    Eigen::Index first_;
+    Eigen::Index count_;
+    std::vector<std::pair<Eigen::Index, double>> errors_;  // their term, and weight of the prior
+    double mean_turn_ = 0;
+};
+
+std::vector<LogAgreement> agreement_of(const std::vector<const LogDrift*>& logs,
+                                       const ChannelTolerance& channels) {
     std::vector<LogAgreement> found;
     for (const Place& place : places) {
-        const Mean mean = mean_of(logs, place.first, place.count);
+        const Mean mean = MeanOfLogs(logs, channels, place.first, place.count).mean();
         found.push_back({place.harmonic, mean.chi2, mean.freedom, mean.deviations(),
                          mean.deviations() < log_differs});
     }
@@ -96,11 +163,12 @@ std::vector<const LogDrift*> pointers_to(const std::vector<LogDrift>& logs,
 }
 
 // The one log without which the others agree, if there are three or more and only one is such.
-std::optional<std::size_t> foreign_log(const std::vector<LogDrift>& logs) {
+std::optional<std::size_t> foreign_log(const std::vector<LogDrift>& logs,
+                                       const ChannelTolerance& channels) {
     std::optional<std::size_t> foreign;
     constexpr std::size_t least = 3;
     for (std::size_t k = 0; logs.size() >= least && k < logs.size(); ++k) {
-        if (harmonics_agree(agreement_of(pointers_to(logs, k)))) {
+        if (harmonics_agree(agreement_of(pointers_to(logs, k), channels))) {
             if (foreign) {
                 return std::nullopt;
             }
@@ -110,13 +178,13 @@ std::optional<std::size_t> foreign_log(const std::vector<LogDrift>& logs) {
     return foreign;
 }
 
-void examine_logs(WholeAngleDrift& found) {
-    found.agreement = agreement_of(pointers_to(found.logs));
+void examine_logs(const ChannelTolerance& channels, WholeAngleDrift& found) {
+    found.agreement = agreement_of(pointers_to(found.logs), channels);
     if (harmonics_agree(found.agreement)) {
         return;
     }
     const int harmonic = worst_of(found.agreement).harmonic;
-    found.left_out = foreign_log(found.logs);
+    found.left_out = foreign_log(found.logs, channels);
     if (found.left_out) {
         found.warnings.push_back({DiagnosticKind::log_left_out,
                                   {found.logs[*found.left_out].name, count_arg(harmonic)}});
@@ -136,15 +204,34 @@ void examine_logs(WholeAngleDrift& found) {
     }
 }
 
-void put_together(WholeAngleDrift& found) {
+// Where the fourth harmonic is known by the tolerance of the channels alone.
+void warn_of_one_turn(WholeAngleDrift& found) {
+    constexpr double much = 3;
+    double size = 0;
+    bool unsure = false;
+    for (Eigen::Index term = fourth; term < log_terms; ++term) {
+        const Estimate& each = found.harmonics[static_cast<std::size_t>(term)];
+        unsure = unsure || each.u > much * each.sd;
+        size = std::max(size, each.u);
+    }
+    if (unsure) {
+        constexpr double deg_h = 3600 * 180 / std::numbers::pi;
+        found.warnings.push_back(
+            {DiagnosticKind::turn_one_way, {number_arg(deg_h * size, 2, "deg/h")}});
+    }
+}
+
+void put_together(const ChannelTolerance& channels, WholeAngleDrift& found) {
     const std::vector<const LogDrift*> used = pointers_to(found.logs, found.left_out);
-    const std::vector<LogAgreement> agreement = agreement_of(used);
+    const std::vector<LogAgreement> agreement = agreement_of(used, channels);
     Eigen::VectorXd value = Eigen::VectorXd::Zero(log_terms);
     found.covariance = Eigen::MatrixXd::Zero(log_terms, log_terms);
+    Eigen::MatrixXd with_channels = found.covariance;
     const auto take = [&](Eigen::Index first, Eigen::Index count) {
-        const Mean mean = mean_of(used, first, count);
+        const Mean mean = MeanOfLogs(used, channels, first, count).mean();
         value.segment(first, count) = mean.value;
         found.covariance.block(first, first, count, count) = mean.covariance;
+        with_channels.block(first, first, count, count) = mean.with_channels;
     };
     // A number in which the logs differ would move the others.
     if (harmonics_agree(agreement)) {
@@ -168,6 +255,7 @@ void put_together(WholeAngleDrift& found) {
             }
             estimate.value = value[term];
             estimate.sd = std::sqrt(found.covariance(term, term));
+            estimate.u = std::sqrt(with_channels(term, term));
         }
     }
     std::vector<LogDrift> logs;
@@ -175,10 +263,11 @@ void put_together(WholeAngleDrift& found) {
     for (const LogDrift* log : used) {
         logs.push_back(*log);
     }
-    constexpr Eigen::Index fourth = 3;
     if (agreement.back().agrees) {
         found.resonator =
-            held_resonator(value.tail<2>(), found.covariance.block<2, 2>(fourth, fourth), logs);
+            held_resonator(value.tail<2>(), found.covariance.block<2, 2>(fourth, fourth),
+                           with_channels.block<2, 2>(fourth, fourth), logs);
+        warn_of_one_turn(found);
         return;
     }
     for (Estimate* each :
@@ -225,8 +314,15 @@ double WholeAngleDrift::sd_rate(double theta) const {
     return std::sqrt(terms.dot(covariance.bottomRightCorner(log_terms - 1, log_terms - 1) * terms));
 }
 
+ChannelTolerance usual_pick_offs() {
+    ChannelTolerance usual;
+    const auto skew = std::ranges::find(usual_errors, skew_error, &UsualError::source);
+    usual.skew_rad = skew->size * std::numbers::pi / 180;
+    return usual;
+}
+
 Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
-                                          const JobControl& job) {
+                                          const JobControl& job, const ChannelTolerance& channels) {
     WholeAngleDrift found;
     std::vector<std::vector<LogBin>> bins;
     for (std::size_t k = 0; k < logs.size(); ++k) {
@@ -246,8 +342,8 @@ Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
         bins.push_back(std::move(binned.bins));
         job.report(static_cast<double>(found.logs.size()) / static_cast<double>(logs.size()));
     }
-    examine_logs(found);
-    put_together(found);
+    examine_logs(channels, found);
+    put_together(channels, found);
     add_bins(bins, found);
     return found;
 }

@@ -6,6 +6,7 @@
 #include "core/drift/held_resonator.h"
 #include "core/drift/log_drift.h"
 #include "core/drift/whole_angle_log.h"
+#include "core/resonator/model/channel_tolerance.h"
 #include "core/resonator/model/reason.h"
 
 #include <Eigen/Core>
@@ -44,11 +45,17 @@ struct WholeAngleDrift {
     double sd_rate(double theta) const;
 };
 
+// Gain ratio and skew of channels of which nothing is told.
+ChannelTolerance usual_pick_offs();
+
 // Fits each log and puts the logs together. Standard deviations follow the noise of the residual,
-// white or not (coloured_fit.h). Errors, about the log: turn_too_short, turn_too_fast,
+// white or not (coloured_fit.h). Gain ratio and skew of the channels within their tolerance make a
+// turning wave look as if it drifted in the fourth harmonic: logs of unlike turns tell both apart,
+// otherwise u holds it. Errors, about the log: turn_too_short, turn_too_fast,
 // too_few_frames, no_valid_samples, same_recording; interrupted.
 // Precondition: one log or more.
 Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
-                                          const JobControl& job);
+                                          const JobControl& job,
+                                          const ChannelTolerance& channels = usual_pick_offs());
 
 }  // namespace vybeg

@@ -89,6 +89,7 @@ double degrees_per_hour(double rad_per_s) {
 Estimate degrees_per_hour(Estimate rad_per_s) {
     rad_per_s.value *= deg_h;
     rad_per_s.sd *= deg_h;
+    rad_per_s.u *= deg_h;
     return rad_per_s;
 }
 

@@ -71,6 +71,10 @@ inline QJsonObject object(const QByteArray& json) {
     return QJsonDocument::fromJson(json).object();
 }
 
+inline QJsonObject json_of(const Outcome& outcome) {
+    return object(outcome.out);
+}
+
 // What the tests of the program share: a folder that it is run in.
 class CliFolder {
 protected:

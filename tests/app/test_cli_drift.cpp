@@ -40,10 +40,6 @@ QString written(const QTemporaryDir& folder, const QString& name, const QString&
     return file.fileName();
 }
 
-QJsonObject json_of(const Outcome& run) {
-    return QJsonDocument::fromJson(run.out).object();
-}
-
 }  // namespace
 
 class TestCliDrift : public QObject {

@@ -12,18 +12,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace test_cli_powers {
 
 using namespace vybeg::test;
-
-namespace {
-
-QJsonObject json_of(const Outcome& run) {
-    return QJsonDocument::fromJson(run.out).object();
-}
-
-}  // namespace
 
 class TestCliPowers : public QObject {
     Q_OBJECT
@@ -144,26 +137,10 @@ private slots:
     }
 
     void powers_of_another_unit_are_refused_and_an_offset_is_told() {
-        const auto written = [this](const QString& name, double e_by, double q_more) {
-            QFile file(folder_.filePath(name));
-            if (!file.open(QIODevice::WriteOnly)) {
-                qFatal("no file");
-            }
-            file.write("t_s,E,R,S,Q\n");
-            for (int k = 0; k < 400; ++k) {
-                const double t = 0.1 * k;
-                const double power = std::exp(-t / 10);
-                const double turned = 0.4 + 0.01 * t;
-                for (const double value : {t, e_by * power, power * std::cos(turned),
-                                           power * std::sin(turned), q_more}) {
-                    file.write(QByteArray::number(value, 'g', 12) + (value == q_more ? "" : ","));
-                }
-                file.write("\n");
-            }
-        };
-        written("good.csv", 1, 1e-30);
-        written("milli.csv", 1000, 1e-30);
-        written("offset.csv", 1, 5e-3);
+        write_powers("good.csv", 1, 0);
+        write_powers("milli.csv", 1000, 0);
+        write_powers("kilo.csv", 1e-3, 0);
+        write_powers("offset.csv", 1, 5e-3);
         const QStringList identify{"identify", "--columns", "E,R,S,Q"};
         const Outcome good = run_cli(identify + QStringList{"good.csv"}, folder_.path());
         QCOMPARE(good.status, 0);
@@ -172,11 +149,74 @@ private slots:
         QCOMPARE(milli.status, 4);
         QVERIFY2(milli.err.contains("milli.csv: R^2 + S^2 + Q^2 is 0.0001 % of E^2"),
                  milli.err.constData());
+        const Outcome kilo = run_cli(identify + QStringList{"kilo.csv"}, folder_.path());
+        QCOMPARE(kilo.status, 2);
+        QVERIFY2(kilo.err.contains("E is smaller than R in 400 rows of 400"), kilo.err.constData());
         const Outcome offset = run_cli(identify + QStringList{"offset.csv"}, folder_.path());
         QCOMPARE(offset.status, 0);
         QVERIFY2(offset.err.contains("offset.csv: R^2 + S^2 + Q^2 differs from E^2 by"),
                  offset.err.constData());
         QVERIFY2(!offset.err.contains("inf"), offset.err.constData());
+    }
+
+    void exchanged_columns_are_refused() {
+        write_powers("exchanged.csv", 1, 0);
+        for (const auto& [columns, file] :
+             {std::pair<QString, QString>{"E=S,R,S=E,Q", "exchanged.csv"},
+              {"a=a_B,b=a_A,theta", tracks_.front()}}) {
+            const Outcome refused =
+                run_cli({"identify", "--columns", columns, file}, folder_.path());
+            QCOMPARE(refused.status, 2);
+            QVERIFY2(refused.err.contains("exchanged or have unlike units"),
+                     refused.err.constData());
+        }
+    }
+
+    // A logger that writes a row again changes nothing.
+    void rows_twice_there_count_once() {
+        write_powers("once.csv", 1, 0);
+        QFile file(folder_.filePath("once.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QList<QByteArray> lines = file.readAll().split('\n');
+        for (qsizetype k = 381; k > 20; k -= 20) {
+            lines.insert(k, lines[k]);
+        }
+        QFile twice(folder_.filePath("twice.csv"));
+        QVERIFY(twice.open(QIODevice::WriteOnly));
+        twice.write(lines.join('\n'));
+        twice.close();
+        const auto wave = [this](const QString& name) {
+            const Outcome run =
+                run_cli({"identify", "--columns", "E,R,S,Q", "-o", "-", name}, folder_.path());
+            return json_of(run)["runs"].toArray()[0].toObject()["wave"].toObject();
+        };
+        const QJsonObject expected = wave("once.csv");
+        VYBEG_CLOSE(expected["tau_s"].toObject()["value"].toDouble(), 20, 1e-6);
+        QCOMPARE(wave("twice.csv"), expected);
+    }
+
+    // A delay of D is a phase at the carrier, which a log without a phase does not have.
+    void a_delay_counts_at_the_carrier() {
+        const auto identify = [this](const QStringList& more) {
+            return run_cli(
+                QStringList{"identify", "-o", "-", "--columns", "a,b,theta"} + more + tracks_,
+                folder_.path());
+        };
+        const Outcome refused = identify({"--tolerance", "delay=1us"});
+        QCOMPARE(refused.status, 2);
+        QVERIFY2(refused.err.contains("--tolerance delay"), refused.err.constData());
+        const auto uncertainty = [&](const QStringList& more) {
+            const QJsonObject found = json_of(identify(more))["resonator"].toObject();
+            return found["angle_rate_rad_s"].toObject()["u"].toDouble();
+        };
+        const double none = uncertainty({"--tolerance", "delay=0"});
+        const double usual = uncertainty({});
+        const double known = uncertainty({"--f0", "5300"});
+        const double large = uncertainty({"--f0", "5300", "--tolerance", "delay=1us"});
+        VYBEG_MORE(usual, 1.2 * known);
+        VYBEG_MORE(known, 1.2 * none);
+        VYBEG_MORE(large, 20 * known);
+        QVERIFY(!identify({"--f0", "5300"}).err.contains("has no effect"));
     }
 
     // As samples they would be two channels with an offset.
@@ -214,6 +254,26 @@ private slots:
     }
 
 private:
+    // Of a wave that decays and turns, with E in another unit and an offset of Q.
+    void write_powers(const QString& name, double e_by, double q) const {
+        QFile file(folder_.filePath(name));
+        if (!file.open(QIODevice::WriteOnly)) {
+            qFatal("no file");
+        }
+        file.write("t_s,E,R,S,Q\n");
+        for (int k = 0; k < 400; ++k) {
+            const double t = 0.1 * k;
+            const double power = std::exp(-t / 10);
+            const double turned = 0.4 + 0.01 * t;
+            QList<QByteArray> fields;
+            for (const double value :
+                 {t, e_by * power, power * std::cos(turned), power * std::sin(turned), q}) {
+                fields << QByteArray::number(value, 'g', 12);
+            }
+            file.write(fields.join(',') + '\n');
+        }
+    }
+
     QTemporaryDir folder_;
     QStringList recordings_;
     QStringList tracks_;

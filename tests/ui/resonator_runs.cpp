@@ -20,6 +20,7 @@ QStringList resonatorRuns(const GuiTestHome& home, const QString& prefix,
         decay.split_hz = resonator.split_hz;
         decay.theta_w = resonator.theta_w;
         decay.tau_s = resonator.tau_s;
+        decay.kappa = resonator.kappa;
         decay.noise = 1e-3;
         decay.seed = static_cast<std::uint64_t>(k + 1);
         const QString path = home.path(QStringLiteral("%1-%2.wav").arg(prefix).arg(k * 45 / 2));

@@ -11,6 +11,7 @@ struct TestResonator {
     double split_hz = 0.01;
     double theta_w = 0.2;
     double tau_s = 40;
+    double kappa = 1;
 };
 
 // Four runs of 4 s at 8000 Hz (carrier 1000 Hz, amplitude 1, noise 1e-3) of one resonator, started

@@ -45,6 +45,9 @@ NumbersView::NumbersView(QWidget* parent)
     findings_->setObjectName(QStringLiteral("findings"));
     warnings_->setObjectName(QStringLiteral("warnings"));
     statistical_->setObjectName(QStringLiteral("statistical"));
+    statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(statistical_, &QLabel::linkActivated, this,
+            [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
@@ -105,7 +108,10 @@ void NumbersView::rebuild() {
     const QStringList headers{tr("Value"), tr("Limits")};
     resonator_->setContent(limits_.empty() ? QStringList() : headers, rows);
     resonator_section_->setVisible(!rows.empty());
-    statistical_->setText(uncertaintyText(found));
+    const QString offer = gainRatioOffer(found);
+    statistical_->setText(offer.isEmpty()
+                              ? uncertaintyText(found)
+                              : offer + QStringLiteral("<br>") + uncertaintyText(found));
     const auto sensitivities = sensitivityRows(found, units_);
     sensitivities_->setContent(sensitivityHeaders(), sensitivities);
     sensitivities_section_->setVisible(!sensitivities.empty());

@@ -31,6 +31,9 @@ public:
     void setTheme(const Theme& theme);
     void setLimits(const std::vector<ParameterLimit>& limits);
 
+signals:
+    void gainRatioChosen(const vybeg::Estimate& kappa);
+
 protected:
     void changeEvent(QEvent* event) override;
 

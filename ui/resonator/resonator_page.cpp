@@ -54,6 +54,7 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     layout->addWidget(scrolled(right), 3);
     connect(figures_, &FiguresView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(comparison_, &ComparisonView::exportWanted, this, &ResonatorPage::exportWanted);
+    connect(numbers_, &NumbersView::gainRatioChosen, this, &ResonatorPage::calibrate);
     connect(&document_.sets(), &SetStore::changed, this, &ResonatorPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPage::refresh);
     connect(&document_.dossier(), &DossierModel::changed, this,
@@ -82,6 +83,15 @@ FigureSource ResonatorPage::figures() const {
 
 void ResonatorPage::showComparison() {
     comparison_->open();
+}
+
+void ResonatorPage::calibrate(const Estimate& kappa) {
+    Settings settings = document_.settings();
+    settings.calibration.kappa = kappa.value;
+    Tolerance tolerance = document_.tolerance();
+    tolerance.kappa = kappa.uncertainty() / kappa.value;
+    document_.setTolerance(tolerance);
+    document_.setSettings(settings);
 }
 
 // Changes of the settings, many per second during a drag, affect only the state of the result.

@@ -41,6 +41,7 @@ protected:
 private:
     void refresh();
     void rebuild();
+    void calibrate(const Estimate& kappa);
     void showState(const RecordingSet* set);
     QString stateText(const RecordingSet* set) const;
     static QString modelText(ResonatorModel model);

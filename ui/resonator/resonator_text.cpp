@@ -405,6 +405,18 @@ QString clockText(const IdentifySettings& settings) {
                      QT_TRANSLATE_NOOP("Resonator", "Frequencies by the clock of the recorder."));
 }
 
+QString gainRatioOffer(const Identification& found) {
+    constexpr double certain = 3;
+    const Estimate& kappa = found.fit.resonator.kappa;
+    const double calibrated = found.settings.signal.calibration.kappa;
+    if (!kappa.given() || !(std::abs(kappa.value - calibrated) > certain * kappa.uncertainty())) {
+        return {};
+    }
+    return QStringLiteral("<a href=\"kappa\">%1</a>")
+        .arg(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Calibrate with κ = %1"))
+                 .arg(valueText(kappa.value, kappa.sd)));
+}
+
 QString uncertaintyText(const Identification& found) {
     const QStringList tolerances = toleranceTexts(found.settings);
     QString text =

@@ -46,6 +46,9 @@ bool anyAssumed(const IdentifySettings& settings);
 // The clock that the frequencies follow, where its tolerance is not stated; or empty.
 QString clockText(const IdentifySettings& settings);
 // What ± and u hold, and whose clock the frequencies follow.
+// A link with the gain ratio that was found, where the calibration is another one; empty: nothing
+// to offer.
+QString gainRatioOffer(const Identification& found);
 QString uncertaintyText(const Identification& found);
 
 // Findings in the recordings, each with the names of the recordings, the worst first.

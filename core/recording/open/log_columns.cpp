@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -55,6 +55,28 @@ Error missing_column(const FileBytes& file, const ColumnWish& wish,
                       {wish.column.empty() ? wish.role.name : wish.column, all});
 }
 
+// Leaves the rows for which keep(row) is true.
+template <class Keep>
+void keep_rows(LogTable& table, Keep keep) {
+    std::vector<std::size_t> kept;
+    kept.reserve(table.time_s.size());
+    for (std::size_t row = 0; row < table.time_s.size(); ++row) {
+        if (keep(row)) {
+            kept.push_back(row);
+        }
+    }
+    const auto cut = [&kept](std::vector<double>& values) {
+        for (std::size_t k = 0; k < kept.size() && !values.empty(); ++k) {
+            values[k] = values[kept[k]];
+        }
+        values.resize(values.empty() ? 0 : kept.size());
+    };
+    for (LogColumn& column : table.columns) {
+        cut(column.values);
+    }
+    cut(table.time_s);
+}
+
 // Place of a column of a text, from 0; -1: it is not there. `order`: that of a text without names.
 int place_of(const TextFormat& format, const ColumnWish& wish, std::size_t order) {
     if (const auto number = parse_number(wish.column);
@@ -74,6 +96,16 @@ int place_of(const TextFormat& format, const ColumnWish& wish, std::size_t order
                : -1;
 }
 
+// Order of a wish among the columns of a text without names: of those that are named, or of all.
+std::size_t order_of(std::span<const ColumnWish> wishes, std::size_t wish,
+                     const TextFormat& format) {
+    if (wishes.front().told && !wishes[wish].told) {
+        return std::numeric_limits<std::size_t>::max();
+    }
+    const std::size_t before = format.columns == 1 && is_time(wishes.front()) ? 1 : 0;
+    return wish - before;
+}
+
 // The format of a text with the wished time column, which counts although it is one of two columns.
 Result<TextFormat> format_with_time(const File& file, const OpenOptions& options,
                                     std::span<const ColumnWish> wishes, const JobControl& job) {
@@ -85,10 +117,11 @@ Result<TextFormat> format_with_time(const File& file, const OpenOptions& options
     if (choice.time_column || time == wishes.end() || alone) {
         return format;
     }
-    const int place = place_of(format, *time, static_cast<std::size_t>(time - wishes.begin()));
+    const auto at = static_cast<std::size_t>(time - wishes.begin());
+    const int place = place_of(format, *time, order_of(wishes, at, format));
     if (place < 0) {
-        return time->column.empty() ? Result<TextFormat>(format)
-                                    : missing_column(*file, *time, format.names);
+        return !time->told ? Result<TextFormat>(format)
+                           : missing_column(*file, *time, format.names);
     }
     choice.time_column = place + 1;
     return find_text_format(*file, head, choice);
@@ -142,7 +175,7 @@ Status count_ticks(const FileBytes& file, const OpenOptions& options, LogTable& 
     if (step < 1 || std::ranges::any_of(t, [](double tick) { return tick != std::floor(tick); })) {
         return {};
     }
-    const auto clockbase = clockbase_beside(file.path());
+    const auto clockbase = options.rate_hz ? std::nullopt : clockbase_beside(file.path());
     if (!clockbase && !options.rate_hz) {
         return file.error(ErrorCode::rate_unknown);
     }
@@ -166,11 +199,10 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
         if (is_time(wishes[k])) {
             continue;
         }
-        const std::size_t before = format.columns == 1 && is_time(wishes.front()) ? 1 : 0;
-        places[k] = place_of(format, wishes[k], k - before);
+        places[k] = place_of(format, wishes[k], order_of(wishes, k, format));
         if (places[k] >= 0 && places[k] != format.time_column) {
             wanted.push_back(k);
-        } else if (wishes[k].role.needed || !wishes[k].column.empty()) {
+        } else if (wishes[k].role.needed || wishes[k].told) {
             return missing_column(*file, wishes[k], format.names);
         }
     }
@@ -180,7 +212,8 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
         const std::array pair{wanted[k], wanted[std::min(k + 1, wanted.size() - 1)]};
         const TextColumns columns{
             .time = format.time_column, .c = places[pair[0]], .d = places[pair[1]]};
-        const auto found = TRY(find_table(file, format, columns));
+        auto found = TRY(find_table(file, format, columns));
+        found.may_repeat = true;
         const auto scan = TRY(scan_text(found, job));
         auto rows = TRY(read_timed_rows(found, scan, job));
         table.columns[pair[1]].values = std::move(rows.d);
@@ -224,6 +257,7 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
             if (!found) {
                 missing = found.error();
                 if (found.error().code == ErrorCode::variable_missing) {
+                    missing->args[0] = wishes[k].column.empty() ? wishes[k].role.name : name;
                     continue;
                 }
                 return found.error();
@@ -240,7 +274,7 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
             beside = name;
             break;
         }
-        if (missing && wishes[k].role.needed) {
+        if (missing && (wishes[k].role.needed || wishes[k].told)) {
             return *missing;
         }
     }
@@ -271,9 +305,6 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
     for (const ColumnRole& role : roles) {
         allowed += allowed.empty() ? "" : ", ";
         allowed += role.name;
-        if (text.empty()) {
-            wishes.push_back({role, ""});
-        }
     }
     for (std::size_t at = 0; !text.empty() && at <= text.size();) {
         const std::size_t end = std::min(text.find(',', at), text.size());
@@ -297,18 +328,21 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                               "=COLUMN where the file calls it otherwise"),
                                 {allowed})}};
         }
-        wishes.push_back({*role, column});
+        wishes.push_back({*role, column, true});
         at = end + 1;
     }
     for (const ColumnRole& role : roles) {
         const bool told = std::ranges::any_of(wishes, [&](const ColumnWish& wish) {
             return wish.role.name == std::string_view(role.name);
         });
-        if (!told && role.needed) {
+        if (!told && role.needed && !text.empty()) {
             return Error{
                 ErrorCode::setting_invalid,
                 "",
                 {"--columns", text, words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name})}};
+        }
+        if (!told) {
+            wishes.push_back({role, ""});
         }
     }
     return wishes;
@@ -326,7 +360,13 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
     if (!options.text && (!format || !format->is_text)) {
         return file->error(ErrorCode::format_unknown);
     }
-    return read_text(file, options, wishes, job);
+    auto table = TRY(read_text(file, options, wishes, job));
+    double last = -std::numeric_limits<double>::infinity();
+    keep_rows(table, [&](std::size_t row) {
+        const double before = std::exchange(last, table.time_s[row]);
+        return table.time_s[row] != before;
+    });
+    return table;
 }
 
 ColumnRole time_of_log() {
@@ -345,16 +385,19 @@ Status keep_times(const std::filesystem::path& path, double from_s, double to_s,
                      {number_arg(std::max(from_s, 0.0)), number_arg(std::min(to_s, length_s)),
                       number_arg(length_s)}};
     }
-    const auto cut = [&](std::vector<double>& values) {
-        if (!values.empty()) {
-            values = std::vector<double>(values.begin() + first, values.begin() + end);
-        }
-    };
-    cut(times);
-    for (LogColumn& column : table.columns) {
-        cut(column.values);
-    }
+    keep_rows(table, [first, end](std::size_t row) {
+        return static_cast<std::ptrdiff_t>(row) >= first && static_cast<std::ptrdiff_t>(row) < end;
+    });
     return {};
+}
+
+void bring_to_unit_of(const LogColumn& other, LogColumn& column) {
+    if (const auto ratio = unit_ratio(column.unit, other.unit); ratio && *ratio != 1) {
+        for (double& value : column.values) {
+            value *= *ratio;
+        }
+        column.unit = other.unit;
+    }
 }
 
 Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
@@ -364,20 +407,22 @@ Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& 
     if (told > 0) {
         return half * told;
     }
+    constexpr double degree = std::numbers::pi / 180;
+    static const std::vector<std::pair<std::vector<const char*>, double>> units{
+        {{"mrad", "мрад"}, 1e-3},
+        {{"urad", "µrad", "мкрад"}, 1e-6},
+        {{"rad", "radians", "рад"}, 1},
+        {{"cyc", "cycles", "turns"}, 2 * std::numbers::pi},
+        {{"arcmin", "угл.мин"}, degree / 60},
+        {{"arcsec", "угл.с"}, degree / 3600},
+        {{"deg", "degrees", "°", "град"}, degree}};
     const std::string unit = normal_name(column.unit);
-    const auto says = [&](std::initializer_list<const char*> units) {
-        return std::ranges::any_of(units, [&](const char* each) {
-            return unit == normal_name(each) || column.name.ends_with(std::string("_") + each);
-        });
-    };
-    if (says({"rad", "radians", "рад"})) {
-        return half;
-    }
-    if (says({"cyc", "cycles", "turns"})) {
-        return half * 2 * std::numbers::pi;
-    }
-    if (says({"deg", "degrees", "°", "град"})) {
-        return half * std::numbers::pi / 180;
+    for (const auto& [spellings, rad] : units) {
+        if (std::ranges::any_of(spellings, [&](const char* each) {
+                return unit == normal_name(each) || column.name.ends_with(std::string("_") + each);
+            })) {
+            return half * rad;
+        }
     }
     return Error{ErrorCode::angle_unit_unknown,
                  path.string(),

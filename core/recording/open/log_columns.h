@@ -25,10 +25,12 @@ struct ColumnRole {
 struct ColumnWish {
     ColumnRole role;
     std::string column;  // its name or its number, from 1, in the file; empty: by its usual names
+    bool told = false;   // named by the user: then it has to be there
 };
 
 // `text` names roles with commas between them, each with `=COLUMN` where the file calls it
-// otherwise; empty: all roles by their usual names. Errors: setting_invalid.
+// otherwise; empty: all roles by their usual names. Roles that need not be there follow behind
+// those that are named. Errors: setting_invalid.
 Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                               std::span<const ColumnRole> roles);
 
@@ -46,8 +48,9 @@ struct LogTable {
 
 // Reads the columns of a text, of NPZ, MAT or HDF5. A text without names has them in the order of
 // the wishes. Times are those of the file, never brought onto a grid; those of a text without times
-// follow from --rate. Times in ticks, as those of LabOne, are brought to seconds by the clockbase
-// of the _header_ file beside it, or by --rate. A ZIP file of one text is that text. Errors:
+// follow from --rate. A row that repeats the time of the one before is left out. Times in ticks, as
+// those of LabOne, are brought to seconds by --rate, or by the clockbase of the _header_ file
+// beside it. A ZIP file of one text is that text. Errors:
 // column_missing, rate_unknown and those of the readers.
 Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
                           std::span<const ColumnWish> wishes, const JobControl& job);
@@ -57,6 +60,10 @@ ColumnRole time_of_log();
 
 // Leaves the rows from `from_s` to `to_s` after the first. Errors: range_empty.
 Status keep_times(const std::filesystem::path& path, double from_s, double to_s, LogTable& table);
+
+// Brings values to the unit of another column ("mV" to "V"); where one of the two is unknown, they
+// stay as they are.
+void bring_to_unit_of(const LogColumn& other, LogColumn& column);
 
 // Factor from a column of angles to theta_A in rad: by `told` (rad per unit, 0: not told), else by
 // its unit; a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown.

@@ -207,7 +207,7 @@ public:
             }
             scan_.even = scan_.even ? scan_.even : times_.judge(scan_.resolution);
         }
-        if (repeated_ && !scan_.even) {
+        if (repeated_ && !scan_.even && !table_.may_repeat) {
             return *repeated_;
         }
         return std::move(scan_);

@@ -17,6 +17,7 @@ struct TextTable {
     TextColumns columns;
     std::int64_t header_lines = 0;  // of those above the table, the ones that are not blank
     std::int64_t footer_lines = 0;  // of those behind it
+    bool may_repeat = false;        // the time of the row before, as in logs
 };
 
 // Finds the first line below those that `format` skips, and the last one before those that stand

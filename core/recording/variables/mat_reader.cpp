@@ -225,8 +225,9 @@ private:
         }
         const std::int64_t rows = number<std::int32_t>(bytes, size.data);
         const std::int64_t columns = number<std::int32_t>(bytes, size.data + width);
-        if (is_struct && rows == 1 && columns == 1) {
-            add_fields(content, {0, name.next, whole.end() - name.next, 0}, path + ".", depth);
+        if (is_struct && std::min(rows, columns) == 1) {
+            add_fields(content, {0, name.next, whole.end() - name.next, 0}, path, depth,
+                       std::max(rows, columns));
         }
         if (is_struct || !status_) {
             return;
@@ -255,9 +256,10 @@ private:
         }
     }
 
-    // `fields`: the length of their names, the names, then the fields.
+    // `fields`: the length of their names, the names, then the fields of each struct of a row,
+    // whose numbers from 1 stand in the names of several.
     void add_fields(const Content& content, const Element& fields, const std::string& path,
-                    int depth) {
+                    int depth, std::int64_t structs) {
         const ByteSource& bytes = *content.bytes;
         const Element length = element(bytes, fields.data, fields.end());
         const Element names = element(bytes, length.next, fields.end());
@@ -266,14 +268,20 @@ private:
             return misfit();
         }
         std::int64_t at = names.next;
-        for (std::int64_t i = 0; i < names.size / width && status_; ++i) {
+        const std::int64_t count = names.size / width;
+        for (std::int64_t k = 0; k < structs * count && status_; ++k) {
             count_element();
-            const std::string padded = text(bytes, names.data + i * width, width);
+            std::string name = path;
+            if (structs > 1) {
+                name.append("(").append(std::to_string(k / count + 1)).append(")");
+            }
+            const std::string padded = text(bytes, names.data + k % count * width, width);
+            name.append(".").append(padded, 0, padded.find('\0'));
             const Element field = element(bytes, at, fields.end());
             if (field.type != matrix) {
                 misfit();
             }
-            add(content, field, path + padded.substr(0, padded.find('\0')), depth + 1);
+            add(content, field, std::move(name), depth + 1);
             at = field.next;
         }
     }

@@ -58,15 +58,17 @@ private:
 
     std::int64_t count() const { return static_cast<std::int64_t>(catalogue_.variables.size()); }
 
+    // By its name, or by the end of its path where that is the end of one alone.
     Result<std::int64_t> find(const std::string& wanted) const {
         std::string names;
+        std::vector<std::int64_t> ending;
         for (std::int64_t i = 0; i < count(); ++i) {
             const FileVariable& candidate = variable(i);
             if (candidate.name == wanted || candidate.name == "/" + wanted) {
-                if (!candidate.unsupported.text.empty()) {
-                    return unsupported(candidate);
-                }
-                return i;
+                return supported(i);
+            }
+            if (candidate.name.ends_with("/" + wanted) || candidate.name.ends_with("." + wanted)) {
+                ending.push_back(i);
             }
             if (static_cast<std::size_t>(i) < most_names_listed) {
                 names += (i == 0 ? "" : ", ") + candidate.name;
@@ -74,8 +76,18 @@ private:
                 names += ", ...";
             }
         }
+        if (ending.size() == 1) {
+            return supported(ending.front());
+        }
         return file_.error(ErrorCode::variable_missing,
                            {wanted, names.empty() ? "no arrays of numbers" : names});
+    }
+
+    Result<std::int64_t> supported(std::int64_t place) const {
+        if (!variable(place).unsupported.text.empty()) {
+            return unsupported(variable(place));
+        }
+        return place;
     }
 
     Status choose_named(const std::string& c, const std::string& d) {

@@ -20,6 +20,8 @@ constexpr double deep = 100;
 // A single rise may be a refit without convergence.
 constexpr int deep_twice = 2;
 constexpr int refit_steps = 25;
+// Share of the rise by the information, from which on it holds.
+constexpr double seen_rise = 0.25;
 
 struct Block {
     std::vector<Eigen::Index> parameters;
@@ -94,7 +96,11 @@ private:
                 return;
             }
             if (in_a_row == 0) {
-                points_.push_back({p, std::max(rise, 1.0)});
+                // Where the cost rises as the information says, the direction is seen, and a quantity
+                // that moves by b side^2 has a variance of 2 b^2.
+                const double squares = side * side;
+                const bool seen = rise > seen_rise * squares;
+                points_.push_back({p, std::max(rise * (seen ? squares / 2 : 1), 1.0)});
             }
         }
     }

@@ -11,7 +11,9 @@ namespace vybeg {
 // Parameters about as likely as those of the fit.
 struct ProfilePoint {
     Eigen::VectorXd p;
-    double rise = 1;  // of the cost, in units of the residual's scale, at least 1
+    // By which the square of a quantity's way there is its variance: the rise of the cost, in units
+    // of the residual's scale, at least 1; along a direction that is seen for curved quantities.
+    double rise = 1;
 };
 
 // Points far along directions of split, damping or rotation that are only apparently determined

@@ -74,16 +74,19 @@ PowerMismatch power_mismatch(const PowerRun& run) {
         double sum = 0;
         double square = 0;  // of changes from row to row, which hold the noise alone
         double power = 0;
+        double others = 0;  // of R, S and Q, of the same size unless units are exchanged
         for (std::size_t k = first; k < end; ++k) {
             sum += excess(k);
             power += rows[k].e * rows[k].e;
+            others += excess(k) + rows[k].e * rows[k].e;
             const double change = k > first ? excess(k) - excess(k - 1) : 0;
             square += change * change;
         }
         const auto count = static_cast<double>(end - first);
         const double variance = square / (2 * std::max(count - 1, 1.0));
         // The squares of the noise add to R^2 + S^2 + Q^2: half the variance over E^2.
-        const double noise = 5 * std::sqrt(variance / count) + 2 * variance * count / power;
+        const double noise =
+            5 * std::sqrt(variance / count) + 2 * variance * count / std::max(power, others);
         const double mean = sum / count;
         return std::abs(mean) > noise ? mean * count / power : 0;
     };

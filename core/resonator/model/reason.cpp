@@ -134,6 +134,12 @@ ReasonRow reason_row(ReasonCode code) {
         case ReasonCode::effort_missing:
             return {"effort-missing",
                     VYBEG_MESSAGE("Reason", "No log holds the effort of the controller for it.")};
+        case ReasonCode::effort_negative:
+            return {"effort-negative",
+                    VYBEG_MESSAGE("Reason",
+                                  "The mean of the amplitude effort is below zero, as if it took "
+                                  "energy from the wave. Write both efforts with the signs with "
+                                  "which they raise a_A and a_B.")};
         case ReasonCode::effort_unseen:
             return {"effort-unseen",
                     VYBEG_MESSAGE("Reason",

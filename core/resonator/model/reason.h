@@ -39,6 +39,7 @@ enum class ReasonCode {
     phase_lost,          // E, R, S, Q have no frequency
     logs_differ,         // whole-angle logs differ in it
     effort_missing,      // of a whole-angle log: no column of it
+    effort_negative,     // its mean takes energy from the wave
     effort_unseen,       // its fourth harmonic, or that of the drift, is within its noise
     effort_axis_apart,   // args: degrees between the damping axes of effort and drift
 };

@@ -16,7 +16,7 @@ using std::numbers::pi;
 
 constexpr double most_tolerances = 3;
 constexpr double clear_fall = 25;      // of chi^2: five standard deviations
-constexpr double by_chance = 1e-3;     // probability of a quadrature that follows the angle
+constexpr double by_chance = 2e-3;     // probability of a quadrature that follows the angle
 constexpr std::size_t least_runs = 4;  // for the line through the quadratures and its scatter
 constexpr double least_spread = 0.1;   // of the angles: sum of squares of an error's shape
 constexpr double earth_rate_rad_s = 7.2921e-5;
@@ -167,7 +167,12 @@ std::optional<Diagnostic> quadrature_finding(const FittedSet& set,
     const SharedParameter parameter = is_phase ? phase_at : crosstalk_at;
     const auto error = std::ranges::find(channel_errors, parameter, &ChannelError::parameter);
     const double tolerances = found.size / (tolerance.*error->tolerance);
-    const double chance = found.chance * left_of_rotation(set, resonator, *error, tolerances);
+    // The better one of two shapes, and with the rotation the product of two probabilities, which
+    // is below q with the probability q (1 - ln q).
+    const double alone = std::min(1.0, 2 * found.chance);
+    const double left = left_of_rotation(set, resonator, *error, tolerances);
+    const double both = alone * left;
+    const double chance = left < 1 ? both * (1 - std::log(both)) : alone;
     if (!(std::abs(tolerances) > most_tolerances) || chance > by_chance) {
         return {};
     }

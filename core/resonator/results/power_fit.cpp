@@ -223,9 +223,10 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
         const std::size_t rows = found.runs.back().time_s.size();
         if (rows < least_power_rows) {
             return Error{ErrorCode::fit_too_few_windows,
-                         {},
+                         "recording " + std::to_string(found.runs.size()),
                          {count_arg(static_cast<std::int64_t>(rows)),
-                          count_arg(static_cast<std::int64_t>(least_power_rows))}};
+                          count_arg(static_cast<std::int64_t>(least_power_rows)),
+                          recording_arg(found.runs.size() - 1)}};
         }
         for (std::size_t k = 0; k < rows; ++k) {
             scale = std::max(scale, std::hypot(std::abs(found.runs.back().c[k]),

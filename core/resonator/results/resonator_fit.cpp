@@ -202,8 +202,8 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
         if (good.back().time_s.size() < least_windows) {
             return Error{ErrorCode::fit_too_few_windows,
                          "recording " + std::to_string(good.size()),
-                         {integer_text(static_cast<std::int64_t>(good.back().time_s.size())),
-                          integer_text(least_windows)}};
+                         {count_arg(static_cast<std::int64_t>(good.back().time_s.size())),
+                          count_arg(least_windows), recording_arg(good.size() - 1)}};
         }
     }
     const double scale = largest_amplitude(good);
@@ -217,9 +217,10 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     bool by_usual = false;
     if (usual.tolerance != stated.tolerance &&
         !(set->explains() && set->is_white() && set->unexplained_breaks().empty())) {
-        // What channels within their usual tolerances explain is no finding.
+        // What channels within their usual tolerances explain is no finding; a noise of another
+        // colour than its windows' is none of the channels.
         std::unique_ptr<SetFit> open = solved_set(good, scale, usual, job);
-        by_usual = open->explains();
+        by_usual = open->explains() && (open->is_white() || !set->at_noise());
         if (by_usual) {
             set = std::move(open);
         }

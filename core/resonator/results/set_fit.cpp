@@ -146,8 +146,12 @@ std::vector<FittedBreak> SetFit::unexplained_breaks() const {
 }
 
 bool SetFit::is_white() const {
-    return at_noise() &&
-           NoiseEstimate(problem_, posterior(problem_, main_), job_).noise().as_expected();
+    if (!at_noise()) {
+        return false;
+    }
+    const Posterior at = posterior(problem_, main_);
+    const NoiseEstimate noise(problem_, at, job_);
+    return noise.noise().as_expected() && noise_claim(noise, at, job_).holds();
 }
 
 bool SetFit::explains() const {
@@ -157,7 +161,7 @@ bool SetFit::explains() const {
         const double off = main_.p[error.parameter] - priors.mean[error.parameter];
         return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
     };
-    return main_.converged && examination_.verdict == SetVerdict::fits && at_noise() &&
+    return main_.converged && !structured_refused_ && examination_.verdict == SetVerdict::fits && at_noise() &&
            std::ranges::all_of(channel_errors, is_usual);
 }
 
@@ -328,6 +332,7 @@ void SetFit::choose_model() {
     }
     if (options_.model == Model::automatic) {
         warnings_.push_back({DiagnosticKind::structured_refused, {verdict.reason}});
+        structured_refused_ = true;
     }
     model_ = ResonatorModel::free;
     problem_.priors = std::move(free.priors);

@@ -54,15 +54,15 @@ public:
     // well.
     std::vector<FittedBreak> unexplained_breaks() const;
 
-    // Whether the residual is the noise of the windows, of their colour too.
+    // Whether the residual is the noise of the windows, of their colour too, in both halves.
     bool is_white() const;
 
     std::array<double, 2> size_of(const FittedBreak& each) const {
         return fitted_size(problem_, main_.p, each);
     }
 
-    // Whether the fit has converged, the runs agree, the residual has the size of the noise, and
-    // the channel errors lie within three of their tolerances.
+    // Whether the fit has converged, the runs agree, the residual has the size of the noise, the
+    // structured model is not refused, and the channel errors lie within three of their tolerances.
     bool explains() const;
 
     FittedMotion motion() const { return motion_of(solved()); }
@@ -124,6 +124,7 @@ private:
     bool amplitude_or_time_ = false;
     ResonatorModel model_{};
     double free_over_structured_ = 0;
+    bool structured_refused_ = false;  // with a finding
     std::vector<Diagnostic> warnings_;
 };
 

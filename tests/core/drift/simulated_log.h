@@ -24,6 +24,8 @@ struct HeldLoop {
     double s2 = 0;
     double c4 = 0;
     double s4 = 0;
+    double kappa = 1;      // gain of D over that of C
+    double skew = 0;       // of their electrodes, rad
     double white = 0;      // sd of each angle, rad
     double walk = 0;       // rad per root second
     double slow = 0;       // sd of a noise of the angle, rad
@@ -60,7 +62,10 @@ inline WholeAngleLog simulated_log(const HeldLoop& loop, const std::string& name
     double slow_rate = loop.slow_rate * normal(random);
     for (std::size_t k = 0; k < count; ++k) {
         log.time_s.push_back(static_cast<double>(k) * h);
-        log.theta.push_back(theta + slow + loop.white * normal(random));
+        const double seen =
+            std::atan2(loop.kappa * std::sin(2 * theta + loop.skew), std::cos(2 * theta));
+        const double error = std::remainder(seen - 2 * theta, 2 * std::numbers::pi) / 2;
+        log.theta.push_back(theta + error + slow + loop.white * normal(random));
         const double decay =
             1 / loop.tau_s + 0.5 * (g_cos * std::cos(4 * theta) + g_sin * std::sin(4 * theta));
         const double growth =

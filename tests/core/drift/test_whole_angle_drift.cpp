@@ -36,8 +36,11 @@ HeldLoop loop_of() {
     return loop;
 }
 
-WholeAngleDrift drift_of(const std::vector<WholeAngleLog>& logs) {
-    const Result<WholeAngleDrift> found = whole_angle_drift(logs, {});
+constexpr ChannelTolerance exact{.kappa = 0};
+
+WholeAngleDrift drift_of(const std::vector<WholeAngleLog>& logs,
+                         const ChannelTolerance& channels = exact) {
+    const Result<WholeAngleDrift> found = whole_angle_drift(logs, {}, channels);
     if (!found) {
         qFatal("%s", english(found.error()).c_str());
     }
@@ -117,7 +120,7 @@ private slots:
         QVERIFY(found.warnings.empty());
         for (const double period : {2 * pi, pi}) {
             const Result<WholeAngleDrift> refused =
-                whole_angle_drift(std::vector{wrapped(whole, period)}, {});
+                whole_angle_drift(std::vector{wrapped(whole, period)}, {}, exact);
             QVERIFY(!refused);
             QCOMPARE(refused.error().code, ErrorCode::turn_too_fast);
             QCOMPARE(QString::fromStdString(english(refused.error())),
@@ -135,7 +138,7 @@ private slots:
     void a_log_named_twice_is_refused() {
         WholeAngleLog log = simulated_log(loop_of(), "a.csv");
         log.sha256 = "12";
-        const Result<WholeAngleDrift> found = whole_angle_drift(std::vector{log, log}, {});
+        const Result<WholeAngleDrift> found = whole_angle_drift(std::vector{log, log}, {}, exact);
         QVERIFY(!found);
         QCOMPARE(found.error().code, ErrorCode::same_recording);
     }
@@ -261,6 +264,54 @@ private slots:
         log.amplitude_effort = simulated_log(other).amplitude_effort;
         QCOMPARE(drift_of({log}).resonator.tau_s.reason.code, ReasonCode::effort_axis_apart);
         QVERIFY(!drift_of({log}).resonator.split_hz.given());
+    }
+
+    // Of a turn of one direction u holds what two directions tell apart.
+    void channels_within_their_tolerance_are_no_drift() {
+        int seed = 40;
+        for (const double kappa : {0.99, 1.002, 1.01}) {
+            for (const double skew : {-1e-3, 2e-3}) {
+                HeldLoop loop = loop_of();
+                loop.kappa = kappa;
+                loop.skew = skew;
+                loop.seed = static_cast<unsigned>(++seed);
+                const WholeAngleLog forth = simulated_log(loop, "forth");
+                loop.turn = -0.08;
+                const WholeAngleLog back = simulated_log(loop, "back");
+                const WholeAngleDrift alone = drift_of({forth}, usual_pick_offs());
+                const WholeAngleDrift both = drift_of({forth, back}, usual_pick_offs());
+                const std::array<double, 5> truth = truth_of(loop);
+                for (std::size_t term = 3; term < 5; ++term) {
+                    const Estimate& one = alone.harmonics[term];
+                    VYBEG_LESS(std::abs(one.value - truth[term]) / one.u, 3.0);
+                    VYBEG_MORE(one.u, 0.05 * 1e-3);
+                    const Estimate& two = both.harmonics[term];
+                    // Of second order are errors by drift and by errors.
+                    const double second = (3e-4 + 0.05 * std::abs(kappa - 1));
+                    VYBEG_LESS(std::abs(two.value - truth[term]),
+                               4.5 * two.sd + second * std::abs(kappa - 1));
+                    VYBEG_LESS(two.u, 3 * two.sd);
+                }
+                QCOMPARE(alone.warnings.size(), std::size_t{1});
+                QCOMPARE(alone.warnings[0].kind, DiagnosticKind::turn_one_way);
+                QVERIFY(both.warnings.empty());
+                const Estimate& g = alone.resonator.damping_anisotropy_per_s;
+                const double true_g = 4 * std::hypot(loop.c4, loop.s4);
+                VYBEG_LESS(std::abs(g.value - true_g) / g.u, 3.0);
+            }
+        }
+    }
+
+    void efforts_of_the_other_sign_are_told() {
+        HeldLoop loop = loop_of();
+        loop.effort_noise = 0.01;
+        WholeAngleLog log = simulated_log(loop);
+        for (double& effort : log.amplitude_effort) {
+            effort = -effort;
+        }
+        const HeldResonator found = drift_of({log}).resonator;
+        QCOMPARE(found.tau_s.reason.code, ReasonCode::effort_negative);
+        QCOMPARE(found.split_hz.reason.code, ReasonCode::effort_negative);
     }
 
     void an_effort_that_was_not_connected_is_none() {

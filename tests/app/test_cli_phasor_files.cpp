@@ -1,0 +1,290 @@
+// Logs of a lock-in and a phasemeter as laboratories have them, as a process.
+#include "tests/app/phasor_logs.h"
+#include "tests/closeness.h"
+#include "tests/core/recording/python_script.h"
+#include "tests/test_registry.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QProcess>
+#include <QtTest>
+
+#include <cmath>
+#include <random>
+
+namespace test_cli_phasor_files {
+
+using namespace vybeg::test;
+
+class TestCliPhasorFiles : public PhasorLogTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { simulate_runs(); }
+
+    // LabOne: a file of each demodulator, times in ticks, whose clock stands in a file beside.
+    void ticks_of_labone_are_seconds() {
+        const double clockbase = 6e7;
+        const LockIn lock_in{4, 30, 150};
+        const QByteArray both = log_of(folder_.filePath("0.npy"), lock_in, Frame::fixed, 1, 1);
+        QByteArray of_c = "chunk;timestamp;x;y;freq;phase;dio;trigger;auxin0;auxin1\n";
+        QByteArray of_d = of_c;
+        const auto add = [&](QByteArray& to, const QByteArray& t, const QByteArray& x,
+                             const QByteArray& y) {
+            // Counted from the start of the device.
+            to += "0;" + QByteArray::number(7e14 + std::round(t.toDouble() * clockbase), 'f', 0) +
+                  ';' + x + ';' + y + ";5300.1;0;0;0;0;0\n";
+        };
+        for (const QByteArray& line : both.split('\n').mid(1)) {
+            const QList<QByteArray> f = line.split(',');
+            if (f.size() >= 5) {
+                add(of_c, f[0], f[1], f[2]);
+                add(of_d, f[0], f[3], f[4]);
+            }
+        }
+        write("plain.csv", both);
+        write("dev1_demods_0_sample_00000.csv", of_c);
+        write("dev1_demods_1_sample_00000.csv", of_d);
+        const QStringList choice{"--phasors",   "fixed", "--y-sign", "+",
+                                 "--amplitude", "peak",  "-o",       "-"};
+        const QStringList demods{"identify", "dev1_demods_0_sample_00000.csv", "--channel-d",
+                                 "dev1_demods_1_sample_00000.csv"};
+        const Outcome refused = run_cli(demods + choice, folder_.path());
+        QCOMPARE(refused.status, 3);
+        QVERIFY2(refused.err.contains("--rate"), refused.err.constData());
+        const auto wave = [&](const QStringList& arguments) {
+            const Outcome read = run_cli(arguments, folder_.path());
+            if (read.status != 0) {
+                qWarning("%s", read.err.constData());
+            }
+            return json_of(read)["runs"].toArray()[0].toObject()["wave"].toObject();
+        };
+        const QJsonObject told =
+            wave(QStringList{"identify", "plain.csv", "--f-ref", "5300.1"} + choice);
+        write("dev1_demods_0_sample_header_00000.csv", "chunk;clockbase;name\n0;60000000;demod\n");
+        write("dev1_demods_1_sample_header_00000.csv", "chunk;clockbase;name\n0;60000000;demod\n");
+        QStringList other = demods + choice;
+        for (const QJsonObject& found : {wave(other), wave(other << "--rate"
+                                                                 << "222.22")}) {
+            for (const QString name : {"f_hz", "tau_s"}) {
+                const QJsonObject expected = told[name].toObject();
+                VYBEG_LESS(std::abs(found[name].toObject()["value"].toDouble() -
+                                    expected["value"].toDouble()),
+                           expected["sd"].toDouble() * 0.1);
+            }
+        }
+    }
+
+    void the_phase_of_a_moving_oscillator_is_not_guessed() {
+        QByteArray log =
+            log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::common_frequency, 1, 1);
+        QList<QByteArray> lines = log.split('\n');
+        lines.remove(1000, 30);
+        write("gap.csv", lines.join('\n'));
+        const Outcome refused = run_cli(
+            {"identify", "gap.csv", "--phasors", "common", "--y-sign", "+", "--amplitude", "peak"},
+            folder_.path());
+        QCOMPARE(refused.status, 2);
+        QVERIFY2(refused.err.contains("--from or --to"), refused.err.constData());
+    }
+
+    // A beat of 0.8 Hz behind a filter of 0.5 Hz, whose delay is longer than a second.
+    void a_fast_beat_behind_a_slow_filter() {
+        QStringList samples;
+        QStringList logs;
+        const LockIn slow{4, 0.5, 600};
+        for (int k = 0; k < runs; ++k) {
+            const QString name = QString("beat%1").arg(k);
+            QCOMPARE(run_cli({"simulate", "-o", name + ".npy", "--seconds", "40", "--split", "0.8",
+                              "--theta-w", "0.2", "--tau", "60", "--noise", "0.001", "--f0",
+                              "5300.1", "--seed", QString::number(k + 30), "--two-theta-A",
+                              QString::number(0.2 + k * pi / 4)},
+                             folder_.path())
+                         .status,
+                     0);
+            write(name + ".csv", log_of(folder_.filePath(name + ".npy"), slow, Frame::fixed, 1, 1));
+            samples << name + ".npy";
+            logs << name + ".csv";
+        }
+        const QJsonObject found = json_of(identify_fixed(logs, {"--lock-in", "4,0.5Hz"}));
+        const QJsonObject split = found["resonator"].toObject()["split_hz"].toObject();
+        const double sd = split["sd"].toDouble();
+        VYBEG_WITHIN(split["value"].toDouble(), 0.8, 3 * sd);
+        // What the noise of the samples gives, and the filter leaves.
+        VYBEG_LESS(sd, 2e-4);
+        const QJsonObject axis = found["resonator"].toObject()["theta_w_rad"].toObject();
+        VYBEG_WITHIN(axis["value"].toDouble(), 0.2, 3 * axis["sd"].toDouble());
+    }
+
+    // Rows that are missing, twice there, or in other units change the noise of no other row.
+    void missing_rows_and_unlike_units() {
+        const QByteArray log = log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1);
+        write("all.csv", log);
+        QList<QByteArray> lines = log.split('\n');
+        QList<QByteArray> some;
+        QList<QByteArray> milli{"t,Xc (V),Yc (V),Xd (mV),Yd (mV)"};
+        for (qsizetype k = 1; k + 1 < lines.size(); ++k) {
+            if (k % 40 != 7) {
+                some << lines[k];
+            }
+            if (k % 300 == 0) {
+                some << lines[k];
+            }
+            QList<QByteArray> fields = lines[k].split(',');
+            for (const int d : {3, 4}) {
+                fields[d] = QByteArray::number(1000 * fields[d].toDouble(), 'g', 15);
+            }
+            milli << fields.join(',');
+        }
+        write("some.csv", lines[0] + '\n' + some.join('\n') + '\n');
+        write("milli.csv", milli.join('\n') + '\n');
+        const auto wave = [this](const QString& file) {
+            const Outcome read = identify_fixed({file}, {"--lock-in", "4,30Hz"});
+            if (read.status != 0) {
+                qFatal("%s", read.err.constData());
+            }
+            return json_of(read)["runs"].toArray()[0].toObject();
+        };
+        const QJsonObject all = wave("all.csv");
+        const double tau = all["wave"].toObject()["tau_s"].toObject()["value"].toDouble();
+        const double sd = all["wave"].toObject()["tau_s"].toObject()["sd"].toDouble();
+        for (const QString file : {"some.csv", "milli.csv"}) {
+            const QJsonObject found = wave(file);
+            VYBEG_WITHIN(found["noise_sd"].toDouble() / all["noise_sd"].toDouble(), 1, 0.1);
+            const QJsonObject its = found["wave"].toObject()["tau_s"].toObject();
+            VYBEG_WITHIN(its["value"].toDouble(), tau, sd);
+            VYBEG_WITHIN(its["sd"].toDouble() / sd, 1, 0.1);
+        }
+    }
+
+    // A phase column counts from a reference that the frequency beside it tells.
+    void the_reference_stands_behind_phase_and_frequency() {
+        const QByteArray log =
+            log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::common_phase, 1, 1);
+        QList<QByteArray> lines = log.split('\n');
+        lines[0] += ",F (Hz)";
+        for (qsizetype k = 1; k + 1 < lines.size(); ++k) {
+            const double t = lines[k].split(',').front().toDouble();
+            lines[k] += ',' + QByteArray::number(f_ref_hz + 0.3 * std::sin(0.5 * t), 'g', 12);
+        }
+        write("both.csv", lines.join('\n'));
+        const Outcome run = run_cli({"identify", "both.csv", "-o", "-", "--phasors", "common",
+                                     "--y-sign", "+", "--amplitude", "peak"},
+                                    folder_.path());
+        VYBEG_EQUAL(run.status, 0, run.err.constData());
+        const QJsonObject f = json_of(run)["runs"].toArray()[0].toObject()["wave"].toObject();
+        VYBEG_WITHIN(f["f_hz"].toObject()["value"].toDouble(), 5300, 0.05);
+    }
+
+    // Mixers of unlike sides.
+    void a_channel_with_the_other_sign_of_y_is_told() {
+        const QByteArray log = log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1);
+        QList<QByteArray> lines = log.split('\n');
+        for (qsizetype row = 1; row + 1 < lines.size(); ++row) {
+            QList<QByteArray> fields = lines[row].split(',');
+            fields[4] = QByteArray::number(-fields[4].toDouble(), 'g', 15);
+            lines[row] = fields.join(',');
+        }
+        write("unlike.csv", lines.join('\n'));
+        const Outcome told = identify_fixed({"unlike.csv"}, {"--lock-in", "4,30Hz", "--to", "6"});
+        QVERIFY2(told.err.contains("as if Y of one had the other sign"), told.err.constData());
+    }
+
+    void noise_is_no_wave() {
+        QByteArray noise = "t,Xc,Yc,Xd,Yd\n";
+        std::mt19937 generator(7);
+        std::normal_distribution<double> normal;
+        for (int k = 0; k < 6000; ++k) {
+            noise += QByteArray::number(0.005 * k, 'g', 9);
+            for (int column = 0; column < 4; ++column) {
+                noise += ',' + QByteArray::number(normal(generator), 'g', 9);
+            }
+            noise += '\n';
+        }
+        write("noise.csv", noise);
+        const Outcome refused = identify_fixed({"noise.csv"}, {});
+        QCOMPARE(refused.status, 4);
+        QVERIFY2(refused.err.contains("noise.csv: no wave stands out of the noise"),
+                 refused.err.constData());
+    }
+
+    // A real Moku Pro phasemeter, 37.25 Hz.
+    void the_phase_of_a_phasemeter_is_no_time() {
+        const QString data = qEnvironmentVariable("VYBEG_REAL_DATA");
+        const QString zip = data + "/phasemeter.csv.zip";
+        if (data.isEmpty() || !QFile::exists(zip)) {
+            qWarning("VYBEG_REAL_DATA is not set: NO REAL PHASEMETER IS TESTED.");
+            QSKIP("no real data");
+        }
+        QProcess unzip;
+        unzip.start("python3", {"-m", "zipfile", "-e", zip, folder_.path()});
+        QVERIFY(unzip.waitForFinished());
+        const QString csv = "MokuPhasemeterData_MokuProTest.csv";
+        for (const char* command : {"info", "identify"}) {
+            const Outcome refused = run_cli({command, csv}, folder_.path());
+            QCOMPARE(refused.status, 3);
+            QVERIFY2(refused.err.contains("it holds phasors"), refused.err.constData());
+        }
+        const Outcome read = run_cli({"identify", zip, "-o", "-", "--phasors", "pll", "--y-sign",
+                                      "+", "--amplitude", "peak"},
+                                     folder_.path());
+        VYBEG_EQUAL(read.status, 0, read.err.constData());
+        const QJsonObject run = json_of(read)["runs"].toArray()[0].toObject();
+        const double f_hz = run["wave"].toObject()["f_hz"].toObject()["value"].toDouble();
+        VYBEG_LESS(std::abs(f_hz - 250000.0176), 1e-3);
+        const QJsonObject input = json_of(read)["inputs"].toArray()[0].toObject();
+        VYBEG_LESS(std::abs(input["rate_hz"].toDouble() - 37.2529), 1e-3);
+    }
+
+    // /000/dev3000/demods/0/sample/x of HDF5, dev3000.demods(1).sample.x of MAT.
+    void variables_of_labone() {
+        const LockIn lock_in{4, 30, 150};
+        write("plain.csv", log_of(folder_.filePath("0.npy"), lock_in, Frame::fixed, 1, 1));
+        run_python(folder_.path().toStdString(), QStringLiteral(R"(
+import h5py, scipy.io
+log = np.loadtxt('plain.csv', delimiter=',', skiprows=1)
+ticks = (7e14 + np.round(6e7 * log[:, 0])).astype(np.uint64)
+demods = np.zeros((1, 2), dtype=[('sample', object)])
+with h5py.File('labone.h5', 'w') as f:
+    for d in range(2):
+        g = f.create_group(f'000/dev3000/demods/{d}/sample')
+        values = {'timestamp': ticks, 'x': log[:, 1 + 2 * d], 'y': log[:, 2 + 2 * d],
+                  'frequency': np.full(len(log), 5300.1)}
+        for name, value in values.items():
+            g[name] = value
+        demods[0, d]['sample'] = values
+scipy.io.savemat('labone.mat', {'dev3000': {'demods': demods}})
+)"));
+        const auto wave = [&](const QStringList& arguments) {
+            const Outcome read =
+                run_cli(QStringList{"identify", "-o", "-", "--phasors", "fixed", "--f-ref",
+                                    "5300.1", "--y-sign", "+", "--amplitude", "peak"} +
+                            arguments,
+                        folder_.path());
+            if (read.status != 0) {
+                qWarning("%s", read.err.constData());
+            }
+            return json_of(read)["runs"].toArray()[0].toObject()["wave"].toObject();
+        };
+        const QJsonObject told = wave({"plain.csv"});
+        for (const QString file : {"labone.h5", "labone.mat"}) {
+            const QJsonObject found = wave({file, "--rate", "222.22"});
+            for (const QString name : {"f_hz", "tau_s"}) {
+                const QJsonObject expected = told[name].toObject();
+                VYBEG_LESS(std::abs(found[name].toObject()["value"].toDouble() -
+                                    expected["value"].toDouble()),
+                           expected["sd"].toDouble() * 0.1);
+            }
+        }
+        const Outcome refused = identify_fixed({"labone.h5"}, {});
+        QCOMPARE(refused.status, 3);
+        QVERIFY2(refused.err.contains("--rate"), refused.err.constData());
+    }
+};
+
+VYBEG_TEST(TestCliPhasorFiles)
+
+}  // namespace test_cli_phasor_files
+
+#include "test_cli_phasor_files.moc"
