@@ -48,8 +48,8 @@ Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
         } else if (role == "amplitude") {
             log.amplitude_effort = std::move(column.values);
         } else if (role == "quadrature") {
-            bring_to_unit_of(
-                table.columns[static_cast<std::size_t>(amplitude - wishes.begin())], column);
+            bring_to_unit_of(table.columns[static_cast<std::size_t>(amplitude - wishes.begin())],
+                             column);
             log.quadrature_effort = std::move(column.values);
         }
     }

@@ -220,7 +220,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
         // What channels within their usual tolerances explain is no finding; a noise of another
         // colour than its windows' is none of the channels.
         std::unique_ptr<SetFit> open = solved_set(good, scale, usual, job);
-        by_usual = open->explains() && (open->is_white() || !set->at_noise());
+        by_usual = open->explains() && (open->is_white() || !set->explains());
         if (by_usual) {
             set = std::move(open);
         }

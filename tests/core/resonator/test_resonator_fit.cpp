@@ -273,7 +273,7 @@ void TestResonatorFit::whatCannotBeFittedSaysSo() {
     const Error few = fit_resonator(runs, {}, {}).error();
     QVERIFY(few.code == ErrorCode::fit_too_few_windows);
     QCOMPARE(few.where, std::string("recording 2"));
-    QCOMPARE(few.args, (std::vector<MessageArg>{"5", "8", "1"}));
+    QCOMPARE(few.args, (std::vector<MessageArg>{"5", "8", "2"}));
     std::stop_source stop;
     stop.request_stop();
     const auto cancelled =
