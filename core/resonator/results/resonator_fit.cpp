@@ -217,10 +217,9 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     bool by_usual = false;
     if (usual.tolerance != stated.tolerance &&
         !(set->explains() && set->is_white() && set->unexplained_breaks().empty())) {
-        // What channels within their usual tolerances explain is no finding; a noise of another
-        // colour than its windows' is none of the channels.
+        // What channels within their usual tolerances explain is no finding.
         std::unique_ptr<SetFit> open = solved_set(good, scale, usual, job);
-        by_usual = open->explains() && (open->is_white() || !set->explains());
+        by_usual = open->explains();
         if (by_usual) {
             set = std::move(open);
         }

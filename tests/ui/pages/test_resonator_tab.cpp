@@ -474,7 +474,7 @@ private slots:
         setStore().addToCurrent(ids());
         identify();
         auto& sentence = the<QLabel>("statistical");
-        QVERIFY2(sentence.text().contains("Calibrate with κ = 1.02"), qPrintable(sentence.text()));
+        QVERIFY2(sentence.text().contains("Calibrate with κ = 1.0"), qPrintable(sentence.text()));
         const Estimate found = outcome()->identification.fit.resonator.kappa;
         emit sentence.linkActivated("kappa");
         VYBEG_EQUAL(document().settings().calibration.kappa, found.value);
