@@ -89,6 +89,7 @@ class TestCliSignals : public QObject, private CliFolder {
     // the program's own processor time where that is less. 0 where it had ended before.
     double timeToLeave(const QString& work, int signal, int after_ms, int& interrupted) {
         QFile::remove(path("o.json"));
+        QFile::remove(path("o.csv"));
         const double children_ms = childrenMs();
         QProcess process;
         process.setWorkingDirectory(folder_.path());
@@ -205,7 +206,7 @@ private slots:
             "identify g1.wav g2.wav g3.wav foreign.wav -o o.json --threads 1 --quiet",
             "identify k1.wav k2.wav g3.wav -o o.json --threads 1 --quiet",
             "identify s1.wav s2.wav s3.wav -o o.json --threads 1 --quiet",
-            "batch misfits.csv -o o.json --threads 1 --quiet"};
+            "batch misfits.csv -o o.csv --threads 1 --quiet"};
         bool given = false;
         const int wanted = qEnvironmentVariableIntValue("VYBEG_SIGNALS", &given);
         const int sent = given ? wanted : 30;

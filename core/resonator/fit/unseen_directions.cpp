@@ -96,8 +96,8 @@ private:
                 return;
             }
             if (in_a_row == 0) {
-                // Where the cost rises as the information says, the direction is seen, and a quantity
-                // that moves by b side^2 has a variance of 2 b^2.
+                // Where the cost rises as the information says, the direction is seen, and a
+                // quantity that moves by b side^2 has a variance of 2 b^2.
                 const double squares = side * side;
                 const bool seen = rise > seen_rise * squares;
                 points_.push_back({p, std::max(rise * (seen ? squares / 2 : 1), 1.0)});

@@ -161,8 +161,8 @@ bool SetFit::explains() const {
         const double off = main_.p[error.parameter] - priors.mean[error.parameter];
         return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
     };
-    return main_.converged && !structured_refused_ && examination_.verdict == SetVerdict::fits && at_noise() &&
-           std::ranges::all_of(channel_errors, is_usual);
+    return main_.converged && !structured_refused_ && examination_.verdict == SetVerdict::fits &&
+           at_noise() && std::ranges::all_of(channel_errors, is_usual);
 }
 
 ResonatorFit SetFit::described() const {
