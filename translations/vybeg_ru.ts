@@ -1526,12 +1526,12 @@
         <translation>Квадратура записей в их начале следует за углом, как при ошибке каналов: %1, около %2. Разночастотность, оси и вращение могут быть ошибочны больше своих неопределённостей. Измерьте её и исправьте сигналы или задайте её допуск.</translation>
     </message>
     <message>
-        <source>The waves turn by %1, which the Earth does not do. Where the base stands still it is an error of the channels: %2 of about %3, and split and axes are off, too. Where the base turns, state the tolerance (--tolerance %2=...).</source>
-        <translation>Волны поворачиваются со скоростью %1, чего вращение Земли не даёт. Если основание неподвижно, это ошибка каналов: %2, около %3; тогда ошибочны и разночастотность, и оси. Если основание вращается, задайте её допуск (--tolerance %2=...).</translation>
+        <source>The waves turn by %1, faster than the Earth. Where the base turns, that is right. Where it stands still, it is an error of the channels, %2 of about %3, and split and axes are off, too: measure it and correct the signals (--delay).</source>
+        <translation>Волны поворачиваются со скоростью %1, быстрее Земли. Если основание вращается, так и есть. Если оно неподвижно, это ошибка каналов: %2, около %3; тогда ошибочны и разночастотность, и оси: измерьте её и исправьте сигналы (--delay).</translation>
     </message>
     <message>
-        <source>The waves turn by %1, which the Earth does not do. Where the base stands still it is an error of the channels: %2 of about %3, and split and axes are off, too. Where the base turns, state the tolerance of it.</source>
-        <translation>Волны поворачиваются со скоростью %1, чего вращение Земли не даёт. Если основание неподвижно, это ошибка каналов: %2, около %3; тогда ошибочны и разночастотность, и оси. Если основание вращается, задайте её допуск.</translation>
+        <source>The waves turn by %1, faster than the Earth. Where the base turns, that is right. Where it stands still, it is an error of the channels, %2 of about %3, and split and axes are off, too: measure it and correct the signals.</source>
+        <translation>Волны поворачиваются со скоростью %1, быстрее Земли. Если основание вращается, так и есть. Если оно неподвижно, это ошибка каналов: %2, около %3; тогда ошибочны и разночастотность, и оси: измерьте её и исправьте сигналы.</translation>
     </message>
     <message>
         <source>The recordings need a channel error far beyond its tolerance: %1 of %2, %3 tolerances. The tolerance is too small, or the motion is not that of the model: the numbers may be off by more than their uncertainties.</source>

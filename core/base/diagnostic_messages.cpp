@@ -438,15 +438,15 @@ MessageRow message_row(DiagnosticKind kind) {
         case DiagnosticKind::rotation_or_channel:
             return {"rotation-or-channel", serious,
                     VYBEG_MESSAGE("Message",
-                                  "The waves turn by %1, which the Earth does not do. Where "
-                                  "the base stands still it is an error of the channels: %2 of "
-                                  "about %3, and split and axes are off, too. Where the base "
-                                  "turns, state the tolerance (--tolerance %2=...)."),
+                                  "The waves turn by %1, faster than the Earth. Where the base "
+                                  "turns, that is right. Where it stands still, it is an error of "
+                                  "the channels, %2 of about %3, and split and axes are off, too: "
+                                  "measure it and correct the signals (--delay)."),
                     VYBEG_MESSAGE("Message",
-                                  "The waves turn by %1, which the Earth does not do. Where "
-                                  "the base stands still it is an error of the channels: %2 of "
-                                  "about %3, and split and axes are off, too. Where the base "
-                                  "turns, state the tolerance of it.")};
+                                  "The waves turn by %1, faster than the Earth. Where the base "
+                                  "turns, that is right. Where it stands still, it is an error of "
+                                  "the channels, %2 of about %3, and split and axes are off, too: "
+                                  "measure it and correct the signals.")};
         case DiagnosticKind::prior_left:
             return {"prior-left", serious,
                     VYBEG_MESSAGE("Message",

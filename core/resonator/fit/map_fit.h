@@ -61,6 +61,10 @@ struct MapFit {
     double chi2 = 0;       // of the data
     double last_gain = 0;  // fall of the cost in the last step
     bool converged = false;
+
+    // Whether the last step gained at most a tenth of a standard deviation: undetermined parameters
+    // continue to change in steps of smaller gain.
+    bool finished() const { return converged || last_gain <= 0.01; }
 };
 
 // Levenberg and Marquardt from p, the normal matrix scaled to a unit diagonal, at most `steps` of

@@ -180,13 +180,13 @@ std::optional<Diagnostic> quadrature_finding(const FittedSet& set,
                       named_error(*error, found.size, f_ref_hz)};
 }
 
-// A rotation that the Earth does not make is one of the base, or an untold delay of a channel.
+// A rotation that neither the Earth nor the delay's tolerance makes is one of the base, or a larger
+// delay of a channel, which the motion does not show.
 std::optional<Diagnostic> rotation_finding(const FittedSet& set, const Estimate& rotation,
                                            const ChannelTolerance& tolerance, double f_ref_hz) {
     const auto error = std::ranges::find(channel_errors, phase_at, &ChannelError::parameter);
     const double assumed = tolerance.*error->tolerance;
-    const bool held = set.problem->priors.sd[phase_at] == 0 && assumed > 0;
-    if (!held || !rotation.given() ||
+    if (!(assumed > 0) || !rotation.given() ||
         !(std::abs(rotation.value) - most_tolerances * rotation.uncertainty() >
           bryan * earth_rate_rad_s)) {
         return {};
@@ -218,12 +218,12 @@ std::vector<MessageArg> named_error(const ChannelError& error, double size, doub
     return {tolerance_names[error.source], number_arg(size * unit, 2, name)};
 }
 
-std::vector<Diagnostic> channel_findings(const FittedSet& set, const ChannelTolerance& tolerance,
-                                         const ResonatorEstimate& resonator,
+std::vector<Diagnostic> channel_findings(const FittedSet& set, const ResonatorEstimate& resonator,
                                          std::span<const RunEstimate> runs, bool white) {
     std::vector<Diagnostic> found;
     const FitProblem& problem = *set.problem;
     const Posterior& posterior = set.posterior;
+    const ChannelTolerance& tolerance = set.tolerance;
     const double f_ref_hz = f_ref_of(set);
     for (const ChannelError& error : channel_errors) {
         const double told = problem.priors.sd[error.parameter];

@@ -17,11 +17,10 @@ std::vector<MessageArg> named_error(const ChannelError& error, double size, doub
 //   with its tolerance (misfit_channel);
 // - a delay or crosstalk that the quadratures at the starts of four recordings or more follow by
 //   their angles (quadrature_by_channel). The motion does not show it: it looks like a rotation;
-// - a rotation faster than the Earth's, where an untold delay may look like it
+// - a rotation faster than the Earth's, which a delay beyond its tolerance may look like
 //   (rotation_or_channel).
 // And an anisotropy that reaches that of a passive resonator. `white`: the residual is noise.
-std::vector<Diagnostic> channel_findings(const FittedSet& set, const ChannelTolerance& tolerance,
-                                         const ResonatorEstimate& resonator,
+std::vector<Diagnostic> channel_findings(const FittedSet& set, const ResonatorEstimate& resonator,
                                          std::span<const RunEstimate> runs, bool white);
 
 }  // namespace vybeg

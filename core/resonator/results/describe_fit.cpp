@@ -85,9 +85,6 @@ RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> ru
 
 namespace {
 
-// Gain of the last step: a tenth of a standard deviation. Undetermined parameters continue to
-// change in steps of smaller gain.
-constexpr double unfinished_gain = 0.01;
 // Least size of a given split or anisotropy, standard deviations.
 constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
@@ -132,19 +129,20 @@ public:
         set.context.order = mode_order(set);
         // The channels of the free model are any two projections; only their drifts falsify it. But
         // the amplitudes and the angle of a wave are those of calibrated channels.
-        ChannelTolerance tolerance = solved_.tolerance;
+        set.tolerance = solved_.tolerance;
         if (solved_.model == ResonatorModel::free) {
-            tolerance = {.kappa = 0,
-                         .phase_drift = tolerance.phase_drift,
-                         .gain_drift = tolerance.gain_drift};
+            set.tolerance = {.kappa = 0,
+                             .phase_drift = solved_.tolerance.phase_drift,
+                             .gain_drift = solved_.tolerance.gain_drift};
         }
-        set.moved = moved_by(problem_, set.posterior, tolerance);
-        set.variances = reported_variances(set.posterior, set.context, beside, set.moved,
-                                           scattered(set.posterior));
+        set.moved = moved_by(problem_, set.posterior, set.tolerance);
+        set.scattered = scattered(set.posterior);
+        set.variances =
+            reported_variances(set.posterior, set.context, beside, set.moved, set.scattered);
         if (solved_.model == ResonatorModel::free) {
             const ReportedVariances calibrated = reported_variances(
                 set.posterior, set.context, beside,
-                moved_by(problem_, set.posterior, solved_.tolerance), scattered(set.posterior));
+                moved_by(problem_, set.posterior, solved_.tolerance), set.scattered);
             for (Eigen::Index run = 0; run < std::ssize(solved_.runs); ++run) {
                 for (const int of : {a_A_of, a_B_of, two_theta_of}) {
                     const Eigen::Index at = quantity_of_run(static_cast<std::size_t>(run), of);
@@ -159,9 +157,8 @@ public:
         if (fit_.model == ResonatorModel::structured) {
             const bool white =
                 fit_.noise.white() && ratio < 1 + residual_scatter * std::sqrt(2 / dof);
-            std::ranges::copy(
-                channel_findings(set, solved_.tolerance, fit_.resonator, fit_.runs, white),
-                std::back_inserter(fit_.warnings));
+            std::ranges::copy(channel_findings(set, fit_.resonator, fit_.runs, white),
+                              std::back_inserter(fit_.warnings));
         }
         warn();
         return std::move(fit_);
@@ -293,7 +290,7 @@ private:
             fit_.warnings.push_back({DiagnosticKind::frequency_follows_amplitude,
                                      {number_arg(power.value, 3), number_arg(power.sd, 2)}});
         }
-        if (!solved_.fit.converged && solved_.fit.last_gain > unfinished_gain) {
+        if (!solved_.fit.finished()) {
             fit_.warnings.push_back({DiagnosticKind::fit_not_converged, {}});
             refuse_all({ReasonCode::not_converged, {}}, fit_);
         }

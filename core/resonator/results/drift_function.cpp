@@ -27,23 +27,34 @@ constexpr double point_reach = 5 * std::numbers::pi / 180;
 // Least number of windows of the straight line of a point.
 constexpr std::size_t least_point_windows = 8;
 
+// theta_A less the fitted one: measured, then of the motion with each tolerated error.
+using Residuals = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1,
+                                1 + static_cast<int>(channel_errors.size())>;
+
 // Window with an angle.
 struct AngleWindow {
     double time_s = 0;
-    double theta = 0;     // of the fitted wave, unwrapped along the run
-    double residual = 0;  // measured less fitted theta_A
-    double sd = 0;        // of the measured theta_A
+    double theta = 0;  // of the fitted wave, unwrapped along the run
+    Residuals residual;
+    double sd = 0;  // of the measured theta_A
 };
 
 // Consecutive windows without a gap.
 using Segment = std::vector<AngleWindow>;
 
-// Measured and fitted angles are those of the pick-offs, so that the errors of the channels cancel
-// in the difference.
-std::vector<Segment> segments_of(const PhasorRun& run, const FittedMotion& motion,
-                                 std::size_t index) {
-    const std::vector<Phasors> seen = predicted_phasors(motion, index, run.time_s);
-    const std::vector<Phasors> waves = predicted_waves(motion, index, run.time_s);
+double half_turn(double two_theta, double fitted) {
+    return std::remainder(two_theta - fitted, std::numbers::pi) / 2;
+}
+
+// All angles are those of the pick-offs, so that the errors of the channels that the fit knows
+// cancel in the difference.
+std::vector<Segment> segments_of(const PhasorRun& run, const ResonatorFit& fit, std::size_t index) {
+    const std::vector<Phasors> seen = predicted_phasors(fit.motion, index, run.time_s);
+    const std::vector<Phasors> waves = predicted_waves(fit.motion, index, run.time_s);
+    std::vector<std::vector<Phasors>> tolerated;
+    for (const DriftTerms::Tolerated& each : fit.drift_terms.tolerated) {
+        tolerated.push_back(predicted_phasors(each.motion, index, run.time_s));
+    }
     std::vector<Segment> segments;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
         const WaveState fitted = to_wave_state(seen[k]);
@@ -53,12 +64,15 @@ std::vector<Segment> segments_of(const PhasorRun& run, const FittedMotion& motio
         const WaveState measured = to_wave_state({run.c[k], run.d[k]});
         const double sum = fitted.a_A * fitted.a_A + fitted.a_B * fitted.a_B;
         const double difference = fitted.a_A * fitted.a_A - fitted.a_B * fitted.a_B;
-        AngleWindow place{
-            .time_s = run.time_s[k],
-            .theta = to_wave_state(waves[k]).two_theta_A / 2,
-            .residual =
-                std::remainder(measured.two_theta_A - fitted.two_theta_A, std::numbers::pi) / 2,
-            .sd = 0.5 * run.sd[k] * std::sqrt(sum) / difference};
+        AngleWindow place{.time_s = run.time_s[k],
+                          .theta = to_wave_state(waves[k]).two_theta_A / 2,
+                          .residual = Residuals(1 + std::ssize(tolerated)),
+                          .sd = 0.5 * run.sd[k] * std::sqrt(sum) / difference};
+        place.residual[0] = half_turn(measured.two_theta_A, fitted.two_theta_A);
+        for (std::size_t error = 0; error < tolerated.size(); ++error) {
+            place.residual[static_cast<Eigen::Index>(error) + 1] =
+                half_turn(to_wave_state(tolerated[error][k]).two_theta_A, fitted.two_theta_A);
+        }
         const bool goes_on =
             !segments.empty() && place.time_s - segments.back().back().time_s < 1.5 * run.window_s;
         if (goes_on) {
@@ -80,8 +94,8 @@ Terms terms_at(double theta) {
 // Normal equations of all segments, their start angles eliminated.
 struct Normal {
     TermMatrix information = TermMatrix::Zero();
-    Terms moment = Terms::Zero();
-    double square = 0;  // of the residual about its means, in standard deviations
+    Eigen::Matrix<double, drift_terms, Eigen::Dynamic> moment;  // a column for each residual
+    double square = 0;  // of the measured one about its means, in standard deviations
     double freedom = 0;
 
     void add(const Segment& segment) {
@@ -93,7 +107,7 @@ struct Normal {
         }
         const std::vector<Terms> sums = term_integrals<Terms>(harmonics, time_s, theta);
         double weight = 0;
-        double mean_residual = 0;
+        Residuals mean_residual = Residuals::Zero(segment.front().residual.size());
         Terms mean = Terms::Zero();
         for (std::size_t k = 0; k < segment.size(); ++k) {
             const double w = 1 / (segment[k].sd * segment[k].sd);
@@ -103,34 +117,38 @@ struct Normal {
         }
         mean_residual /= weight;
         mean /= weight;
+        if (moment.cols() == 0) {
+            moment.setZero(drift_terms, mean_residual.size());
+        }
         for (std::size_t k = 0; k < segment.size(); ++k) {
             const double w = 1 / (segment[k].sd * segment[k].sd);
             const Terms row = sums[k] - mean;
-            const double off = segment[k].residual - mean_residual;
+            const Residuals off = segment[k].residual - mean_residual;
             information += w * row * row.transpose();
-            moment += w * off * row;
-            square += w * off * off;
+            moment += w * row * off;
+            square += w * off[0] * off[0];
         }
         freedom += static_cast<double>(segment.size()) - 1;
     }
 };
 
+// m, c4, s4 of r, g cos 4theta_tau, g sin 4theta_tau.
+const Eigen::Matrix3d of_terms{{-0.5, 0, 0}, {0, 0, -0.25}, {0, 0.25, 0}};
+
 // m, c4, s4 of the fit.
-void take_fourth(const DriftTerms& terms_of_fit, DriftFunction& found) {
-    Eigen::Matrix3d of_terms;
-    of_terms << -0.5, 0, 0, 0, 0, -0.25, 0, 0.25, 0;
-    const Eigen::Map<const Eigen::Vector3d> value(terms_of_fit.value.data());
-    using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const Eigen::Map<const RowMajor3> covariance(terms_of_fit.covariance.data());
-    const Eigen::Map<const RowMajor3> tolerances(terms_of_fit.tolerances.data());
+void take_fourth(const DriftTerms& terms, DriftFunction& found) {
     found.order = 4;
-    found.coefficients = of_terms * value;
-    found.covariance = of_terms * covariance * of_terms.transpose();
-    found.tolerances = of_terms * tolerances * of_terms.transpose();
+    found.coefficients = of_terms * terms.value;
+    found.covariance = of_terms * terms.covariance * of_terms.transpose();
+    found.tolerances = of_terms * terms.spread * of_terms.transpose();
+    for (const DriftTerms::Tolerated& each : terms.tolerated) {
+        const Eigen::Vector3d moved = of_terms * each.moved;
+        found.tolerances += moved * moved.transpose();
+    }
 }
 
 // Adds the information of the residual angles on all five terms, if they separate them.
-void add_eighth(const Normal& normal, DriftFunction& found) {
+void add_eighth(const Normal& normal, const DriftTerms& terms, DriftFunction& found) {
     if (!separates_terms(normal.information)) {
         return;
     }
@@ -140,16 +158,19 @@ void add_eighth(const Normal& normal, DriftFunction& found) {
     // alone.
     const double wider =
         (found.covariance.diagonal().array() / three.diagonal().array()).maxCoeff();
-    const Terms change = all * normal.moment;
-    Eigen::VectorXd whole = change;
-    whole.head<3>() += found.coefficients;
+    Eigen::MatrixXd change = all * normal.moment;
+    change.col(0).head<3>() += found.coefficients;
     found.order = 8;
-    found.coefficients = whole;
+    found.coefficients = change.col(0);
     found.covariance = std::max(1.0, wider) * all;
-    // Errors of the channels leave the fourth harmonic as the fit has it.
-    const Eigen::MatrixXd of_fit = found.tolerances;
     found.tolerances = Eigen::MatrixXd::Zero(drift_terms, drift_terms);
-    found.tolerances.topLeftCorner<3, 3>() = of_fit;
+    found.tolerances.topLeftCorner<3, 3>() = of_terms * terms.spread * of_terms.transpose();
+    // The residual has what the fit does not follow of an error.
+    for (std::size_t k = 0; k < terms.tolerated.size(); ++k) {
+        Terms off = change.col(static_cast<Eigen::Index>(k) + 1);
+        off.head<3>() += of_terms * terms.tolerated[k].moved;
+        found.tolerances += off * off.transpose();
+    }
 }
 
 // Point of the places [first, end) of a segment: slope of their residual plus the drift of a linear
@@ -164,8 +185,8 @@ DriftPoint point_of(std::size_t run, const Segment& segment, std::size_t first, 
         const double w = 1 / (segment[k].sd * segment[k].sd);
         weight += w;
         mean_t += w * segment[k].time_s;
-        mean_theta += w * (segment[k].theta + segment[k].residual);
-        mean += w * segment[k].residual;
+        mean_theta += w * (segment[k].theta + segment[k].residual[0]);
+        mean += w * segment[k].residual[0];
     }
     mean_t /= weight;
     mean_theta /= weight;
@@ -176,7 +197,7 @@ DriftPoint point_of(std::size_t run, const Segment& segment, std::size_t first, 
         const double w = 1 / (segment[k].sd * segment[k].sd);
         const double t = segment[k].time_s - mean_t;
         spread += w * t * t;
-        moment += w * t * (segment[k].residual - mean);
+        moment += w * t * (segment[k].residual[0] - mean);
     }
     return {run, wrap(4 * mean_theta) / 4, drift_of_dynamics(m, mean_theta) + moment / spread,
             1 / std::sqrt(spread)};
@@ -232,7 +253,7 @@ DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit
         if (fit.left_out == run) {
             continue;
         }
-        for (const Segment& segment : segments_of(runs[run], fit.motion, run)) {
+        for (const Segment& segment : segments_of(runs[run], fit, run)) {
             normal.add(segment);
             add_points(run, segment, m, found.points);
         }
@@ -240,7 +261,7 @@ DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit
     found.chi2_per_freedom = normal.freedom > 0 ? normal.square / normal.freedom : 1;
     if (fit.drift_terms.given && normal.freedom > 0) {
         take_fourth(fit.drift_terms, found);
-        add_eighth(normal, found);
+        add_eighth(normal, fit.drift_terms, found);
     } else {
         // Split and axes, by which the quadrature turns the wave, are unknown too: a point would be
         // off by many of its deviations.

@@ -14,7 +14,9 @@ struct FittedSet {
     MapFit fit;
     Posterior posterior;
     QuantityContext context;
-    Eigen::MatrixXd moved;  // by the tolerances (sensitivities.h)
+    ChannelTolerance tolerance;  // told or assumed
+    Eigen::MatrixXd moved;       // by the tolerance (sensitivities.h)
+    Eigen::MatrixXd scattered;   // by one deviation of each run from the set
     ReportedVariances variances;
     double scale = 1;        // recording units of a scaled unit
     double split_needs = 3;  // least size of a given split or anisotropy, standard deviations

@@ -395,19 +395,42 @@ private:
             return estimate.given() || estimate.reason.code == ReasonCode::within_noise;
         };
         terms.given = seen(out.damping_anisotropy_per_s) && out.angle_rate_rad_s.given();
-        const std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
         const Posterior& p = set_.posterior;
-        const Eigen::MatrixXd statistical = p.root * (p.data + p.nothing) * p.root.transpose();
-        const Eigen::MatrixXd tolerances = set_.moved * set_.moved.transpose();
+        std::array<Index, 3> rows{};
         for (std::size_t k = 0; k < 3; ++k) {
-            terms.value[k] = p.p[parameters[k]];
-            const Index row = std::ranges::find(p.active, parameters[k]) - p.active.begin();
-            for (std::size_t l = 0; l < 3; ++l) {
-                const Index column = std::ranges::find(p.active, parameters[l]) - p.active.begin();
-                terms.covariance[3 * k + l] = statistical(row, column);
-                terms.tolerances[3 * k + l] = tolerances(row, column);
+            constexpr std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
+            terms.value[static_cast<Index>(k)] = p.p[parameters[k]];
+            rows[k] = std::ranges::find(p.active, parameters[k]) - p.active.begin();
+        }
+        const Eigen::MatrixXd root = p.root(rows, Eigen::all);
+        terms.covariance = root * (p.data + p.nothing) * root.transpose();
+        const Eigen::MatrixXd scattered = set_.scattered(rows, Eigen::all);
+        terms.spread = scattered * scattered.transpose();
+        for (std::size_t k = 0; k < channel_errors.size(); ++k) {
+            const ChannelError& error = channel_errors[k];
+            const double size = set_.tolerance.*error.tolerance;
+            if (size > 0) {
+                const Eigen::VectorXd moved = set_.moved.col(static_cast<Index>(k));
+                terms.tolerated.push_back({moved(rows), motion_with(error.parameter, size, moved)});
             }
         }
+    }
+
+    // The motion of which an error that the fit does not know makes the fitted one.
+    FittedMotion motion_with(SharedParameter error, double size,
+                             const Eigen::VectorXd& moved) const {
+        const Posterior& p = set_.posterior;
+        Eigen::VectorXd at = p.p;
+        at(p.active) -= moved;
+        if (set_.problem->priors.sd[error] == 0) {
+            at[error] += size;
+        }
+        FittedMotion motion = fit_.motion;
+        motion.shared = at.head(shared_count);
+        for (std::size_t k = 0; k < motion.runs.size(); ++k) {
+            motion.runs[k].own = own_of(set_.problem->layout, at, k);
+        }
+        return motion;
     }
 
     const FittedSet& set_;

@@ -78,12 +78,19 @@ struct Identifiable {
     bool kappa = false;
 };
 
-// Rotation and damping anisotropy, the terms of the drift of the angle, with their covariances: r,
+// Rotation and damping anisotropy, the terms of the drift of the angle, with their covariance: r,
 // g cos 4theta_tau, g sin 4theta_tau.
 struct DriftTerms {
-    std::array<double, 3> value{};
-    std::array<double, 9> covariance{};  // statistical; row by row, like the next
-    std::array<double, 9> tolerances{};  // contribution of the channels' tolerances
+    // A channel error of the size of its tolerance, told or assumed.
+    struct Tolerated {
+        Eigen::Vector3d moved;  // of the terms that the fit finds
+        FittedMotion motion;    // that has the error, where the fit finds ResonatorFit::motion
+    };
+
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // statistical
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();      // by the spread between the runs
+    std::vector<Tolerated> tolerated;
     bool given = false;
 };
 

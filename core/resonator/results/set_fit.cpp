@@ -161,7 +161,7 @@ bool SetFit::explains() const {
         const double off = main_.p[error.parameter] - priors.mean[error.parameter];
         return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
     };
-    return main_.converged && !structured_refused_ && examination_.verdict == SetVerdict::fits &&
+    return main_.finished() && !structured_refused_ && examination_.verdict == SetVerdict::fits &&
            at_noise() && std::ranges::all_of(channel_errors, is_usual);
 }
 

@@ -61,7 +61,7 @@ public:
         return fitted_size(problem_, main_.p, each);
     }
 
-    // Whether the fit has converged, the runs agree, the residual has the size of the noise, the
+    // Whether the fit is finished, the runs agree, the residual has the size of the noise, the
     // structured model is not refused, and the channel errors lie within three of their tolerances.
     bool explains() const;
 

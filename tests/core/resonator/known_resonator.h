@@ -48,6 +48,37 @@ inline FreeDecay reference() {
     return decay;
 }
 
+// 10 ns at 5300 Hz, 0.1 degrees, 1e-4.
+inline const FitOptions assuming{.assumed = {.kappa = 0.01,
+                                             .skew_rad = 0.1 * std::numbers::pi / 180,
+                                             .phase_rad = 3.3e-4,
+                                             .crosstalk = 1e-4,
+                                             .phase_drift = 1e-4,
+                                             .gain_drift = 1e-4}};
+
+// D with errors of these sizes.
+inline void spoil(std::vector<PhasorRun>& runs, const ChannelTolerance& size) {
+    for (PhasorRun& run : runs) {
+        for (std::size_t k = 0; k < run.d.size(); ++k) {
+            const double share = run.time_s[k] / run.time_s.back();
+            const double gain = (1 + size.gain_drift * share) / (1 + size.kappa);
+            run.d[k] = run.d[k] * std::polar(gain, size.phase_rad + size.phase_drift * share) +
+                       std::complex(std::sin(size.skew_rad), size.crosstalk) * run.c[k];
+        }
+    }
+}
+
+// Errors drawn from tolerances, normal up to two and a half of them.
+inline ChannelTolerance drawn_from(const ChannelTolerance& tolerance, std::uint64_t seed) {
+    GaussianNoise random(seed);
+    ChannelTolerance size;
+    for (const ChannelError& error : channel_errors) {
+        size.*error.tolerance =
+            tolerance.*error.tolerance * std::clamp(random.next().first, -2.5, 2.5);
+    }
+    return size;
+}
+
 inline bool warns(const ResonatorFit& fit, DiagnosticKind kind) {
     return std::ranges::any_of(fit.warnings,
                                [kind](const Diagnostic& known) { return known.kind == kind; });

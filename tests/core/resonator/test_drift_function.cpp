@@ -7,7 +7,7 @@
 #include "core/resonator/results/drift_function.h"
 #include "core/resonator/results/resonator_fit.h"
 #include "tests/closeness.h"
-#include "tests/core/resonator/simulated_phasors.h"
+#include "tests/core/resonator/known_resonator.h"
 #include "tests/largest_of.h"
 #include "tests/test_registry.h"
 
@@ -149,6 +149,36 @@ private slots:
         // The mean of 60 squares has a deviation of sqrt(2/60) = 0.18.
         for (int k = 0; k < 3; ++k) {
             VYBEG_CLOSE(squares[k], 1, 4 * std::sqrt(2.0 / seeds), qPrintable(QString::number(k)));
+        }
+    }
+
+    // The eighth harmonic that channels of another gain ratio make was told with the deviation of
+    // the noise alone.
+    void channels_within_their_tolerances_are_in_u() {
+        Eigen::Matrix<double, 5, 1> squares = Eigen::Matrix<double, 5, 1>::Zero();
+        constexpr int sets = 40;
+        int within = 0;
+        for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+            FreeDecay decay = gyro();
+            decay.noise = 1e-4;
+            decay.split_hz = seed % 2 == 0 ? 1e-4 : 0.01;
+            std::vector<PhasorRun> runs =
+                set_of(decay, {0, 15, 30, 45, 60, 75}, static_cast<std::uint64_t>(500 + seed));
+            spoil(runs, drawn_from(assuming.assumed, seed));
+            const DriftFunction found = drift_of(runs, assuming);
+            QCOMPARE(found.order, 8);
+            const Eigen::Vector3d truth = truth_of(decay);
+            for (int k = 0; k < 5; ++k) {
+                const double off = found.coefficients[k] - (k < 3 ? truth[k] : 0);
+                const double pull = off / found.coefficient(k).uncertainty();
+                squares[k] += pull * pull / sets;
+                within += std::abs(pull) < 2 ? 1 : 0;
+                qDebug() << k << off << found.coefficient(k).sd << found.coefficient(k).u << pull;
+            }
+        }
+        VYBEG_AT_LEAST(within, 5 * sets * 0.9);
+        for (int k = 0; k < 5; ++k) {
+            VYBEG_AT_MOST(squares[k], 1.5, qPrintable(QString::number(k)));
         }
     }
 
