@@ -29,6 +29,9 @@ constexpr std::size_t least_windows = 8;
 constexpr double seen = 5;
 // Distance of an outlier in robust deviations of the scatter, at least those of the noise.
 constexpr double outlier = 6;
+// Step of 2theta_A, of period pi, that may as well be one the other way. A wave that passes near
+// the circular state turns by almost pi/2.
+constexpr double ambiguous_step = std::numbers::pi / 4;
 
 template <class Windows>
 double power_of(const Windows& run, std::size_t k) {
@@ -48,6 +51,7 @@ struct Motion {
     RateSeries theta;      // rad
     RateSeries quadrature;
     std::vector<std::size_t> angles;
+    bool branch_lost = false;  // which way the angle turned between two of them
 };
 
 void add(RateSeries& series, double time_s, double value, double sd, std::size_t part) {
@@ -201,6 +205,7 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
     Motion motion;
     double phase = 0;
     double two_theta = 0;
+    std::size_t last_angle = 0;
     std::size_t part = 0;
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const std::size_t k = windows[i];
@@ -236,9 +241,17 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
         if (state.a_A - std::abs(state.a_B) < seen * std::numbers::sqrt2 * sd) {
             continue;
         }
+        const double before = two_theta;
         two_theta = motion.angles.empty()
                         ? state.two_theta_A
-                        : nearest_branch(state.two_theta_A, two_theta, std::numbers::pi);
+                        : nearest_branch(state.two_theta_A, before, std::numbers::pi);
+        if (!motion.angles.empty() && knocks == motion.theta.part.back() &&
+            std::abs(two_theta - before) > ambiguous_step) {
+            const auto windows_between = static_cast<double>(i - last_angle);
+            motion.branch_lost = motion.branch_lost || t - motion.theta.time_s.back() <
+                                                           (windows_between + 0.5) * run.window_s;
+        }
+        last_angle = i;
         const double across = (state.a_A + state.a_B) * (state.a_A - state.a_B);
         add(motion.theta, t, two_theta / 2, sd * std::sqrt(power) / (2 * across), knocks);
         add(motion.quadrature, t, state.a_B / state.a_A,
@@ -354,8 +367,8 @@ WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobContr
     found.decay_per_s = given(-rates[1].value, rates[1].sd);
     found.tau_s =
         decay_time(-rates[1].value, rates[1].sd, std::numeric_limits<double>::quiet_NaN());
-    found.theta_rate_rad_s =
-        circular ? missing(ReasonCode::circular_wave) : given(rates[2].value, rates[2].sd);
+    found.theta_rate_rad_s = circular || motion.branch_lost ? missing(ReasonCode::circular_wave)
+                                                            : given(rates[2].value, rates[2].sd);
     found.quadrature_rate_per_s =
         circular ? missing(ReasonCode::circular_wave) : given(rates[3].value, rates[3].sd);
     return found;

@@ -28,8 +28,9 @@ struct WaveMotion {
     Estimate decay_per_s;            // 1 / tau, 1/s: given also without a significant decay
 };
 
-// Reasons: too_few_windows (fewer than eight windows count), circular_wave (angle and quadrature),
-// those of decay_time(). Precondition: the vectors of a run have one length.
+// Reasons: too_few_windows (fewer than eight windows count), circular_wave (angle and quadrature;
+// the angle also where the wave passes so near the circular state that the sense of its turn is
+// unknown), those of decay_time(). Precondition: the vectors of a run have one length.
 WaveMotion wave_motion(const PhasorRun& run, const JobControl& job = {});
 
 // The values alone, their deviations NaN, at a fraction of the cost. tau has none.

@@ -313,6 +313,36 @@ private slots:
         QVERIFY2(pulls.within(0.7, 1.3), qPrintable(pulls.text()));
     }
 
+    // A wave at 45 degrees of 2theta from an axis swings through the circular state; beside it the
+    // angle turns fast, this way or that.
+    void a_wave_near_the_circular_state_has_the_right_sense_or_none() {
+        int given = 0;
+        int refused = 0;
+        for (const double beside_deg :
+             {-20.0, -5.0, -2.0, -1.0, -0.3, -0.1, 0.1, 0.3, 1.0, 2.0, 5.0, 20.0}) {
+            FreeDecay decay = wave(0.05, 0, 0);
+            decay.two_theta_A =
+                2 * (decay.theta_w + std::numbers::pi / 8 + beside_deg * std::numbers::pi / 180);
+            FreeDecay clean = decay;
+            clean.noise = 1e-9;
+            const double truth =
+                wave_values(simulated_phasors(clean, window / 40, 1)).theta_rate_rad_s.value;
+            for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+                const Estimate rate =
+                    wave_motion(simulated_phasors(decay, window, seed)).theta_rate_rad_s;
+                if (rate.given()) {
+                    VYBEG_NEAR(rate, truth, 4, 0.1);
+                    ++given;
+                } else {
+                    QCOMPARE(rate.reason.code, ReasonCode::circular_wave);
+                    ++refused;
+                }
+            }
+        }
+        VYBEG_AT_LEAST(given, 32);
+        VYBEG_AT_LEAST(refused, 16);
+    }
+
     void what_is_not_there_has_its_reason() {
         FreeDecay decay = reference();
         decay.tau_s = 1e300;
