@@ -205,7 +205,6 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
     Motion motion;
     double phase = 0;
     double two_theta = 0;
-    std::size_t last_angle = 0;
     std::size_t part = 0;
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const std::size_t k = windows[i];
@@ -245,13 +244,8 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
         two_theta = motion.angles.empty()
                         ? state.two_theta_A
                         : nearest_branch(state.two_theta_A, before, std::numbers::pi);
-        if (!motion.angles.empty() && knocks == motion.theta.part.back() &&
-            std::abs(two_theta - before) > ambiguous_step) {
-            const auto windows_between = static_cast<double>(i - last_angle);
-            motion.branch_lost = motion.branch_lost || t - motion.theta.time_s.back() <
-                                                           (windows_between + 0.5) * run.window_s;
-        }
-        last_angle = i;
+        motion.branch_lost |= !motion.angles.empty() && knocks == motion.theta.part.back() &&
+                              std::abs(two_theta - before) > ambiguous_step;
         const double across = (state.a_A + state.a_B) * (state.a_A - state.a_B);
         add(motion.theta, t, two_theta / 2, sd * std::sqrt(power) / (2 * across), knocks);
         add(motion.quadrature, t, state.a_B / state.a_A,
