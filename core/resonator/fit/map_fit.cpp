@@ -15,6 +15,9 @@ constexpr double first_damping = 1e-8;
 constexpr double least_damping = 1e-12;
 constexpr double most_damping = 1e6;
 constexpr double least_gain = 1e-5;
+// A fit that needs more steps follows a bent valley.
+constexpr int straight_steps = 12;
+constexpr double probe = 0.1;  // share of a step at which its curvature is taken
 
 struct Cost {
     double data = 0;
@@ -98,6 +101,33 @@ Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& act
     return {matrix(active, active), right(active)};
 }
 
+// J^T of the second derivative of the predictions along a step.
+Eigen::VectorXd curvature_along(const FitProblem& problem, const std::vector<Eigen::Index>& active,
+                                const Eigen::VectorXd& p, const Eigen::VectorXd& step,
+                                std::size_t windows) {
+    const ParameterLayout& layout = problem.layout;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(p.size());
+    const bool with_cubic = problem.priors.sd[cubic_at] > 0;
+    const Eigen::VectorXd there = p + probe * step;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        const std::size_t count = std::min(windows, run.size());
+        const Eigen::VectorXd own = own_of(layout, p, k);
+        const Linearised at = linearised(run, p.head(shared_count), own, count, with_cubic);
+        Eigen::VectorXd own_step(shared_count + layout.own_size(k));
+        own_step << step.head(shared_count), own_of(layout, step, k);
+        const Eigen::VectorXd moved =
+            linearised(run, there.head(shared_count), own_of(layout, there, k), count, false)
+                .residual;
+        const Eigen::VectorXd second =
+            (at.residual - moved - probe * (at.by_parameter * own_step)) * (2 / (probe * probe));
+        const Eigen::VectorXd toward = at.by_parameter.transpose() * second;
+        sum.head(shared_count) += toward.head(shared_count);
+        sum.segment(layout.at(k, 0), layout.own_size(k)) = toward.tail(layout.own_size(k));
+    }
+    return sum(active);
+}
+
 }  // namespace
 
 void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
@@ -169,6 +199,9 @@ Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearise
 MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int steps,
                 const JobControl& job, std::size_t windows) {
     const std::vector<Eigen::Index> active = problem.priors.active();
+    const auto cost_at = [&](const Eigen::VectorXd& p) {
+        return p.allFinite() ? cost_of(problem, p, windows) : Cost{no_cost, no_cost};
+    };
     MapFit fit{start};
     Cost now = cost_of(problem, fit.p, windows);
     double damping = first_damping;
@@ -184,11 +217,24 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
         while (damping <= most_damping && !job.cancelled()) {
             Eigen::MatrixXd damped = scaled;
             damped.diagonal().array() += damping;
-            const Eigen::VectorXd move = inverse.asDiagonal() * damped.ldlt().solve(right);
-            Eigen::VectorXd moved = fit.p;
-            moved(active) += move;
-            const Cost then =
-                moved.allFinite() ? cost_of(problem, moved, windows) : Cost{no_cost, no_cost};
+            const Eigen::LDLT<Eigen::MatrixXd> solver = damped.ldlt();
+            Eigen::VectorXd move = Eigen::VectorXd::Zero(fit.p.size());
+            move(active) = inverse.asDiagonal() * solver.solve(right);
+            Eigen::VectorXd moved = fit.p + move;
+            Cost then = cost_at(moved);
+            if (step >= straight_steps && std::isfinite(then.all)) {
+                const Eigen::VectorXd bend =
+                    -0.5 * solver.solve(inverse.asDiagonal() *
+                                        curvature_along(problem, active, fit.p, move, windows));
+                if (bend.norm() < (unit.asDiagonal() * move(active)).norm()) {
+                    Eigen::VectorXd bent = moved;
+                    bent(active) += inverse.asDiagonal() * bend;
+                    if (const Cost there = cost_at(bent); there.all < then.all) {
+                        moved = bent;
+                        then = there;
+                    }
+                }
+            }
             if (then.all <= now.all * (1 + 1e-9)) {
                 gain = now.all - then.all;
                 if (gain >= 0) {
