@@ -318,8 +318,8 @@ private slots:
     void a_wave_near_the_circular_state_has_the_right_sense_or_none() {
         int given = 0;
         int refused = 0;
-        for (const double beside_deg :
-             {-20.0, -5.0, -2.0, -1.0, -0.3, -0.1, 0.1, 0.3, 1.0, 2.0, 5.0, 20.0}) {
+        for (const double beside_deg : {-20.0, -5.0, -2.0, -1.0, -0.3, -0.1, -0.02, 0.0, 0.02, 0.1,
+                                        0.3, 1.0, 2.0, 5.0, 20.0}) {
             FreeDecay decay = wave(0.05, 0, 0);
             decay.two_theta_A =
                 2 * (decay.theta_w + std::numbers::pi / 8 + beside_deg * std::numbers::pi / 180);
