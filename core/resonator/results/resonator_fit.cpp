@@ -188,6 +188,9 @@ void add_foreign(const SetFit& whole, std::size_t count, ResonatorFit& fit) {
     fit.runs.insert(fit.runs.begin() + at, none);
     FittedMotion::Run motion = whole.motion().runs[out];
     motion.own = whole.own_given(fit.motion.shared, out);
+    for (DriftTerms::Tolerated& each : fit.drift_terms.tolerated) {
+        each.motion.runs.insert(each.motion.runs.begin() + at, motion);
+    }
     fit.motion.runs.insert(fit.motion.runs.begin() + at, std::move(motion));
     fit.left_out = out;
 }

@@ -84,7 +84,8 @@ struct DriftTerms {
     // A channel error of the size of its tolerance, told or assumed.
     struct Tolerated {
         Eigen::Vector3d moved;  // of the terms that the fit finds
-        FittedMotion motion;    // that has the error, where the fit finds ResonatorFit::motion
+        FittedMotion motion;    // that has the error, where the fit finds ResonatorFit::motion;
+                                // of the same runs
     };
 
     Eigen::Vector3d value = Eigen::Vector3d::Zero();

@@ -186,6 +186,29 @@ private slots:
         }
     }
 
+    // D of one recording has the other sign: the curve is that of the others, wherever it stands.
+    void a_recording_that_is_left_out_has_no_part() {
+        const std::vector<double> starts{0, 15, 30, 45, 60, 75};
+        for (std::size_t out = 0; out < starts.size(); ++out) {
+            std::vector<PhasorRun> runs = set_of(gyro(), starts, 700);
+            for (auto& d : runs[out].d) {
+                d = -d;
+            }
+            const Result<ResonatorFit> fit = fit_resonator(runs, assuming, {});
+            QVERIFY(fit && fit->left_out == out);
+            const DriftFunction found = drift_function(runs, *fit);
+            runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(out));
+            const DriftFunction expected = drift_of(runs, assuming);
+            QCOMPARE(found.order, expected.order);
+            for (Eigen::Index k = 0; k < expected.coefficients.size(); ++k) {
+                VYBEG_CLOSE(found.coefficients[k], expected.coefficients[k],
+                            1e-6 * expected.coefficient(k).sd);
+                VYBEG_CLOSE_RATIO(found.coefficient(k).uncertainty(),
+                                  expected.coefficient(k).uncertainty(), 1e-6);
+            }
+        }
+    }
+
     void a_gap_takes_nothing_but_its_windows() {
         const FreeDecay decay = gyro();
         std::vector<PhasorRun> runs = set_of(decay, four_starts, 4);
