@@ -109,7 +109,8 @@ public:
     // All recordings, or that which the set leaves out.
     void add(bool all) {
         for (std::size_t k = 0; k < runs_.size() && !job_.cancelled(); ++k) {
-            if (!(all || fit_.left_out == k) || laws_[k].windows == 0 || driven(k)) {
+            if (!(all || fit_.left_out == k) || laws_[k].windows == 0 || driven(k) ||
+                is_two_modes(runs_[k])) {
                 continue;
             }
             const ResonatorFit* alone = &fit_;
@@ -192,6 +193,7 @@ private:
         return decay_law(expected).line_per_s;
     }
 
+    // A recording that is not two modes.
     void judge(std::size_t k, const ResonatorFit& alone) {
         const DecayLaw& law = laws_[k];
         const bool unlike = warns_of(alone, {DiagnosticKind::structured_refused});
@@ -199,9 +201,6 @@ private:
             return;
         }
         const PhasorRun& run = runs_[k];
-        if (is_two_modes(run)) {
-            return;
-        }
         const std::size_t of_fit = runs_.size() > 1 ? 0 : k;
         const double left =
             log_amplitude_chi2(run, predicted_phasors(alone.motion, of_fit, run.time_s));
