@@ -77,12 +77,9 @@ Result<Identification> identify_phasors(std::span<const PhasorLog> logs,
     auto found = TRY(identify_runs(std::move(runs), std::move(begun), job));
     TRY(check_rate(found, logs, names));
     for (std::size_t k = logs.size(); k-- > 0;) {
-        const auto [of_c, of_d] = logs[k].mirrored_hz;
-        if (of_c != 0) {
-            found.fit.warnings.insert(
-                found.fit.warnings.begin(),
-                {DiagnosticKind::phasors_mirrored,
-                 {names[k], number_arg(of_c, 3, "Hz"), number_arg(of_d, 3, "Hz")}});
+        for (Diagnostic warning : logs[k].warnings) {
+            warning.args.insert(warning.args.begin(), names[k]);
+            found.fit.warnings.insert(found.fit.warnings.begin(), std::move(warning));
         }
     }
     return found;

@@ -1,5 +1,6 @@
 #include "core/analysis/phasor_log.h"
 
+#include "core/analysis/phasor_findings.h"
 #include "core/base/describe.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
@@ -102,6 +103,13 @@ void share_unit(const LogColumn& x_of_c, std::initializer_list<LogColumn*> other
     }
 }
 
+// What the choice does not tell, or tells otherwise than the file.
+Error not_told(const PhasorChoice& choice, const char* what, std::vector<MessageArg> args = {}) {
+    return {ErrorCode::setting_invalid,
+            "",
+            {"--phasors", frame_name(choice.frame), words(what, std::move(args))}};
+}
+
 // One channel: X + iY, turned by its phase.
 struct Channel {
     const LogColumn& x;
@@ -112,26 +120,34 @@ struct Channel {
 Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const Channel& channel,
                                         const LogChoice& choice) {
     const PhasorChoice& how = choice.phasors;
-    double rad = 0;
-    if (channel.phase != nullptr) {
-        rad = TRY(angle_factor(path, *channel.phase, choice.rad_per_angle_unit));
-    }
     std::vector<Complex> phasors(channel.x.values.size());
     for (std::size_t k = 0; k < phasors.size(); ++k) {
         phasors[k] =
             how.peak_per_unit * Complex(channel.x.values[k], how.y_sign * channel.y.values[k]);
-        if (channel.phase != nullptr) {
-            phasors[k] *= std::polar(1.0, rad * channel.phase->values[k]);
-        }
+    }
+    if (channel.phase == nullptr) {
+        return phasors;
+    }
+    const double rad = TRY(angle_factor(path, *channel.phase, choice.rad_per_angle_unit));
+    constexpr double alike = 0.01;
+    std::size_t own = 0;
+    std::size_t turned = 0;
+    for (std::size_t k = 0; k < phasors.size(); ++k) {
+        const double phase = rad * channel.phase->values[k];
+        const double of_x_y = std::atan2(channel.y.values[k], channel.x.values[k]);
+        own += std::abs(std::remainder(phase - of_x_y, 2 * pi)) < alike ? 1U : 0U;
+        turned += std::abs(of_x_y) > alike ? 1U : 0U;
+        phasors[k] *= std::polar(1.0, phase);
+    }
+    // A phase that the loop follows leaves none in X + iY.
+    if (10 * own > 9 * phasors.size() && 2 * turned > phasors.size()) {
+        return not_told(how,
+                        VYBEG_MESSAGE("Words",
+                                      "column %1 is the phase of X + iY itself: choose "
+                                      "--phasors fixed"),
+                        {channel.phase->name});
     }
     return phasors;
-}
-
-// What the choice does not tell, or tells otherwise than the file.
-Error not_told(const PhasorChoice& choice, const char* what, std::vector<MessageArg> args = {}) {
-    return {ErrorCode::setting_invalid,
-            "",
-            {"--phasors", frame_name(choice.frame), words(what, std::move(args))}};
 }
 
 Status check_told(const PhasorChoice& choice) {
@@ -202,6 +218,19 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
              const LogChoice& choice, Rows& rows) {
     const PhasorChoice& how = choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
+    if (how.frame == PhasorFrame::fixed && frequency != nullptr) {
+        const auto [least, most] = std::ranges::minmax(frequency->values);
+        constexpr double harmless_turns = 0.01;
+        if ((most - least) * (rows.time_s.back() - rows.time_s.front()) > harmless_turns) {
+            return not_told(
+                how,
+                VYBEG_MESSAGE("Words",
+                              "the oscillator's frequency moves from %1 to %2 (column "
+                              "%3), so that the reference is not fixed: choose "
+                              "--phasors common"),
+                {number_arg(least, 10, "Hz"), number_arg(most, 10, "Hz"), frequency->name});
+        }
+    }
     if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
         return not_told(how, VYBEG_MESSAGE("Words",
                                            "it needs the column of the oscillator's frequency or "
@@ -300,34 +329,6 @@ void drop_missing(Rows& rows) {
     rows.time_s.resize(kept);
     rows.c.resize(kept);
     rows.d.resize(kept);
-}
-
-// Rates of both channels from the reference, Hz, where they are opposite; else zeros. Both hold the
-// same two modes: only with a sign of Y of their own, or with the reference just between modes each
-// of which is in one channel, do they turn against each other.
-std::array<double, 2> opposite_rates(double step_s, const Rows& rows) {
-    constexpr double alike = 0.25;
-    constexpr double certain = 10;
-    std::array<double, 2> rates{};
-    for (const std::size_t channel : {0, 1}) {
-        const std::vector<Complex>& z = channel == 0 ? rows.c : rows.d;
-        Complex sum = 0;
-        for (std::size_t k = 1; k < z.size(); ++k) {
-            sum += z[k] * std::conj(z[k - 1]);
-        }
-        double across = 0;
-        for (std::size_t k = 1; k < z.size(); ++k) {
-            const double off = (z[k] * std::conj(z[k - 1]) * std::conj(sum)).imag();
-            across += off * off;
-        }
-        const double angle = std::arg(sum);
-        if (std::abs(angle) < certain * std::sqrt(across) / std::norm(sum)) {
-            return {};
-        }
-        rates[channel] = angle / (2 * pi * step_s);
-    }
-    const bool opposite = std::abs(rates[0] + rates[1]) < alike * std::abs(rates[0] - rates[1]);
-    return opposite ? rates : std::array<double, 2>{};
 }
 
 // Brings the reference to the mean frequency: a mean over rows that turn is smaller than they are.
@@ -504,7 +505,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
         t -= filter.delay_s();
     }
     PhasorLog log;
-    log.mirrored_hz = opposite_rates(step_s, rows);
+    log.warnings = phasor_findings(step_s, rows.c, rows.d);
     centre(step_s, rows);
     if (choice.phasors.frame == PhasorFrame::fixed) {
         const Complex response = filter.response(rows.f_ref_hz - told_hz);

@@ -1,13 +1,15 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
+#include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
 #include "core/resonator/model/phasor_run.h"
 
-#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace vybeg {
 
@@ -19,9 +21,8 @@ struct PhasorLog {
     std::int64_t rows = 0;
     std::int64_t rows_per_window = 0;
     double noise_sd = 0;  // of a row, recording units
-    // Rates of C and D from the reference where they are opposite, as those of unlike signs of Y
-    // are, Hz; zeros: they are not.
-    std::array<double, 2> mirrored_hz{};
+    // Of phasor_findings().
+    std::vector<Diagnostic> warnings = {};
 };
 
 // Reads the times of a log of a lock-in or a phasemeter that the settings of the signal choose, in
@@ -29,8 +30,9 @@ struct PhasorLog {
 // holds both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and
 // lowers the phasors, and correlates their noise; it leaves frequencies, decay and axes as they
 // are, because it commutes with the motion. Their noise is what a linear recurrence z(t + T) = A
-// z(t) leaves. Errors: phasors_undeclared, files_differ, rate_unknown, too_few_frames, those of
-// column_wishes(), read_log() and angle_factor().
+// z(t) leaves. A frame that the rows contradict is an error. Errors: phasors_undeclared,
+// files_differ, rate_unknown, too_few_frames, those of column_wishes(), read_log() and
+// angle_factor().
 Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,
                                   const LogChoice& choice, const SignalSettings& signal,
                                   const JobControl& job);

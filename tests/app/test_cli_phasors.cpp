@@ -10,7 +10,11 @@
 #include <QtTest>
 
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <initializer_list>
 #include <numbers>
+#include <vector>
 
 namespace test_cli_phasors {
 
@@ -222,6 +226,48 @@ private slots:
             run_cli(QStringList{"identify", "asked.csv"} + options, folder_.path());
         QVERIFY2(refused.status == 2 || refused.status == 3, refused.err.constData());
         QVERIFY2(refused.err.contains(asked.toUtf8()), refused.err.constData());
+    }
+
+    // Frames that the columns or the phasors contradict.
+    void a_wrong_frame_is_told() {
+        const LockIn filter{4, 30, 150};
+        const QString samples = folder_.filePath("0.npy");
+        write("moves.csv", log_of(samples, filter, Frame::common_frequency, 1, 1));
+        const Outcome moves = identify_fixed({"moves.csv"}, {});
+        QCOMPARE(moves.status, 2);
+        QVERIFY2(moves.err.contains("the oscillator's frequency moves from 5299.8 Hz to 5300.4 Hz "
+                                    "(column F)"),
+                 moves.err.constData());
+
+        const std::vector<Complex> c = demodulated(samples_of(samples, 0), filter);
+        const std::vector<Complex> d = demodulated(samples_of(samples, 1), filter);
+        QByteArray locked = "t,Xc,Yc,Xd,Yd\n";
+        QByteArray own = "t,Xc,Yc,Xd,Yd,Pc (rad),Pd (rad)\n";
+        double held = std::arg(c[filter.settling()]);
+        for (std::size_t k = filter.settling(); k < c.size(); ++k) {
+            held += 0.2 * std::arg(c[k] * std::polar(1.0, -held));
+            const Complex turn = std::polar(1.0, -held);
+            const auto add = [](QByteArray& text, std::initializer_list<double> row) {
+                for (const double value : row) {
+                    text += QByteArray::number(value, 'g', 15) + ',';
+                }
+                text.back() = '\n';
+            };
+            const double t = static_cast<double>(k) * filter.samples / rate_hz;
+            add(locked, {t, (c[k] * turn).real(), (c[k] * turn).imag(), (d[k] * turn).real(),
+                         (d[k] * turn).imag()});
+            add(own, {t, c[k].real(), c[k].imag(), d[k].real(), d[k].imag(), std::arg(c[k]),
+                      std::arg(d[k])});
+        }
+        write("locked.csv", locked);
+        write("own.csv", own);
+        const Outcome follows = identify_fixed({"locked.csv"}, {});
+        QVERIFY2(follows.err.contains("the phase of C stands stiller"), follows.err.constData());
+        const Outcome twice = run_cli({"identify", "own.csv", "--phasors", "pll", "--f-ref",
+                                       "5300.1", "--y-sign", "+", "--amplitude", "peak"},
+                                      folder_.path());
+        QCOMPARE(twice.status, 2);
+        QVERIFY2(twice.err.contains("is the phase of X + iY itself"), twice.err.constData());
     }
 
     // 0.15 phasors a second of a split of 0.05 Hz.
