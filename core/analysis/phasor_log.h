@@ -3,11 +3,13 @@
 #include "core/analysis/identify_settings.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/recording/open/log_columns.h"
 #include "core/recording/samples/open_options.h"
 #include "core/resonator/model/phasor_run.h"
 
 #include <array>
 #include <filesystem>
+#include <vector>
 
 namespace vybeg {
 
@@ -23,6 +25,11 @@ struct PhasorLog {
     // are, Hz; zeros: they are not.
     std::array<double, 2> mirrored_hz{};
 };
+
+// What the columns of a log of phasors may be: of both channels in one table, or of one channel in
+// a table of its own.
+std::vector<ColumnRole> roles_of_both(PhasorFrame frame);
+std::vector<ColumnRole> roles_of_one(PhasorFrame frame);
 
 // Reads the times of a log of a lock-in or a phasemeter that the settings of the signal choose, in
 // the frame that the choice declares, and applies their calibration but for the offsets. One table
