@@ -23,20 +23,16 @@ void add_table_options(CLI::App& app, OpenOptions& options);
 // validate().
 void add_analysis_options(CLI::App& app, Settings& settings);
 
-// Those of them that have a part in an identification, --model and --tolerance. `settings` must
-// outlive the parse.
+// Those of them that have a part in an identification, --model, --tolerance and what logs are.
+// `settings` must outlive the parse.
 void add_identify_options(CLI::App& app, IdentifySettings& settings);
 
-// What the columns of logs are that take the place of recordings: --columns, --angle-unit. `roles`
-// stand in the help.
+// Those of them that say what a log in place of a recording is. `logs` must outlive the parse.
+void add_log_choice(CLI::App& app, LogChoice& logs);
+
+// Of these --columns and --angle-unit for other logs, whose `roles` stand in the help.
 void add_column_options(CLI::App& app, std::string& columns, double& rad_per_angle_unit,
                         const std::string& roles);
-
-// ORDER,BW, and ,RATE where `rate_hz` is asked for.
-LockIn lock_in_value(const std::string& option, const std::string& text, double* rate_hz);
-
-// How logs of phasors were made: --phasors, --f-ref, --y-sign, --amplitude, --lock-in.
-void add_phasor_options(CLI::App& app, PhasorChoice& choice);
 
 // --tolerance alone, for the window and its report. `settings` must outlive the parse.
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings);

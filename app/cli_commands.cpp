@@ -264,6 +264,7 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     }
     log.warnings(std::vector<NamedWarnings>{{"", analysis->diagnostics},
                                             {"", without_effect(request.settings)},
+                                            {"", without_effect(request.settings, request.log)},
                                             {"", without_effect(request.open, *recording)}});
     const double analysed = seconds_now();
     const Result<std::string> sha256 = hash.get();

@@ -172,21 +172,12 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
     add_timing(app, command.timing);
 }
 
-void add_logs(CLI::App& app, LogChoice& logs) {
-    add_column_options(app, logs.names, logs.rad_per_angle_unit,
-                       "The files are logs or tracks without a phase, with the columns E,R,S,Q or "
-                       "a,b,theta, each with =COLUMN, a name or a number, where the file calls it "
-                       "otherwise");
-    add_phasor_options(app, logs.phasors);
-}
-
 void add_identification(CLI::App& app, IdentifyRequest& request) {
     app.add_option("-o,--output", request.output,
                    "The result, JSON; - for standard output (default: a summary there)")
         ->type_name("RESULT.json");
     add_identify_options(app, request.settings);
     add_open_options(app, request.open);
-    add_logs(app, request.settings.logs);
     add_timing(app, request.timing);
 }
 
@@ -239,7 +230,7 @@ int run(int argc, char** argv) {
         ->required();
     add_analysis_options(*analyze_command, analyze.settings);
     add_open_options(*analyze_command, analyze.open);
-    add_logs(*analyze_command, analyze.log);
+    add_log_choice(*analyze_command, analyze.log);
     add_log_options(*analyze_command, log_options);
     add_verbose(*analyze_command, log_options.verbose);
     add_timing(*analyze_command, analyze.timing);

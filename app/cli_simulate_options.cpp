@@ -2,6 +2,8 @@
 
 #include "app/analysis_options.h"
 #include "app/option_values.h"
+#include "core/analysis/setting_table.h"
+#include "core/base/messages.h"
 #include "core/base/number_text.h"
 
 #include <array>
@@ -164,7 +166,11 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
         "Beside the samples, in FILE's name with .phasors.csv, their log by a lock-in at f0: RC "
         "stages, 1 to 8, 3 dB bandwidth and rows a second",
         [&request](const auto& option, const auto& text) {
-            request.lock_in = lock_in_value(option, text, &request.lock_in_rate_hz);
+            const Result<LockIn> filter = read_lock_in(option, text, &request.lock_in_rate_hz);
+            if (!filter) {
+                throw CLI::ValidationError(english(filter.error()));
+            }
+            request.lock_in = *filter;
         });
     // Options act in the order of their definition: what is typed changes the demo.
     app.add_flag_callback(

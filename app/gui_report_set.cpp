@@ -38,6 +38,12 @@ Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& co
         content.recordings[k].sha256 = QString::fromStdString(open.set.recordings[k].sha256);
     }
     Result<SetResult> found = identify_set(open, {}, {}, job);
+    for (const RecordingRef& log : open.set.recordings) {
+        if (open.set.settings.logs.given()) {
+            content.recordings.push_back(ui::reportLog(log));
+            content.recordings.back().conditions = ui::conditionsText(log);
+        }
+    }
     if (found) {
         content.outcome = std::make_shared<ui::ResonatorOutcome>(
             ui::ResonatorOutcome{std::move(*found), {}, 0, {}});
@@ -59,7 +65,9 @@ Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Setting
     OpenSet open;
     open.set = set;
     ui::ReportContent content;
-    for (std::size_t k = 0; k < set.recordings.size(); ++k) {
+    // Logs have no samples to analyse.
+    const std::size_t recordings = set.settings.logs.given() ? 0 : set.recordings.size();
+    for (std::size_t k = 0; k < recordings; ++k) {
         Settings settings = track;
         static_cast<SignalSettings&>(settings) = set.settings.signal_of(k);
         settings.threads = set.settings.threads;

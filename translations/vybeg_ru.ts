@@ -512,6 +512,14 @@
         <source>The article&apos;s figure: a column for each analysis that is shown, with the scatter of its windows</source>
         <translation>Рисунок статьи: столбец на каждый показанный расчёт, с разбросом его окон</translation>
     </message>
+    <message>
+        <source>Open &amp;logs…</source>
+        <translation>Открыть &amp;журналы…</translation>
+    </message>
+    <message>
+        <source>Open logs of a controller, a lock-in or a phasemeter in place of recordings, and identify their resonator</source>
+        <translation>Открыть вместо записей журналы контроллера, синхронного детектора или фазометра и найти по ним резонатор</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -1454,14 +1462,6 @@
         <translation>Не удалось подогнать резонатор к %1: %2.</translation>
     </message>
     <message>
-        <source>%1 is a log, no recording: it holds %2. Read it with vybeg-cli identify %3; if the columns are samples all the same, give them other names.</source>
-        <translation>%1 — журнал, а не запись: в нём %2. Прочитайте его командой vybeg-cli identify %3; если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
-    </message>
-    <message>
-        <source>%1 is a log, no recording: it holds %2. The window does not read logs; vybeg-cli identify %3 does. If the columns are samples all the same, give them other names.</source>
-        <translation>%1 — журнал, а не запись: в нём %2. Окно журналов не читает; их читает vybeg-cli identify %3. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
-    </message>
-    <message>
         <source>%1: %2 of phasors is less than four times the split of %3, so that the motion may be folded. Log them at a higher rate.</source>
         <translation>%1: частота записи комплексных амплитуд %2 меньше четырёх разночастотностей (%3), движение может быть искажено наложением частот. Записывайте чаще.</translation>
     </message>
@@ -1872,6 +1872,18 @@
     <message>
         <source>%1 wraps its angle at 90 degrees: the sign of the second harmonic is that of its first quarter of a turn.</source>
         <translation>%1: угол сворачивается через 90 градусов, поэтому знак второй гармоники — тот, что в первой четверти оборота.</translation>
+    </message>
+    <message>
+        <source>%1 is a log, no recording: it holds %2. Read it with %3, options of identify, compare, analyze and batch and columns of a measurement list; a set has logs or recordings, not both. If the columns are samples all the same, give them other names.</source>
+        <translation>%1 — журнал, а не запись: в нём %2. Прочитайте его с %3: это параметры команд identify, compare, analyze и batch и столбцы списка измерений; в наборе либо журналы, либо записи. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
+    </message>
+    <message>
+        <source>%1 is a log, no recording: it holds %2. Open it with File, Open logs, or say in the measurement list what it is; a set has logs or recordings, not both. If the columns are samples all the same, give them other names.</source>
+        <translation>%1 — журнал, а не запись: в нём %2. Откройте его через «Файл», «Открыть журналы» или укажите в списке измерений, что это; в наборе либо журналы, либо записи. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
+    </message>
+    <message>
+        <source>%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording does not belong among logs: give it a set of its own.</source>
+        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPZ, MAT или HDF5. Записи не место среди журналов: дайте ей отдельный набор.</translation>
     </message>
 </context>
 <context>
@@ -2469,6 +2481,10 @@
     <message>
         <source>Date</source>
         <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Журнал</translation>
     </message>
 </context>
 <context>
@@ -3158,6 +3174,10 @@
     <message>
         <source>Set %1</source>
         <translation>Набор %1</translation>
+    </message>
+    <message>
+        <source>Logs %1</source>
+        <translation>Журналы %1</translation>
     </message>
 </context>
 <context>
@@ -4128,10 +4148,6 @@
         <translation>ниже нет ни одной строки с записью</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; differs from &quot;%2&quot; in line %3, and one value holds for all recordings of a set</source>
-        <translation>«%1» отличается от «%2» в строке %3, а значение у всех записей набора одно</translation>
-    </message>
-    <message>
         <source>no file is named</source>
         <translation>файл не указан</translation>
     </message>
@@ -4534,6 +4550,10 @@
     <message>
         <source>C and D from different times, %1 and %2</source>
         <translation>C и D с разным временем начала, %1 и %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; differs from &quot;%2&quot; in line %3, and one value holds for all recordings of a set: tell the same, or give the row a set of its own</source>
+        <translation>«%1» отличается от «%2» в строке %3, а значение у всех записей набора одно: укажите то же или дайте строке отдельный набор</translation>
     </message>
 </context>
 <context>
@@ -5499,6 +5519,14 @@
         <source>Export history</source>
         <translation>Экспорт истории</translation>
     </message>
+    <message>
+        <source>Open logs</source>
+        <translation>Открыть журналы</translation>
+    </message>
+    <message>
+        <source>Logs (%1)</source>
+        <translation>Журналы (%1)</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::FindingsFlag</name>
@@ -6285,6 +6313,221 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::LogDialog</name>
+    <message>
+        <source>Looking at the file…</source>
+        <translation>Файл просматривается…</translation>
+    </message>
+    <message>
+        <source>Its columns are not known by their names: choose what they are.</source>
+        <translation>По именам столбцы не распознаны: выберите, что в них.</translation>
+    </message>
+    <message>
+        <source>A number is not possible: see the red field.</source>
+        <translation>Недопустимое число: см. красное поле.</translation>
+    </message>
+    <message>
+        <source>The file has no times: give its rows per second.</source>
+        <translation>В файле нет времени: укажите число строк в секунду.</translation>
+    </message>
+    <message>
+        <source>The file does not tell the unit of its angles: choose it.</source>
+        <translation>Единица углов в файле не указана: выберите её.</translation>
+    </message>
+    <message>
+        <source>The frequency of the reference is not in the file: give it.</source>
+        <translation>Опорной частоты в файле нет: укажите её.</translation>
+    </message>
+    <message>
+        <source>No data show the sign of Y: choose it.</source>
+        <translation>Знак Y по данным не виден: выберите его.</translation>
+    </message>
+    <message>
+        <source>No data show whether amplitudes are peak or rms values: choose it.</source>
+        <translation>По данным не видно, амплитудные это значения или действующие: выберите.</translation>
+    </message>
+    <message>
+        <source>A filter has a bandwidth: give it, or choose none.</source>
+        <translation>У фильтра есть полоса: укажите её или выберите «нет».</translation>
+    </message>
+    <message>
+        <source>The file has one channel: choose the file of channel D.</source>
+        <translation>В файле один канал: выберите файл канала D.</translation>
+    </message>
+    <message>
+        <source>Each file has one channel, and not each has its partner among them by its name: open the two files of one log at a time.</source>
+        <translation>В каждом файле один канал, и не у каждого по имени есть пара среди них: открывайте по два файла одного журнала.</translation>
+    </message>
+    <message>
+        <source>Open logs</source>
+        <translation>Открыть журналы</translation>
+    </message>
+    <message>
+        <source>What %1 holds</source>
+        <translation>Что содержит %1</translation>
+    </message>
+    <message>
+        <source>What %1 holds, and, made alike, %2: logs of one resonator</source>
+        <translation>Что содержит %1 и полученные так же %2: журналы одного резонатора</translation>
+    </message>
+    <message>
+        <source>choose…</source>
+        <translation>выберите…</translation>
+    </message>
+    <message>
+        <source>Columns are</source>
+        <translation>В столбцах</translation>
+    </message>
+    <message>
+        <source>What the log keeps. The frame of phasors is whose phase they are relative to</source>
+        <translation>Что хранит журнал. У фазоров — относительно чьей фазы они даны</translation>
+    </message>
+    <message>
+        <source>powers E, R, S, Q</source>
+        <translation>мощности E, R, S, Q</translation>
+    </message>
+    <message>
+        <source>amplitudes a, b and the angle θ</source>
+        <translation>амплитуды a, b и угол θ</translation>
+    </message>
+    <message>
+        <source>phasors, one frequency</source>
+        <translation>фазоры, одна частота</translation>
+    </message>
+    <message>
+        <source>phasors, an oscillator that moves</source>
+        <translation>фазоры, перестраиваемый генератор</translation>
+    </message>
+    <message>
+        <source>phasors, each channel its own phase</source>
+        <translation>фазоры, у каждого канала своя фаза</translation>
+    </message>
+    <message>
+        <source>Named</source>
+        <translation>Имена</translation>
+    </message>
+    <message>
+        <source>The columns, with commas between them, each with =COLUMN, a name or a number, where the file calls it otherwise, as in Xc=3,Yc=4,Xd=5,Yd=6</source>
+        <translation>Столбцы через запятую; если в файле столбец зовётся иначе, то с =СТОЛБЕЦ, именем или номером, как в Xc=3,Yc=4,Xd=5,Yd=6</translation>
+    </message>
+    <message>
+        <source>Channel D in</source>
+        <translation>Канал D в</translation>
+    </message>
+    <message>
+        <source>The file of the other channel, with the same times</source>
+        <translation>Файл другого канала с теми же моментами времени</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Выбрать файл</translation>
+    </message>
+    <message>
+        <source>Unit of angles</source>
+        <translation>Единица углов</translation>
+    </message>
+    <message>
+        <source>Of θ, or of the phase columns</source>
+        <translation>Угла θ или столбцов фазы</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>градусы</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>радианы</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Опора</translation>
+    </message>
+    <message>
+        <source>Frequency of the reference, which the file does not tell</source>
+        <translation>Опорная частота, которой в файле нет</translation>
+    </message>
+    <message>
+        <source>Sign of Y</source>
+        <translation>Знак Y</translation>
+    </message>
+    <message>
+        <source>The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and the other sign is the resonator seen in a mirror</source>
+        <translation>Сигнал — Re((X + iY) exp iωt) или Re((X − iY) exp iωt). По данным это не видно, а другой знак — это резонатор в зеркале</translation>
+    </message>
+    <message>
+        <source>+: X + iY turns as the carrier does</source>
+        <translation>+: X + iY вращается, как несущая</translation>
+    </message>
+    <message>
+        <source>−: X + iY turns against it</source>
+        <translation>−: X + iY вращается навстречу ей</translation>
+    </message>
+    <message>
+        <source>Amplitudes</source>
+        <translation>Амплитуды</translation>
+    </message>
+    <message>
+        <source>What √(X² + Y²) is</source>
+        <translation>Что такое √(X² + Y²)</translation>
+    </message>
+    <message>
+        <source>peak values</source>
+        <translation>амплитудные значения</translation>
+    </message>
+    <message>
+        <source>rms values</source>
+        <translation>действующие значения</translation>
+    </message>
+    <message>
+        <source>Filter, stages</source>
+        <translation>Фильтр, звенья</translation>
+    </message>
+    <message>
+        <source>RC stages of the lock-in&apos;s filter: it delays the phasors and correlates their noise</source>
+        <translation>Звенья RC фильтра синхронного детектора: он задерживает фазоры и коррелирует их шум</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>Its bandwidth</source>
+        <translation>Его полоса</translation>
+    </message>
+    <message>
+        <source>3 dB</source>
+        <translation>По уровню 3 дБ</translation>
+    </message>
+    <message>
+        <source>Rows a second</source>
+        <translation>Строк в секунду</translation>
+    </message>
+    <message>
+        <source>Where the file has no times, or ticks of a clock</source>
+        <translation>Если в файле нет времени или даны такты</translation>
+    </message>
+    <message>
+        <source>Leave out until</source>
+        <translation>Пропустить до</translation>
+    </message>
+    <message>
+        <source>Time from the start of a log: what is before it is left out, as the settling of a filter</source>
+        <translation>Время от начала журнала: что раньше, не учитывается, например установление фильтра</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Открыть</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::MainWindow</name>
     <message>
         <source>Tools</source>
@@ -6809,6 +7052,10 @@
         <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording and those opened together with it (F7)</source>
         <translation>Подобрать один резонатор по всем записям набора; если набор пуст — по текущей записи и открытым вместе с ней (F7)</translation>
     </message>
+    <message>
+        <source>Logs, read with %1. To tell it otherwise, open them again.</source>
+        <translation>Журналы, прочитаны с %1. Чтобы указать иначе, откройте их снова.</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::SetStore</name>
@@ -6839,6 +7086,10 @@
     <message>
         <source>The set %1 of the list names these recordings more than once: %2. Each counts once.</source>
         <translation>Набор %1 списка называет эти записи более одного раза: %2. Каждая учитывается один раз.</translation>
+    </message>
+    <message>
+        <source>open logs</source>
+        <translation>открыть журналы</translation>
     </message>
 </context>
 <context>

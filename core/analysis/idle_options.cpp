@@ -45,6 +45,18 @@ public:
         add(signal.f0_hz && !log.without_phase(), "--f0", no_samples);
         add(signal.repair_lost, "--repair-lost", no_samples);
     }
+    // What belongs to logs of another kind, or to none.
+    void add_idle_choice(const LogChoice& log) {
+        constexpr const char* only_phasors = "only phasors have it: give --phasors, too";
+        const PhasorChoice& how = log.phasors;
+        const bool none = how.frame == PhasorFrame::none;
+        add(!log.given() && log.rad_per_angle_unit > 0, "--angle-unit",
+            "only logs have it: give --columns or --phasors, too");
+        add(none && how.f_ref_hz > 0, "--f-ref", only_phasors);
+        add(none && how.y_sign != 0, "--y-sign", only_phasors);
+        add(none && how.peak_per_unit > 0, "--amplitude", only_phasors);
+        add(none && how.filter.order > 0, "--lock-in", only_phasors);
+    }
     std::vector<Diagnostic> take() { return std::move(found_); }
 
 private:
@@ -68,6 +80,7 @@ std::vector<Diagnostic> without_effect(const IdentifySettings& settings) {
     const std::vector<SignalSettings>& each = settings.of_recordings;
     const auto idle = std::ranges::find_if(each, [](const auto& s) { return s.band && s.f0_hz; });
     found.add_idle_search(idle == each.end() ? settings.signal : *idle);
+    found.add_idle_choice(settings.logs);
     if (settings.logs.given()) {
         found.add_idle_on_log(settings.signal, settings.logs);
         found.add(settings.windows.window.has_value(), "--window", no_samples);
@@ -79,6 +92,10 @@ std::vector<Diagnostic> without_effect(const IdentifySettings& settings) {
 std::vector<Diagnostic> without_effect(const Settings& settings, const LogChoice& log) {
     const Settings usual;
     Findings found;
+    found.add_idle_choice(log);
+    if (!log.given()) {
+        return found.take();
+    }
     found.add_idle_on_log(settings, log);
     found.add(settings.algorithm != usual.algorithm, "--algorithm", no_samples);
     found.add(settings.window != usual.window, "--window", no_samples);

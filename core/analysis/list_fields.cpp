@@ -245,7 +245,7 @@ std::optional<bool> yes_or_no(const std::string& field) {
 }
 
 bool is_formula(const std::string& field) {
-    return !field.empty() && std::string_view("=+-@").find(field[0]) != std::string_view::npos &&
+    return field.size() > 1 && std::string_view("=+-@").find(field[0]) != std::string_view::npos &&
            !parse_number(usual_option(field, false)) && !parse_number(field.substr(1));
 }
 

@@ -24,8 +24,8 @@ std::string usual_date(const std::string& field);
 // yes, no, да, нет, true, false, ИСТИНА, ЛОЖЬ, 1, 0, in any letters; nothing for another text.
 std::optional<bool> yes_or_no(const std::string& field);
 
-// Whether a table program runs the field as a formula: it begins with =, +, - or @ and is no
-// number.
+// Whether a table program runs the field as a formula: it begins with =, +, - or @, is no number
+// and not this sign alone.
 bool is_formula(const std::string& field);
 
 // Whether two names, of four letters at least, differ by one letter left out, added, replaced or

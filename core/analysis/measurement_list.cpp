@@ -22,9 +22,18 @@ namespace {
 constexpr std::array conditions{"gyro",      "date",     "bias_v", "temperature_c",
                                 "exchanged", "operator", "comment"};
 
-// Options of one fit. Their other companions belong to single recordings.
-constexpr std::array of_a_set{"model", "window",    "periods", "snap",
-                              "kappa", "tolerance", "threads"};
+// Options of one fit, and what logs are. Their other companions belong to single recordings.
+const std::vector<std::string>& options_of_a_set() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{"model", "window",    "periods", "snap",
+                                     "kappa", "tolerance", "threads"};
+        for (const SettingRow<LogChoice>& row : log_settings()) {
+            all.push_back(row.name);
+        }
+        return all;
+    }();
+    return names;
+}
 
 bool is_one_of(const auto& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
@@ -224,7 +233,7 @@ private:
 
     // Gives every row of a set the options that hold for all of it.
     Status share_options(const std::vector<const CsvRow*>& rows) {
-        for (const char* name : of_a_set) {
+        for (const std::string& name : options_of_a_set()) {
             const CsvRow* told = nullptr;
             for (const CsvRow* row : rows) {
                 const std::string& text = field(*row, name);
@@ -236,7 +245,8 @@ private:
                         row->line, name,
                         words(VYBEG_MESSAGE("Words",
                                             "\"%1\" differs from \"%2\" in line %3, and one value "
-                                            "holds for all recordings of a set"),
+                                            "holds for all recordings of a set: tell the same, or "
+                                            "give the row a set of its own"),
                               {text, field(*told, name), count_arg(told->line)}));
                 }
                 told = told == nullptr ? row : told;

@@ -80,9 +80,10 @@ struct ListDefaults {
 
 // Reads a measurement list (help, files.html): a row for each recording, whose file is relative to
 // the list. A column named as an option of `analyze` or `identify` is that option; empty fields
-// leave the default. Window, model, tolerance, threads and gain ratio hold for the whole set: one
-// row suffices. In numbers a comma is a decimal sign; in lists of numbers with semicolons, too.
-// Checks all that can be checked without the recordings. Errors: those of read_csv(); list_invalid.
+// leave the default. Window, model, tolerance, threads, gain ratio and what logs are
+// (log_settings()) hold for the whole set: one row suffices. In numbers a comma is a decimal sign;
+// in lists of numbers with semicolons, too. Checks all that can be checked without the recordings.
+// Errors: those of read_csv(); list_invalid.
 Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
                                               const ListDefaults& defaults);
 

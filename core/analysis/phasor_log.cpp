@@ -46,29 +46,6 @@ double step_of(const Rows& rows) {
     return median(std::move(steps));
 }
 
-// Columns of a channel in the table of both.
-std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
-    const bool own = frame == PhasorFrame::pll;
-    return {time_of_log(),
-            {"Xc", {"Xc", "Input 1 I", "Input 1 X", "demods/0/sample/x", "demods(1).sample.x"}},
-            {"Yc", {"Yc", "Input 1 Q", "Input 1 Y", "demods/0/sample/y", "demods(1).sample.y"}},
-            {"Xd", {"Xd", "Input 2 I", "Input 2 X", "demods/1/sample/x", "demods(2).sample.x"}},
-            {"Yd", {"Yd", "Input 2 Q", "Input 2 Y", "demods/1/sample/y", "demods(2).sample.y"}},
-            {"Pc", {"Pc", "Input 1 Phase"}, own},
-            {"Pd", {"Pd", "Input 2 Phase"}, own},
-            {"F", {"F", "f", "freq", "frequency", "Input 1 Set Frequency"}, false},
-            {"P", {"P"}, false}};
-}
-
-// Columns of the table of one channel.
-std::vector<ColumnRole> roles_of_one(PhasorFrame frame) {
-    return {time_of_log(),
-            {"X", {"X", "I"}},
-            {"Y", {"Y", "Q"}},
-            {"P", {"P"}, frame == PhasorFrame::pll},
-            {"F", {"F", "f", "freq", "frequency"}, false}};
-}
-
 struct NamedColumns {
     std::vector<ColumnWish> wishes;
     LogTable table;
@@ -477,6 +454,27 @@ bool holds_wave(const PhasorRun& run, double neighbours, double explained) {
 }
 
 }  // namespace
+
+std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
+    const bool own = frame == PhasorFrame::pll;
+    return {time_of_log(),
+            {"Xc", {"Xc", "Input 1 I", "Input 1 X", "demods/0/sample/x", "demods(1).sample.x"}},
+            {"Yc", {"Yc", "Input 1 Q", "Input 1 Y", "demods/0/sample/y", "demods(1).sample.y"}},
+            {"Xd", {"Xd", "Input 2 I", "Input 2 X", "demods/1/sample/x", "demods(2).sample.x"}},
+            {"Yd", {"Yd", "Input 2 Q", "Input 2 Y", "demods/1/sample/y", "demods(2).sample.y"}},
+            {"Pc", {"Pc", "Input 1 Phase"}, own},
+            {"Pd", {"Pd", "Input 2 Phase"}, own},
+            {"F", {"F", "f", "freq", "frequency", "Input 1 Set Frequency"}, false},
+            {"P", {"P"}, false}};
+}
+
+std::vector<ColumnRole> roles_of_one(PhasorFrame frame) {
+    return {time_of_log(),
+            {"X", {"X", "I"}},
+            {"Y", {"Y", "Q"}},
+            {"P", {"P"}, frame == PhasorFrame::pll},
+            {"F", {"F", "f", "freq", "frequency"}, false}};
+}
 
 const char* frame_name(PhasorFrame frame) {
     constexpr std::array names{"", "fixed", "common", "pll"};

@@ -4,6 +4,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/recording/open/log_columns.h"
 #include "core/recording/samples/open_options.h"
 #include "core/resonator/model/phasor_run.h"
 
@@ -24,6 +25,11 @@ struct PhasorLog {
     // Of phasor_findings().
     std::vector<Diagnostic> warnings = {};
 };
+
+// What the columns of a log of phasors may be: of both channels in one table, or of one channel in
+// a table of its own.
+std::vector<ColumnRole> roles_of_both(PhasorFrame frame);
+std::vector<ColumnRole> roles_of_one(PhasorFrame frame);
 
 // Reads the times of a log of a lock-in or a phasemeter that the settings of the signal choose, in
 // the frame that the choice declares, and applies their calibration but for the offsets. One table

@@ -15,23 +15,6 @@
 namespace vybeg {
 namespace {
 
-const std::vector<ColumnRole>& roles_of_powers() {
-    static const std::vector<ColumnRole> roles{
-        time_of_log(), {"E", {"E"}}, {"R", {"R"}}, {"S", {"S"}}, {"Q", {"Q"}}};
-    return roles;
-}
-
-// Those of a track, too.
-const std::vector<ColumnRole>& roles_of_waves() {
-    static const std::vector<ColumnRole> roles{
-        time_of_log(),
-        {"a", {"a", "a_A"}},
-        {"b", {"b", "a_B"}},
-        {"theta",
-         {"theta", "theta_rad", "theta_deg", "theta_A", "theta_A_rad", "two_theta_A_rad"}}};
-    return roles;
-}
-
 // Column of a role among the wishes; null: not among them.
 LogColumn* column_of(const std::vector<ColumnWish>& wishes, LogTable& table,
                      const std::string& role) {
@@ -95,6 +78,22 @@ Status calibrate(const SignalSettings& signal, PowerRun& run) {
 }
 
 }  // namespace
+
+const std::vector<ColumnRole>& roles_of_powers() {
+    static const std::vector<ColumnRole> roles{
+        time_of_log(), {"E", {"E"}}, {"R", {"R"}}, {"S", {"S"}}, {"Q", {"Q"}}};
+    return roles;
+}
+
+const std::vector<ColumnRole>& roles_of_waves() {
+    static const std::vector<ColumnRole> roles{
+        time_of_log(),
+        {"a", {"a", "a_A"}},
+        {"b", {"b", "a_B"}},
+        {"theta",
+         {"theta", "theta_rad", "theta_deg", "theta_A", "theta_A_rad", "two_theta_A_rad"}}};
+    return roles;
+}
 
 Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
                                 const LogChoice& columns, const SignalSettings& signal,

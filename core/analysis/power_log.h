@@ -3,12 +3,19 @@
 #include "core/analysis/identify_settings.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/recording/open/log_columns.h"
 #include "core/recording/samples/open_options.h"
 #include "core/resonator/model/power_run.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace vybeg {
+
+// What the columns of a log without a phase may be: E, R, S, Q, or a, b, theta, those of a track,
+// too.
+const std::vector<ColumnRole>& roles_of_powers();
+const std::vector<ColumnRole>& roles_of_waves();
 
 // Reads a log of E, R, S, Q or of a, b, theta, as `columns` says, of the times that the settings of
 // the signal choose, and applies their calibration but for the offsets. A delay of D needs f0_hz: a

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
 
 namespace vybeg {
 namespace {
@@ -231,6 +234,91 @@ SettingRow<IdentifySettings> tolerance_row() {
         [](auto& s) -> auto& { return s.tolerance; }, read_tolerance, tolerance_text, any_value);
 }
 
+// `part` returns the LogChoice of S.
+template <class S, class Part>
+SettingRow<S> f_ref_row(Part part) {
+    SettingRow<S> row{"f-ref", "HZ",
+                      "With --phasors: frequency of the reference (default: of the file)"};
+    const Bounds bounds{above_zero, 1e12, "it is a frequency above zero"};
+    row.bounds = {bounds};
+    return value_row<double>(
+        row, [=](auto& s) -> auto& { return part(s).phasors.f_ref_hz; },
+        [bounds, option = row.option()](const std::string& from) -> Result<double> {
+            const auto f_hz = TRY(from == not_set ? 0 : read_number(option, from, "Hz"));
+            TRY(from == not_set ? Status() : within(bounds, option, f_hz));
+            return f_hz;
+        },
+        [](double f_hz) { return f_hz == 0 ? not_set : round_trip_text(f_hz); },
+        [bounds, option = row.option()](double f_hz) {
+            return f_hz == 0 ? Status() : within(bounds, option, f_hz);
+        });
+}
+
+template <class S, class Part>
+SettingRow<S> lock_in_row(Part part) {
+    return value_row<LockIn, S>(
+        {"lock-in", "ORDER,BW",
+         "With --phasors: RC stages of the lock-in's filter, 1 to 8, and its 3 dB bandwidth, Hz "
+         "(default: none)"},
+        [=](auto& s) -> auto& { return part(s).phasors.filter; },
+        [](const std::string& from) {
+            return from == not_set ? Result(LockIn{}) : read_lock_in("--lock-in", from);
+        },
+        [](const LockIn& filter) {
+            return filter.order == 0
+                       ? not_set
+                       : integer_text(filter.order) + "," + round_trip_text(filter.bandwidth_hz);
+        },
+        any_value);
+}
+
+template <class S, class Part>
+Rows<S> log_rows(Part part) {
+    const auto phasors = [=](auto& s) -> auto& {
+        return part(s).phasors;
+    };
+    return {
+        value_row<std::string, S>(
+            {"columns", "NAMES",
+             "The files are logs or tracks without a phase, with the columns E,R,S,Q or "
+             "a,b,theta, each with =COLUMN, a name or a number, where the file calls it "
+             "otherwise"},
+            [=](auto& s) -> auto& { return part(s).names; },
+            [](const std::string& from) { return Result(from == not_set ? std::string() : from); },
+            [](const std::string& names) { return names.empty() ? not_set : names; }, any_value),
+        choice_row<S>(
+            {"angle-unit", "deg|rad", "Unit of theta where the file does not tell it"},
+            [=](auto& s) -> auto& { return part(s).rad_per_angle_unit; },
+            std::array{std::pair{not_set.c_str(), 0.0}, std::pair{"deg", std::numbers::pi / 180},
+                       std::pair{"rad", 1.0}},
+            "it is deg or rad"),
+        choice_row<S>(
+            {"phasors", "fixed|common|pll",
+             "The files are logs of a lock-in or a phasemeter, with the columns Xc,Yc,Xd,Yd: "
+             "relative to one frequency, to an oscillator that moves (column F or P), or each "
+             "channel to its own phase (Pc,Pd)"},
+            [=](auto& s) -> auto& { return phasors(s).frame; },
+            std::array{std::pair{not_set.c_str(), PhasorFrame::none},
+                       std::pair{"fixed", PhasorFrame::fixed},
+                       std::pair{"common", PhasorFrame::common},
+                       std::pair{"pll", PhasorFrame::pll}},
+            "it is fixed, common or pll"),
+        f_ref_row<S>(part),
+        choice_row<S>(
+            {"y-sign", "+|-",
+             "With --phasors: the signal is Re((X + iY) e^iwt) or Re((X - iY) e^iwt)"},
+            [=](auto& s) -> auto& { return phasors(s).y_sign; },
+            std::array{std::pair{not_set.c_str(), 0}, std::pair{"+", 1}, std::pair{"-", -1}},
+            "it is + or -"),
+        choice_row<S>(
+            {"amplitude", "peak|rms", "With --phasors: what sqrt(X^2 + Y^2) is"},
+            [=](auto& s) -> auto& { return phasors(s).peak_per_unit; },
+            std::array{std::pair{not_set.c_str(), 0.0}, std::pair{"peak", 1.0},
+                       std::pair{"rms", std::numbers::sqrt2}},
+            "it is peak or rms"),
+        lock_in_row<S>(part)};
+}
+
 template <class S>
 Rows<S> in_order(std::initializer_list<Rows<S>> parts) {
     Rows<S> rows;
@@ -286,7 +374,8 @@ Rows<IdentifySettings> rows_of_identification() {
           periods_row<IdentifySettings>(windows), snap_row<IdentifySettings>(windows),
           f0_row<IdentifySettings>(signal)},
          signal_rows<IdentifySettings>(signal),
-         {threads_row<IdentifySettings>(), tolerance_row()}});
+         {threads_row<IdentifySettings>(), tolerance_row()},
+         log_rows<IdentifySettings>([](auto& s) -> auto& { return s.logs; })});
 }
 
 template <class S>
@@ -332,6 +421,38 @@ const std::vector<SettingRow<IdentifySettings>>& identify_settings() {
     return rows;
 }
 
+const std::vector<SettingRow<LogChoice>>& log_settings() {
+    static const Rows<LogChoice> rows = log_rows<LogChoice>(whole);
+    return rows;
+}
+
+Result<LockIn> read_lock_in(const std::string& option, const std::string& text, double* rate_hz) {
+    constexpr int most_stages = 8;
+    std::vector<double> numbers;
+    for (std::string_view left = text; numbers.size() < 4;) {
+        const std::size_t comma = std::min(left.find(','), left.size());
+        const auto number = number_with_unit(left.substr(0, comma), numbers.empty() ? "" : "Hz");
+        numbers.push_back(number && *number > 0 && *number < 1e9 ? *number : 0);
+        if (comma == left.size()) {
+            break;
+        }
+        left.remove_prefix(comma + 1);
+    }
+    const bool whole_stages = numbers[0] == std::floor(numbers[0]) && numbers[0] <= most_stages;
+    if (numbers.size() != (rate_hz == nullptr ? 2 : 3) || !whole_stages ||
+        std::ranges::count(numbers, 0.0) > 0) {
+        return refused_value(
+            option, text,
+            rate_hz == nullptr
+                ? "it is an order from 1 to 8 and a bandwidth, e.g. 4,20Hz"
+                : "it is an order from 1 to 8, a bandwidth and a rate, e.g. 4,20Hz,200Hz");
+    }
+    if (rate_hz != nullptr) {
+        *rate_hz = numbers[2];
+    }
+    return LockIn{static_cast<int>(numbers[0]), numbers[1]};
+}
+
 const Bounds& bounds_of(const std::string& name, std::size_t number) {
     const auto& rows = analysis_settings();
     return std::ranges::find(rows, name, &SettingRow<Settings>::name) != rows.end()
@@ -371,26 +492,11 @@ std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
     for (std::size_t row = 0; !each.empty() && row < list.size(); ++row) {
         list[row].second = in_one(each, row);
     }
-    const LogChoice& logs = settings.logs;
-    const PhasorChoice& phasors = logs.phasors;
-    if (!logs.names.empty()) {
-        list.emplace_back("columns", logs.names);
-    }
-    if (logs.rad_per_angle_unit > 0) {
-        list.emplace_back("angle_unit", logs.rad_per_angle_unit < 1 ? "deg" : "rad");
-    }
-    if (phasors.frame != PhasorFrame::none) {
-        list.emplace_back("phasors", frame_name(phasors.frame));
-        list.emplace_back("y_sign", phasors.y_sign > 0 ? "+" : "-");
-        list.emplace_back("amplitude", phasors.peak_per_unit > 1 ? "rms" : "peak");
-    }
-    if (phasors.f_ref_hz > 0) {
-        list.emplace_back("f_ref", round_trip_text(phasors.f_ref_hz));
-    }
-    if (phasors.filter.order > 0) {
-        list.emplace_back("lock_in", integer_text(phasors.filter.order) + "," +
-                                         round_trip_text(phasors.filter.bandwidth_hz));
-    }
+    std::erase_if(list, [](const NamedValue& each) {
+        const auto row =
+            std::ranges::find(log_settings(), each.first, &SettingRow<LogChoice>::name);
+        return row != log_settings().end() && each.second == not_set;
+    });
     return list;
 }
 

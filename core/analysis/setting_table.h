@@ -16,6 +16,13 @@ namespace vybeg {
 const std::vector<SettingRow<Settings>>& analysis_settings();
 const std::vector<SettingRow<IdentifySettings>>& identify_settings();
 
+// Logs in place of recordings; identify_settings() has the same rows.
+const std::vector<SettingRow<LogChoice>>& log_settings();
+
+// ORDER,BW of a lock-in's filter, and ,RATE where `rate_hz` is asked for. Errors: setting_invalid.
+Result<LockIn> read_lock_in(const std::string& option, const std::string& text,
+                            double* rate_hz = nullptr);
+
 // Bounds of a number of an analysis, or of an identification alone, by its option's name without
 // dashes and its place in the option's value: what validate() takes.
 const Bounds& bounds_of(const std::string& name, std::size_t number = 0);
@@ -30,8 +37,8 @@ Status validate(const IdentifySettings& settings);
 // Name and value as the command line takes them.
 using NamedValue = std::pair<std::string, std::string>;
 
-// Every setting that has a part in the result. Settings of single recordings stand with "; "
-// between them where they differ.
+// Every setting that has a part in the result; those of logs where they are told. Settings of
+// single recordings stand with "; " between them where they differ.
 std::vector<NamedValue> settings_list(const Settings& settings);
 std::vector<NamedValue> settings_list(const IdentifySettings& settings);
 

@@ -44,8 +44,9 @@ enum class ErrorCode {
     column_missing,      // args: column asked for, the columns that the file has
     angle_unit_unknown,  // args: column of angles
     holds_log,           // args: what it holds in place of samples, options to read it with
-    file_changed,        // after it was opened: its size, or the time of its last change
-    list_invalid,        // args: line, column, reason. Of a measurement list.
+    no_log,
+    file_changed,  // after it was opened: its size, or the time of its last change
+    list_invalid,  // args: line, column, reason. Of a measurement list.
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range
     window_too_short,         // args: window in samples, least window at this frequency

@@ -194,15 +194,24 @@ MessageRow message_row(ErrorCode code) {
                 VYBEG_MESSAGE("Message",
                               "%1: there is no column \"%2\"; the file has %3. Name others.")};
         case ErrorCode::holds_log:
-            return {"holds-log", bad_input,
+            return {
+                "holds-log", bad_input,
+                VYBEG_MESSAGE("Message",
+                              "%1 is a log, no recording: it holds %2. Read it with %3, options "
+                              "of identify, compare, analyze and batch and columns of a "
+                              "measurement list; a set has logs or recordings, not both. If "
+                              "the columns are samples all the same, give them other names."),
+                VYBEG_MESSAGE("Message",
+                              "%1 is a log, no recording: it holds %2. Open it with File, Open "
+                              "logs, or say in the measurement list what it is; a set has logs "
+                              "or recordings, not both. If the columns are samples all the "
+                              "same, give them other names.")};
+        case ErrorCode::no_log:
+            return {"no-log", bad_input,
                     VYBEG_MESSAGE("Message",
-                                  "%1 is a log, no recording: it holds %2. Read it with "
-                                  "vybeg-cli identify %3; if the columns are samples all the same, "
-                                  "give them other names."),
-                    VYBEG_MESSAGE("Message",
-                                  "%1 is a log, no recording: it holds %2. The window does not "
-                                  "read logs; vybeg-cli identify %3 does. If the columns are "
-                                  "samples all the same, give them other names.")};
+                                  "%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A "
+                                  "recording does not belong among logs: give it a set of its "
+                                  "own.")};
         case ErrorCode::angle_unit_unknown:
             return {"angle-unit-unknown", bad_input,
                     VYBEG_MESSAGE("Message",

@@ -162,19 +162,20 @@ Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
         auto comparison = TRY(open_passport(passport, JobControl(stop)));
         open.comparison = std::move(comparison);
     }
-    if (set.settings.logs.given()) {
-        TRY(read_logs(open, JobControl(stop)));
-        return open;
-    }
     for (const RecordingRef& listed : set.recordings) {
-        auto recording = TRY(open_recording(listed.path, listed.open, JobControl(stop)));
-        open.recordings.push_back(std::move(recording));
+        if (!set.settings.logs.given()) {
+            auto recording = TRY(open_recording(listed.path, listed.open, JobControl(stop)));
+            open.recordings.push_back(std::move(recording));
+        }
     }
     TRY(read_contents(open, stop));
     return open;
 }
 
 Status read_contents(OpenSet& open, std::stop_token stop) {
+    if (open.set.settings.logs.given()) {
+        return read_logs(open, JobControl(std::move(stop)));
+    }
     TRY(hash_all(open, std::move(stop)));
     std::map<std::vector<std::string>, const Recording*> known;
     for (std::size_t k = 0; k < open.recordings.size(); ++k) {

@@ -47,14 +47,15 @@ struct OpenSet {
     std::optional<PassportComparison> comparison;
 };
 
-// Opens the recordings, or reads the logs, and, unless `passport` is empty, that file. Errors:
-// conditions_differ, those of open_recording(), read_passport_file() and read_contents().
+// Opens the recordings, or reads the logs of a set of logs, and, unless `passport` is empty, that
+// file. Errors: conditions_differ, those of open_recording(), read_passport_file() and
+// read_contents().
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop);
 
 // Tells the set what its recordings contain; hashes those without a SHA-256, all beside each other.
-// Errors: same_recording where two have the same file content and the same two channels, those of
-// recording_sha256().
+// Of a set of logs it reads these, too. Errors: same_recording where two have the same file content
+// and the same two channels, those of recording_sha256(), read_phasor_log() and read_power_log().
 Status read_contents(OpenSet& open, std::stop_token stop);
 
 // Precondition: read_contents(). Errors: those of identify(), file_changed.

@@ -39,10 +39,10 @@ std::vector<std::string> track_header(const std::string& program, const std::fil
     settings.logs = choice;
     settings.windows.window = analysis.plan.length;
     for (const auto& [name, value] : settings_list(settings)) {
-        constexpr std::array of_logs{"window",    "from",       "to",      "kappa",   "delay",
-                                     "f0",        "angle-zero", "columns", "phasors", "y_sign",
-                                     "amplitude", "f_ref",      "lock_in"};
-        if (std::ranges::find(of_logs, name) != of_logs.end()) {
+        constexpr std::array of_both{"window", "from", "to", "kappa", "delay", "f0", "angle-zero"};
+        if (std::ranges::find(of_both, name) != of_both.end() ||
+            std::ranges::find(log_settings(), name, &SettingRow<LogChoice>::name) !=
+                log_settings().end()) {
             lines.push_back(name + ": " + value);
         }
     }

@@ -1,4 +1,5 @@
 // identify of logs of a lock-in and a phasemeter, as a process. The lock-in is the test's own.
+#include "tests/app/batch_run.h"
 #include "tests/app/phasor_logs.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
@@ -166,7 +167,7 @@ private slots:
         const Outcome run = run_cli(analyze, folder_.path());
         VYBEG_EQUAL(run.status, 0, run.err.constData());
         QVERIFY(run.out.contains("# phasors: fixed\n"));
-        QVERIFY(run.out.contains("# y_sign: +\n"));
+        QVERIFY(run.out.contains("# y-sign: +\n"));
         QVERIFY(!run.out.contains("# algorithm"));
         // 20 s in windows of 15 ms or more.
         VYBEG_WITHIN(run.out.count('\n'), 1500, 100);
@@ -177,6 +178,75 @@ private slots:
             run_cli({"analyze", "track_of.csv", "-o", "-", "--phasors", "fixed"}, folder_.path());
         QCOMPARE(untold.status, 2);
         QVERIFY(untold.out.isEmpty());
+    }
+
+    // What a list tells of logs in its columns is what the options tell.
+    void a_batch_of_logs_is_what_identify_finds() {
+        QStringList files;
+        QByteArray list = "file;set;phasors;f-ref;y-sign;amplitude;lock-in;gyro\n";
+        for (int k = 0; k < runs; ++k) {
+            const QString name = QString("listed%1.csv").arg(k);
+            write(name, log_of(folder_.filePath(QString::number(k) + ".npy"), {4, 30, 150},
+                               Frame::fixed, -1, std::sqrt(2.0)));
+            files << name;
+            // One row tells it of the set.
+            list += name.toUtf8() + (k == 0 ? ";A;fixed;5300,1;-;rms;4,30Hz;G1\n" : ";A;;;;;;\n");
+        }
+        list += "0.npy;B;;;;;;\n";
+        write("logs.csv", list);
+        const QJsonObject told = json_of(
+            run_cli(QStringList{"identify", "-o", "-", "--phasors", "fixed", "--f-ref", "5300.1",
+                                "--y-sign", "-", "--amplitude", "rms", "--lock-in", "4,30"} +
+                        files,
+                    folder_.path()));
+        QVERIFY(told["resonator"].toObject()["tau_s"].toObject()["value"].toDouble() > 0);
+        const Outcome batch = run_cli(
+            {"batch", "logs.csv", "-o", "-", "--json", "json", "--rate", "33333"}, folder_.path());
+        QVERIFY2(!batch.err.contains("formula"), batch.err.constData());
+        QCOMPARE(field_of(batch.out, 0, "status"), QByteArray("ok"));
+        QFile file(folder_.filePath("json/A.json"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonObject listed = QJsonDocument::fromJson(file.readAll()).object();
+        for (const QString part : {"resonator", "modes", "runs", "settings", "model"}) {
+            QVERIFY2(listed[part] == told[part], qPrintable(part));
+        }
+        QCOMPARE(listed["settings"].toObject()["y-sign"].toString(), QString("-"));
+        QCOMPARE(listed["settings"].toObject()["lock-in"].toString(), QString("4,30"));
+        // A set of recordings has no words about logs.
+        QFile other(folder_.filePath("json/B.json"));
+        QVERIFY(other.open(QIODevice::ReadOnly));
+        const QJsonObject of_samples = QJsonDocument::fromJson(other.readAll()).object();
+        QVERIFY(!of_samples["settings"].toObject().contains("phasors"));
+        const Outcome identified =
+            run_cli({"identify", "--list", "logs.csv", "--set", "A", "-o", "-"}, folder_.path());
+        QVERIFY(json_of(identified)["resonator"] == told["resonator"]);
+    }
+
+    void what_does_not_belong_together_is_refused() {
+        write("one.csv", log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1));
+        const auto said = [this](const QByteArray& rows) {
+            write("mixed.csv", "file,set,phasors,f-ref,y-sign,amplitude\n" + rows);
+            const Outcome run =
+                run_cli({"identify", "--list", "mixed.csv", "--rate", "33333"}, folder_.path());
+            return run.status == 0 ? QByteArray("no refusal") : run.err;
+        };
+        const QByteArray mixed = said("one.csv,A,fixed,5300.1,+,peak\nmade.wav,A,,,,\n");
+        QVERIFY2(mixed.contains("made.wav"), mixed.constData());
+        const QByteArray differs = said("one.csv,A,fixed,5300.1,+,peak\n0.npy,A,common,,+,peak\n");
+        QVERIFY2(differs.contains("\"common\" differs from \"fixed\" in line 2") &&
+                     differs.contains("a set of its own"),
+                 differs.constData());
+        const QByteArray untold = said("one.csv,A,,,,\n");
+        QVERIFY2(untold.contains("columns of a measurement list"), untold.constData());
+        QVERIFY(run_cli({"simulate", "-o", "made.wav", "--seconds", "1"}, folder_.path()).status ==
+                0);
+        const QByteArray audio = said("one.csv,A,fixed,5300.1,+,peak\nmade.wav,A,,,,\n");
+        QVERIFY2(audio.contains("made.wav is no log") && audio.contains("a set of its own"),
+                 audio.constData());
+        // An option that has no part beside what the set has is told.
+        const Outcome idle =
+            run_cli({"identify", "0.npy", "--rate", "33333", "--y-sign", "+"}, folder_.path());
+        QVERIFY2(idle.err.contains("--y-sign has no effect"), idle.err.constData());
     }
 
     // A moved part of a log, whose first seconds are those of a hand.

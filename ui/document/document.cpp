@@ -12,6 +12,11 @@ Document::Document(QObject* parent) : QObject(parent) {
                 close(id);
                 emit reported(message);
             });
+    connect(&recordings_, &RecordingStore::foundLog, this,
+            [this](RecordingId id, const QString& path) {
+                close(id);
+                emit foundLog(path);
+            });
     connect(&recordings_, &RecordingStore::currentChanged, this, [this] {
         emit currentRecordingChanged();
         if (const RecordingEntry* current = recordings_.current()) {

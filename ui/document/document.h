@@ -109,6 +109,7 @@ signals:
     void progressChanged();
     void finished(AnalysisId analysis_id, double seconds);
     void opened(const QString& path);
+    void foundLog(const QString& path);  // a file that was to be opened as a recording
     void reported(const Message& message);
     void settled(Topic topic);  // messages of this topic hold no more
 

@@ -21,11 +21,14 @@ RecordingRef rowOf(const RecordingEntry& entry) {
     return {entry.name.toStdString(), entry.path.toStdU16String(), entry.options};
 }
 
-// Ids of the recordings of all sets in their order; those that are not open yet are opened
-// together.
+// Ids of the recordings of all sets of recordings in their order; those that are not open yet are
+// opened together.
 std::vector<RecordingId> openEachOnce(const MeasurementList& list, RecordingStore& recordings) {
     std::vector<RecordingToOpen> wanted;
     for (const MeasurementSet& set : list.sets) {
+        if (set.settings.logs.given()) {
+            continue;
+        }
         for (const RecordingRef& row : set.recordings) {
             const QString path = QString::fromStdU16String(row.path.u16string());
             wanted.push_back({QDir::cleanPath(QFileInfo(path).absoluteFilePath()), row.open});
@@ -43,6 +46,12 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
     measured.settings = set.listed ? set.listed->settings : settingsOfPanel(settings);
     measured.settings.model = set.model;
     std::vector<SignalSettings> of_each;
+    if (isOfLogs(set)) {
+        for (const auto& log : set.listed->members) {
+            measured.recordings.push_back(log.second.row);
+            of_each.push_back(log.second.signal);
+        }
+    }
     for (const RecordingId id : set.recordings) {
         const ListedMember* listed = nullptr;
         if (set.listed) {
@@ -66,7 +75,7 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
 
 QStringList absentFiles(const RecordingSet& set) {
     QStringList files;
-    if (set.listed) {
+    if (set.listed && !isOfLogs(set)) {
         for (const auto& [id, member] : set.listed->members) {
             if (std::ranges::find(set.recordings, id) == set.recordings.end()) {
                 files << QString::fromStdString(member.row.file);
@@ -115,11 +124,14 @@ std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& 
         set.model = measured.settings.model;
         ListedSet listed{measured.settings, {}};
         listed.settings.of_recordings.clear();
+        const bool of_logs = measured.settings.logs.given();
+        const auto count = static_cast<int>(measured.recordings.size());
         for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
-            const auto id = ids[next++];
+            const auto id =
+                of_logs ? static_cast<RecordingId>(static_cast<int>(k) - count) : ids[next++];
             listed.members.insert_or_assign(
                 id, ListedMember{measured.recordings[k], measured.settings.signal_of(k)});
-            if (std::ranges::find(set.recordings, id) == set.recordings.end()) {
+            if (!of_logs && std::ranges::find(set.recordings, id) == set.recordings.end()) {
                 set.recordings.push_back(id);
             }
         }

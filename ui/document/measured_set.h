@@ -26,8 +26,9 @@ ListedSet withRowFor(const ListedSet& listed, const QString& path, RecordingId i
 // Files that a set of a list names more than once.
 QStringList namedTwice(const MeasurementSet& set);
 
-// Opens the recordings of a measurement list, and makes a set of the document of each of its sets,
-// still without ids. A recording that is open already, read in the same way, is taken as it is.
+// Opens the recordings of a measurement list, but no logs, and makes a set of the document of each
+// of its sets, still without ids. A recording that is open already, read in the same way, is taken
+// as it is.
 std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& recordings);
 
 }  // namespace vybeg::ui

@@ -166,6 +166,10 @@ void RecordingStore::whenLookedAt(RecordingId id, const QuickOverview& look) {
 
 void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
     RecordingEntry& loaded = *entry(id);
+    if (!result && result.error().code == ErrorCode::holds_log) {
+        emit foundLog(id, QString(loaded.path));  // its entry goes
+        return;
+    }
     if (!result) {
         Message message = errorMessage(result.error());
         if (isFixableByImportOptions(result.error().code)) {

@@ -83,6 +83,7 @@ signals:
     void carrierChanged();
     void opened(RecordingId id);
     void openFailed(RecordingId id, const Message& message);
+    void foundLog(RecordingId id, const QString& path);  // in place of a recording
     void reported(const Message& message);
 
 private:

@@ -174,7 +174,7 @@ void SetStore::addTo(SetId id, const std::vector<RecordingId>& recording_ids) {
 }
 
 void SetStore::addToCurrent(const std::vector<RecordingId>& recording_ids) {
-    if (current()) {
+    if (current() && !isOfLogs(*current())) {
         addTo(current_, recording_ids);
     } else {
         add(recording_ids);
@@ -262,18 +262,31 @@ void SetStore::open(const MeasurementList& list) {
             }));
         }
     }
+    enter(std::move(sets), [] { return tr("sets of the list"); });
+}
+
+void SetStore::openLogs(MeasurementSet set) {
+    Calibration calibration = settings_.settings().calibration;
+    calibration.offset_auto = false;  // of samples
+    calibration.offset_c = calibration.offset_d = 0;
+    set.settings.signal.calibration = calibration;
+    set.settings.tolerance = settings_.tolerance();
+    enter(openSets({{}, {std::move(set)}, {}}, recordings_), [] { return tr("open logs"); });
+    identifySet(current_);
+}
+
+void SetStore::enter(std::vector<RecordingSet> sets, UndoSteps::Words words) {
     const auto first = ids_.next<SetId>();
-    step([] { return tr("sets of the list"); },
-         [&] {
-             SetId id = first;
-             for (RecordingSet& set : sets) {
-                 set.id = id;
-                 set.number = ++made_;
-                 sets_.push_back(std::move(set));
-                 id = ids_.next<SetId>();
-             }
-             current_ = first;
-         });
+    step(std::move(words), [&] {
+        SetId id = first;
+        for (RecordingSet& set : sets) {
+            set.id = id;
+            set.number = ++made_;
+            sets_.push_back(std::move(set));
+            id = ids_.next<SetId>();
+        }
+        current_ = first;
+    });
     emit changed();
 }
 
@@ -281,9 +294,12 @@ MeasurementSet SetStore::measured(const RecordingSet& set) const {
     return measurementOf(set, settings_, recordings_);
 }
 
-// Without a set, recordings that were opened together are one.
+// Without a set, recordings that were opened together are one. Logs are read by the identification.
 bool SetStore::canIdentify() const {
     const RecordingSet* set = current();
+    if (set && isOfLogs(*set)) {
+        return true;
+    }
     const std::vector<RecordingId> ids =
         set && !set->recordings.empty() ? set->recordings : recordings_.openedTogether();
     return !ids.empty() && std::ranges::all_of(ids, [this](RecordingId id) {
@@ -295,7 +311,7 @@ void SetStore::identify() {
     if (!canIdentify()) {
         return;
     }
-    if (!current() || current()->recordings.empty()) {
+    if (!current() || (current()->recordings.empty() && !isOfLogs(*current()))) {
         addToCurrent(recordings_.openedTogether());
     }
     identifySet(current_);

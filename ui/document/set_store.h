@@ -39,9 +39,9 @@ public:
     // No step: of a session, whose sets are made.
     void setListed(SetId id, ListedSet listed);
     void setKept(SetId id, KeptResult kept);
-    // Recordings into a set, each once.
+    // Recordings into a set of recordings, each once.
     void addTo(SetId id, const std::vector<RecordingId>& recording_ids);
-    // Into the current set; without one, into a new one.
+    // Into the current set; without one, or where that has logs, into a new one.
     void addToCurrent(const std::vector<RecordingId>& recording_ids);
     void removeFrom(SetId id, const std::vector<RecordingId>& recording_ids);
     // No step: the recording is gone.
@@ -56,6 +56,9 @@ public:
     void openList(const QString& path, const OpenOptions& options);
     // The same of a list in memory; its first set becomes the current one.
     void open(const MeasurementList& list);
+    // A set of logs, which it identifies with calibration and tolerances of the panel; a step of
+    // undo.
+    void openLogs(MeasurementSet set);
     // All that belongs to the identification of a set (measured_set.h).
     MeasurementSet measured(const RecordingSet& set) const;
 
@@ -104,6 +107,8 @@ private:
     // Makes an edit a step.
     void step(UndoSteps::Words words, const std::function<void()>& edit);
     void restore(const State& state);
+    // Sets of a list, in a step.
+    void enter(std::vector<RecordingSet> sets, UndoSteps::Words words);
     void insertInto(SetId id, const std::vector<RecordingId>& recording_ids);
     void eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids);
     RecordingSet* entry(SetId id);

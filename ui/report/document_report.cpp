@@ -31,6 +31,11 @@ std::vector<RecordingId> analysed(const Document& document, const std::vector<Re
     return found;
 }
 
+// Logs have no analyses of their own.
+bool isReportedLog(const Document& document, const RecordingSet& set) {
+    return isOfLogs(set) && document.sets().outcome(set);
+}
+
 // The set whose identification a report shows.
 const RecordingSet* identifiedSet(const Document& document, const ReportSubject& subject) {
     if (subject.set != SetId::none) {
@@ -49,15 +54,16 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
     std::vector<ReportSubject> subjects;
     const auto add_set = [&](const RecordingSet& set) {
         const std::vector<RecordingId> recordings = analysed(document, set.recordings);
-        if (!recordings.empty()) {
+        if (!recordings.empty() || isReportedLog(document, set)) {
             subjects.push_back({setName(document, set), recordings, set.id, false});
         }
     };
     const RecordingEntry* recording = document.currentRecording();
     const RecordingSet* current = document.sets().current();
     const bool holds_it =
-        current && recording &&
-        std::ranges::find(current->recordings, recording->id) != current->recordings.end();
+        current && (isOfLogs(*current) ||
+                    (recording && std::ranges::find(current->recordings, recording->id) !=
+                                      current->recordings.end()));
     if (holds_it) {
         add_set(*current);
     }
@@ -92,7 +98,7 @@ std::vector<ReportContent> reportContentsOf(const Document& document,
     std::vector<ReportContent> contents;
     for (const RecordingSet& set : document.sets().all()) {
         const std::vector<RecordingId> recordings = analysed(document, set.recordings);
-        if (!recordings.empty()) {
+        if (!recordings.empty() || isReportedLog(document, set)) {
             const QString name = setName(document, set);
             contents.push_back(reportContentOf(document, {name, recordings, set.id, false}));
             contents.back().set = name;
@@ -124,6 +130,12 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
             }
         }
         content.recordings.push_back(std::move(told));
+    }
+    if (set && isReportedLog(document, *set)) {
+        for (const RecordingRef& log : document.sets().outcome(*set)->set.recordings) {
+            content.recordings.push_back(reportLog(log));
+            content.recordings.back().conditions = conditionsText(log);
+        }
     }
     content.title.date = measuredOn(content.recordings);
     content.limits = document.dossier().dossier().limits;

@@ -12,18 +12,18 @@ namespace vybeg::ui {
 
 namespace {
 
-// `listed`: of the rows that have a part, in their order, as settings_list().
+// `listed`: as settings_list().
 template <class S>
 QString rowsText(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
                  std::initializer_list<std::string_view> left_out = {}) {
     const S defaults;
     QStringList options;
-    auto value = listed.begin();
     for (const SettingRow<S>& row : rows) {
-        if (!row.has_part) {
+        const auto value = std::ranges::find(listed, row.name, &NamedValue::first);
+        if (value == listed.end()) {
             continue;
         }
-        const std::string& text = (value++)->second;
+        const std::string& text = value->second;
         if (text == row.text(defaults) || std::ranges::find(left_out, row.name) != left_out.end()) {
             continue;
         }

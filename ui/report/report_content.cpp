@@ -59,6 +59,17 @@ ReportRecording reportRecording(const Recording& recording, const QString& sha25
     return told;
 }
 
+ReportRecording reportLog(const RecordingRef& log) {
+    ReportRecording told;
+    told.name = QString::fromStdString(log.name());
+    told.format = QCoreApplication::translate("Report", "Log");
+    told.sha256 = QString::fromStdString(log.sha256);
+    told.rate_hz = log.rate_hz;
+    told.seconds = log.seconds;
+    told.is_log = true;
+    return told;
+}
+
 QString measuredOn(const std::vector<ReportRecording>& recordings) {
     QStringList starts;
     for (const ReportRecording& each : recordings) {

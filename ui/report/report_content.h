@@ -64,12 +64,16 @@ struct ReportRecording {
     QString sha256;  // empty: not known yet
     double rate_hz = 0;
     double seconds = 0;
+    bool is_log = false;  // in place of a recording: without samples to check
     std::optional<std::vector<Diagnostic>> check;  // findings; none: not finished yet
     QStringList conditions;                        // of a measurement list, conditionsText()
 };
 
 // Without its check.
 ReportRecording reportRecording(const Recording& recording, const QString& sha256);
+
+// Of a log, as its identification has read it.
+ReportRecording reportLog(const RecordingRef& log);
 
 // The title as the measurement list of a set tells it; where recordings differ, all of it. `usual`
 // for what it does not tell.

@@ -87,8 +87,10 @@ QString recordingsSection(const ReportContent& content) {
                 ? reportText(QT_TRANSLATE_NOOP("Report", "not computed yet")).toHtmlEscaped()
                 : monospaced(each.sha256);
         table.rows.push_back({QStringLiteral("SHA-256: ") + hash});
-        table.rows.push_back(
-            {reportText(QT_TRANSLATE_NOOP("Report", "Check: %1")).arg(richText(checkText(each)))});
+        if (!each.is_log) {
+            table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Check: %1"))
+                                      .arg(richText(checkText(each)))});
+        }
         if (!each.conditions.isEmpty()) {
             table.rows.push_back(
                 {reportText(QT_TRANSLATE_NOOP("Report", "Conditions: %1"))

@@ -1,5 +1,6 @@
 #include "ui/resonator/set_panel.h"
 
+#include "core/analysis/setting_table.h"
 #include "ui/panels/recording_facts.h"
 #include "ui/resonator/conditions_text.h"
 #include "ui/words/rich_text.h"
@@ -23,9 +24,28 @@
 
 namespace vybeg::ui {
 
+namespace {
+
+// What was told of logs, in the words of a measurement list.
+QString logText(const LogChoice& logs) {
+    QStringList told;
+    for (const SettingRow<LogChoice>& row : log_settings()) {
+        if (const std::string text = row.text(logs); text != not_set) {
+            told << QString::fromStdString(row.name) + QLatin1Char(' ') +
+                        QString::fromStdString(text);
+        }
+    }
+    return told.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
 QString setName(const Document& document, const RecordingSet& set) {
     if (!set.name.isEmpty()) {
         return set.name;
+    }
+    if (isOfLogs(set)) {
+        return QCoreApplication::translate("SetPanel", "Logs %1").arg(set.number);
     }
     if (set.recordings.size() == 1) {
         return QFileInfo(document.recording(set.recordings.front())->path).completeBaseName();
@@ -171,26 +191,43 @@ void SetPanel::refresh() {
     remove_->setEnabled(set != nullptr);
     refreshMembers(set);
     listed_->setVisible(set && set->listed);
+    listed_->setText(set && isOfLogs(*set)
+                         ? tr("Logs, read with %1. To tell it otherwise, open them again.")
+                               .arg(logText(set->listed->settings.logs))
+                         : tr("Settings and conditions are those of the measurement list; the "
+                              "panel Analysis does not change them."));
     model_->setCurrentIndex(set ? static_cast<int>(set->model) : 0);
     identify_->setEnabled(document_.sets().canIdentify());
 }
 
-// All open recordings; those of the set are checked.
+// All open recordings; those of the set are checked. Of a set of logs these, as they are.
 void SetPanel::refreshMembers(const RecordingSet* set) {
     const QSignalBlocker quiet(members_);
     const int row = members_->currentRow();
     members_->clear();
     const auto* listed = set && set->listed ? &*set->listed : nullptr;
-    for (const RecordingEntry& entry : document_.recordings()) {
-        auto* item = new QListWidgetItem(entry.name, members_);
-        item->setData(Qt::UserRole, number(entry.id));
-        const bool in = set && std::ranges::count(set->recordings, entry.id) > 0;
-        item->setCheckState(in ? Qt::Checked : Qt::Unchecked);
-        QStringList told{QDir::toNativeSeparators(entry.path)};
-        if (listed && listed->members.contains(entry.id)) {
-            told += conditionsText(listed->members.at(entry.id).row);
+    const auto add = [this](const QString& name, const QString& path, const QStringList& told) {
+        auto* item = new QListWidgetItem(name, members_);
+        item->setToolTip(
+            plainTip((QStringList{QDir::toNativeSeparators(path)} + told).join(QLatin1Char('\n'))));
+        return item;
+    };
+    if (set && isOfLogs(*set)) {
+        for (const auto& member : listed->members) {
+            const RecordingRef& log = member.second.row;
+            add(QString::fromStdString(log.name()), QString::fromStdU16String(log.path.u16string()),
+                conditionsText(log));
         }
-        item->setToolTip(plainTip(told.join(QLatin1Char('\n'))));
+    } else {
+        for (const RecordingEntry& entry : document_.recordings()) {
+            const bool has_row = listed && listed->members.contains(entry.id);
+            auto* item =
+                add(entry.name, entry.path,
+                    has_row ? conditionsText(listed->members.at(entry.id).row) : QStringList());
+            item->setData(Qt::UserRole, number(entry.id));
+            const bool in = set && std::ranges::count(set->recordings, entry.id) > 0;
+            item->setCheckState(in ? Qt::Checked : Qt::Unchecked);
+        }
     }
     members_->setCurrentRow(std::min(row, members_->count() - 1));
     members_->updateGeometry();
@@ -213,9 +250,6 @@ void SetPanel::retranslate() {
     remove_->setToolTip(tr("Remove the set; its recordings stay open"));
     members_->setAccessibleName(tr("Recordings of the set"));
     members_->setToolTip(tr("The open recordings; those of one resonator are checked"));
-    listed_->setText(
-        tr("Settings and conditions are those of the measurement list; the panel "
-           "Analysis does not change them."));
     model_label_->setText(tr("Model"));
     model_->setAccessibleName(tr("Model of the resonator"));
     model_->setToolTip(tr("What the fit assumes of the channels"));

@@ -237,7 +237,7 @@ void SessionKeeper::identifyAgain() {
         const bool complete = std::ranges::none_of(absent_, [&set](const Absent& absent) {
             return std::ranges::count(absent.sets, set.id) > 0;
         });
-        if (set.kept.up_to_date && complete && !set.recordings.empty() &&
+        if (set.kept.up_to_date && complete && (isOfLogs(set) || !set.recordings.empty()) &&
             std::ranges::all_of(set.recordings, is_open)) {
             document_.sets().identifySet(set.id);
         }
@@ -309,9 +309,9 @@ bool SessionKeeper::isModified() const {
         return false;
     }
     if (path_.isEmpty() && !recovered_) {
-        const bool has_sets =
-            std::ranges::any_of(document_.sets().all(),
-                                [](const RecordingSet& set) { return !set.recordings.empty(); });
+        const bool has_sets = std::ranges::any_of(
+            document_.sets().all(),
+            [](const RecordingSet& set) { return isOfLogs(set) || !set.recordings.empty(); });
         return has_sets || (!document_.recordings().empty() && !document_.undoStack().isClean());
     }
     return recovered_ || content() != saved_;
@@ -350,7 +350,8 @@ void SessionKeeper::save(const QString& path, std::function<void()> then) {
 }
 
 QJsonObject SessionKeeper::backup() const {
-    if (opening_ || (document_.recordings().empty() && absent_.empty())) {
+    const bool has_logs = std::ranges::any_of(document_.sets().all(), isOfLogs);
+    if (opening_ || (document_.recordings().empty() && absent_.empty() && !has_logs)) {
         return {};
     }
     QJsonObject json = sessionToJson(present(), QDir::root());

@@ -21,9 +21,9 @@ template <class Key, class Before>
 ListedSetBy<Key> renamed(const ListedSetBy<Before>& listed,
                          const std::function<std::optional<Key>(Before)>& key) {
     ListedSetBy<Key> other{listed.settings, {}};
-    int without = 0;
+    int without = -static_cast<int>(listed.members.size());  // rows of logs keep their order
     for (const auto& [before, member] : listed.members) {
-        other.members.emplace(key(before).value_or(static_cast<Key>(--without)), member);
+        other.members.emplace(key(before).value_or(static_cast<Key>(without++)), member);
     }
     return other;
 }

@@ -26,7 +26,7 @@ struct KeptResult {
     bool up_to_date = false;  // with the recordings and settings of the session
 };
 
-// One recording as its row of a measurement list gives it.
+// One recording, or one log, as its row of a measurement list gives it.
 struct ListedMember {
     RecordingRef row;
     SignalSettings signal;
@@ -38,7 +38,8 @@ struct ListedMember {
 template <class Key>
 struct ListedSetBy {
     IdentifySettings settings;
-    // Negative or of no member of the set: a row whose recording is not in it.
+    // Negative or of no member of the set: a row whose recording is not in it. Logs, which no
+    // document opens, are all such rows, in their order.
     std::map<Key, ListedMember> members;
 };
 
@@ -59,6 +60,11 @@ struct RecordingSet {
     std::vector<std::shared_ptr<const ResonatorOutcome>> outcomes;
     KeptResult kept;
 };
+
+// Whether it has logs in place of recordings: they are the rows of `listed`.
+inline bool isOfLogs(const RecordingSet& set) {
+    return set.listed && set.listed->settings.logs.given();
+}
 
 // Passport for the comparison of sets.
 struct OpenPassport {

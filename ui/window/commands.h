@@ -18,6 +18,7 @@ namespace vybeg::ui {
 enum class Command {
     open,
     import_file,
+    open_logs,
     open_database,
     close_recording,
     save_session,

@@ -4,6 +4,7 @@
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
 #include "ui/import/import_dialog.h"
+#include "ui/import/log_dialog.h"
 #include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
@@ -32,6 +33,13 @@ Status stayAsTheyAre(const Document& document, const QString& path) {
             return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
         }
     }
+    for (const RecordingSet& set : document.sets().all()) {
+        for (const RecordingRef& log : document.sets().measured(set).recordings) {
+            if (same_file(log.path, path.toStdU16String())) {
+                return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
+            }
+        }
+    }
     return {};
 }
 
@@ -55,6 +63,8 @@ FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView
       ledger_(ledger),
       ask_(*new FileQuestions(window)),
       window_(window) {
+    connect(&document_, &Document::foundLog, this,
+            [this](const QString& path) { openLogs({path}); });
     connect(&session_, &SessionKeeper::fileWanted, this,
             [this](std::size_t absent, const QString& name) {
                 ask_.missingRecording(
@@ -210,6 +220,26 @@ void FileCommands::askForImport() {
         const RecordingEntry* entry = document_.currentRecording();
         openImport(file, entry && entry->path == file ? entry->options : OpenOptions{});
     });
+}
+
+void FileCommands::askForLogs() {
+    ask_.logs([this](const QStringList& files) { openLogs(files); });
+}
+
+void FileCommands::openLogs(const QStringList& paths) {
+    if (logs_ && logs_->isVisible()) {
+        logs_->add(paths);
+        return;
+    }
+    auto* dialog = new LogDialog(imports_, paths, window_);
+    logs_ = dialog;
+    connect(dialog, &LogDialog::filesWanted, this,
+            [this](const TakeFiles& take) { ask_.parts(take); });
+    connect(dialog, &LogDialog::chosen, this, [this, dialog](const MeasurementSet& set) {
+        document_.sets().openLogs(set);
+        emit logsOpened(dialog->files());
+    });
+    dialog->open();
 }
 
 void FileCommands::openImport(const QString& path, const OpenOptions& options) {

@@ -16,11 +16,12 @@ namespace vybeg::ui {
 class FileQuestions;
 class ImportDialog;
 class Ledger;
+class LogDialog;
 class SessionKeeper;
 class TrackView;
 
-// Everything that goes in or out of the window by a question: importing, exporting, passports and
-// the comparison of windows. Failures go to the message bar.
+// Everything that goes in or out of the window by a question: importing, logs, exporting, passports
+// and the comparison of windows. Failures go to the message bar.
 class FileCommands : public QObject {
     Q_OBJECT
 
@@ -43,6 +44,7 @@ public:
 
     void askForRecordings();
     void askForImport();
+    void askForLogs();
     void askForPassport();
     // A database of results; both end in databaseChosen().
     void askForDatabase();
@@ -50,6 +52,8 @@ public:
     void askWhereToPutTrack();
     void askWhereToPutPassport();
     void openImport(const QString& path, const OpenOptions& options);
+    // By a dialog, which takes the logs of several calls while it is open: one set.
+    void openLogs(const QStringList& paths);
 
     // By the ending of the path.
     void exportTrackTo(const QString& path);
@@ -70,6 +74,7 @@ public:
     bool writeFigure(const Figure& figure, const Paper& paper, const QString& path);
 
 signals:
+    void logsOpened(const QStringList& paths);
     // `make`: where there is none.
     void databaseChosen(const QString& path, bool make);
 
@@ -84,8 +89,9 @@ private:
     Ledger& ledger_;
     FileQuestions& ask_;
     QWidget* window_;
-    BackgroundJobs imports_;  // previews of the import dialog
+    BackgroundJobs imports_;  // previews of the dialogs for files
     QPointer<ImportDialog> import_;
+    QPointer<LogDialog> logs_;
     ReportWriter reports_;
 };
 

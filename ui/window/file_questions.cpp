@@ -80,6 +80,20 @@ void FileQuestions::recordings(const std::function<void(const QStringList&)>& op
     asked.open();
 }
 
+void FileQuestions::logs(const std::function<void(const QStringList&)>& open) {
+    QFileDialog& asked = dialog(tr("Open logs"));
+    asked.setFileMode(QFileDialog::ExistingFiles);
+    asked.setNameFilters({tr("Logs (%1)")
+                              .arg(endingsOf(FileFormat::Group::tables) + QLatin1Char(' ') +
+                                   endingsOf(FileFormat::Group::arrays) + QStringLiteral(" *.zip")),
+                          tr("All files (*)")});
+    connect(&asked, &QFileDialog::filesSelected, this, [open](const QStringList& files) {
+        keepFolder(files.first());
+        open(files);
+    });
+    asked.open();
+}
+
 void FileQuestions::parts(const std::function<void(const QStringList&)>& take) {
     QFileDialog& asked = dialog(tr("Files of the recording"));
     asked.setFileMode(QFileDialog::ExistingFiles);

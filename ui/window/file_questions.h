@@ -24,6 +24,8 @@ public:
     void recordings(const std::function<void(const QStringList&)>& open);
     // One file to open in a way of its own; `now` is chosen already where there is one.
     void import(const QString& now, const std::function<void(const QString&)>& open);
+    // Logs in place of recordings.
+    void logs(const std::function<void(const QStringList&)>& open);
     // The other files of one recording.
     void parts(const std::function<void(const QStringList&)>& take);
     // In the place of one that is not where it was.

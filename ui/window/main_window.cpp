@@ -248,6 +248,12 @@ void MainWindow::connectPanels() {
     connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
     connect(batch_, &BatchCommands::helpWanted, this, &MainWindow::showHelp);
     connect(batch_, &BatchCommands::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(files_, &FileCommands::logsOpened, this, [this](const QStringList& paths) {
+        for (const QString& path : paths) {
+            menus_->recentFiles()->add(path);
+        }
+        pages_->showPage(Page::resonator);
+    });
     connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
         pages_->showPage(Page::history);
         history_->openDatabase(path, make);
@@ -281,9 +287,11 @@ void MainWindow::connectPanels() {
 }
 
 void MainWindow::showCurrentRecording() {
-    const auto has_result = [](const RecordingSet& set) { return !set.kept.json.isEmpty(); };
+    const auto has_content = [](const RecordingSet& set) {
+        return isOfLogs(set) || !set.kept.json.isEmpty();
+    };
     const bool empty =
-        document_.recordings().empty() && std::ranges::none_of(document_.sets().all(), has_result);
+        document_.recordings().empty() && std::ranges::none_of(document_.sets().all(), has_content);
     if (empty) {
         welcome_->setRecent(menus_->recentFiles()->paths());
     }

@@ -15,6 +15,8 @@
 #include <QApplication>
 #include <QClipboard>
 
+#include <algorithm>
+
 namespace vybeg::ui {
 
 std::vector<CommandRow> windowCommands(const CommandTargets& to) {
@@ -22,6 +24,9 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
     const auto open = [to] {
         const RecordingEntry* entry = to.document.currentRecording();
         return entry != nullptr && entry->recording.has_value();
+    };
+    const auto anything = [to, any] {
+        return any() || std::ranges::any_of(to.document.sets().all(), isOfLogs);
     };
     const auto plots = [to] { return !to.document.analyses().empty(); };
     const auto figures = [to] { return !to.figures().plots.isEmpty(); };
@@ -39,6 +44,13 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                                   "Say how a file is to be read, and see at once what comes of it"),
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_O)},
          .act = [to] { to.files.askForImport(); }},
+        {.id = Command::open_logs,
+         .text = QT_TRANSLATE_NOOP("Command", "Open &logs…"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Open logs of a controller, a lock-in or a phasemeter in place "
+                                  "of recordings, and identify their resonator"),
+         .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_L)},
+         .act = [to] { to.files.askForLogs(); }},
         {.id = Command::open_database,
          .text = QT_TRANSLATE_NOOP("Command", "Open &database…"),
          .tip = QT_TRANSLATE_NOOP("Command",
@@ -55,12 +67,12 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP(
              "Command", "Recordings, settings, analyses, sets and view, to go on with later"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_S)},
-         .enabled = any,
+         .enabled = anything,
          .act = [to] { to.files.saveSession(); }},
         {.id = Command::save_session_as,
          .text = QT_TRANSLATE_NOOP("Command", "S&ave session as…"),
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_S)},
-         .enabled = any,
+         .enabled = anything,
          .act = [to] { to.files.saveSessionAs(); }},
         {.id = Command::export_plots,
          .text = QT_TRANSLATE_NOOP("Command", "&Export plots…"),
@@ -175,7 +187,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with the resonator of a set: parameters, rim, drift"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_5)},
-         .enabled = any,
+         .enabled = anything,
          .act = [to] { to.show_page(Page::resonator); }},
         {.id = Command::page_residuals,
          .text = QT_TRANSLATE_NOOP("Command", "Resi&duals"),

@@ -77,7 +77,8 @@ void WindowMenus::addFile() {
     add(file, {Command::open});
     titles_[recent_] = QT_TR_NOOP("Open rece&nt");
     file->addMenu(recent_);
-    add(file, {Command::import_file, Command::open_database, Command::close_recording});
+    add(file, {Command::import_file, Command::open_logs, Command::open_database,
+               Command::close_recording});
     file->addSeparator();
     add(file, {Command::save_session, Command::save_session_as});
     file->addSeparator();

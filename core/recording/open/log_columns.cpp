@@ -358,7 +358,7 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
         return read_variables(path, options, wishes, job);
     }
     if (!options.text && (!format || !format->is_text)) {
-        return file->error(ErrorCode::format_unknown);
+        return file->error(ErrorCode::no_log);
     }
     auto table = TRY(read_text(file, options, wishes, job));
     double last = -std::numeric_limits<double>::infinity();

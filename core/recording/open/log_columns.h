@@ -51,7 +51,7 @@ struct LogTable {
 // follow from --rate. A row that repeats the time of the one before is left out. Times in ticks, as
 // those of LabOne, are brought to seconds by --rate, or by the clockbase of the _header_ file
 // beside it. A ZIP file of one text is that text. Errors:
-// column_missing, rate_unknown and those of the readers.
+// no_log, column_missing, rate_unknown and those of the readers.
 Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
                           std::span<const ColumnWish> wishes, const JobControl& job);
 

@@ -55,6 +55,15 @@ std::vector<std::string> names_like(const std::string& name) {
          {"left", "right"},
          {"L", "R"}}};
     std::vector<std::string> names;
+    // LabOne counts its files behind the number of the demodulator.
+    constexpr std::string_view demodulator = "demods_";
+    if (const std::size_t at = name.find(demodulator); at != std::string::npos) {
+        std::size_t end = at + demodulator.size();
+        while (end < name.size() && is_digit(name[end])) {
+            ++end;
+        }
+        names.push_back(next_number(name, end));
+    }
     for (const auto& [from, to] : letters) {
         const std::size_t at = name.rfind(from);
         if (at != std::string::npos && stands_alone(name, at, from.size())) {

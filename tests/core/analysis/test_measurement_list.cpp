@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include <fstream>
+#include <numbers>
 
 namespace test_measurement_list {
 
@@ -128,6 +129,13 @@ private slots:
             {"initial", "\"1,0,0.3,0,5300\""},
             {"start", "previous"},
             {"model", "free"},
+            {"columns", "\"E,R,S,Q\""},
+            {"angle-unit", "deg"},
+            {"phasors", "none"},
+            {"f-ref", "none"},
+            {"y-sign", "none"},
+            {"amplitude", "none"},
+            {"lock-in", "none"},
             {"window", "500"},
             {"snap", "yes"},
             {"f0", "5300"},
@@ -183,6 +191,28 @@ private slots:
         QCOMPARE(choice.lines_to_skip, std::optional(std::int64_t{2}));
         QCOMPARE(choice.time_column, std::optional(0));
         QCOMPARE(text.sets[0].settings.windows.periods, std::optional(80.5));
+    }
+
+    void columns_say_what_logs_are() {
+        const MeasurementList read = list(
+            "file;set;columns;angle_unit;phasors;F-ref;y-sign;Amplitude;lock-in\n"
+            "a.csv;A;Xc=3,Yc=4,Xd=5,Yd=6;;common;5300,5;-;rms;\"4;20,5\"\n"
+            "b.csv;B;a,b,theta;deg;;;;;\n"
+            "c.csv;A;;;;;;;\n"
+            "d.wav;C;;;;;;;\n");
+        QVERIFY(read.other_columns.empty());
+        QVERIFY(read.warnings.empty());
+        QCOMPARE(read.sets.size(), std::size_t{3});
+        const LogChoice& a = read.sets[0].settings.logs;
+        QCOMPARE(a.names, std::string("Xc=3,Yc=4,Xd=5,Yd=6"));
+        QVERIFY((a.phasors ==
+                 PhasorChoice{PhasorFrame::common, 5300.5, -1, std::numbers::sqrt2, {4, 20.5}}));
+        QCOMPARE(read.sets[0].recordings.size(), std::size_t{2});
+        QVERIFY(read.sets[0].settings.of_recordings.empty());
+        const LogChoice& b = read.sets[1].settings.logs;
+        QVERIFY(b.without_phase());
+        QCOMPARE(b.rad_per_angle_unit, std::numbers::pi / 180);
+        QVERIFY(read.sets[2].settings.logs == LogChoice{});
     }
 
     void a_column_that_resembles_an_option_is_kept_and_warned_of() {
@@ -272,7 +302,7 @@ private slots:
             ", line 2, column \"periods\": the window is given in samples, too.");
         row("file,set,model\na.wav,A,free\nb.wav,A,\nc.wav,A,auto\n",
             ", line 4, column \"model\": \"auto\" differs from \"free\" in line 2, and one value "
-            "holds for all recordings of a set.");
+            "holds for all recordings of a set: tell the same, or give the row a set of its own.");
         row("file,date\na.wav,31.02.2026\n",
             ", line 2, column \"date\": \"31.02.2026\" is no date as in 2026-03-31 or 31.03.2026, "
             "with or without a time as in T14:05.");

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ private slots:
     void whatCannotBeIsRefusedByName();
     void everySettingReadsBackFromItsText();
     void theDefaultsReadBackToo();
+    void settingsOfLogsAreListedWhereTheyAreTold();
+    void whatNoLogIsIsRefused_data();
+    void whatNoLogIsIsRefused();
     void namesAreThoseOfOneRowEach();
 };
 
@@ -151,6 +155,9 @@ IdentifySettings all_of_identification_changed() {
     s.model = FitOptions::Model::free;
     s.tolerance.skew_deg = 0.1;
     s.threads = 3;
+    s.logs.names = "Xc=3,Yc=4,Xd=5,Yd=6";
+    s.logs.rad_per_angle_unit = std::numbers::pi / 180;
+    s.logs.phasors = {PhasorFrame::common, 5300.1, -1, std::numbers::sqrt2, {4, 20.5}};
     return s;
 }
 
@@ -196,6 +203,55 @@ void TestSettings::theDefaultsReadBackToo() {
     Settings offsets;
     offsets.calibration.offset_auto = true;
     QVERIFY(read_back(analysis_settings(), offsets) == offsets);
+}
+
+void TestSettings::settingsOfLogsAreListedWhereTheyAreTold() {
+    const auto names = [](const IdentifySettings& settings) {
+        std::set<std::string> all;
+        for (const auto& [name, value] : settings_list(settings)) {
+            all.insert(name);
+        }
+        return all;
+    };
+    const auto with = names(all_of_identification_changed());
+    const auto without = names({});
+    for (const SettingRow<LogChoice>& row : log_settings()) {
+        QVERIFY2(with.contains(row.name), row.name.c_str());
+        QVERIFY2(!without.contains(row.name), row.name.c_str());
+    }
+    QVERIFY(without.contains("kappa"));
+    QCOMPARE(log_settings().size(), std::size_t{7});
+}
+
+void TestSettings::whatNoLogIsIsRefused_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("text");
+    const auto row = [](const char* name, const char* text) {
+        QTest::addRow("%s %s", name, text) << QString(name) << QString(text);
+    };
+    row("angle-unit", "turn");
+    row("phasors", "moving");
+    row("f-ref", "0");
+    row("f-ref", "-5300");
+    row("f-ref", "1e13");
+    row("f-ref", "fast");
+    row("y-sign", "1");
+    row("amplitude", "mean");
+    for (const char* text : {"9,20", "0,20", "1.5,20", "4", "4,0", "4,20,200", "4,", ",20", ""}) {
+        row("lock-in", text);
+    }
+}
+
+void TestSettings::whatNoLogIsIsRefused() {
+    QFETCH(QString, name);
+    QFETCH(QString, text);
+    LogChoice choice;
+    const auto row =
+        std::ranges::find(log_settings(), name.toStdString(), &SettingRow<LogChoice>::name);
+    const Status read = row->read(text.toStdString(), choice);
+    QVERIFY(!read);
+    QCOMPARE(QString::fromStdString(english(read.error().args.at(0))), "--" + name);
+    QVERIFY(choice == LogChoice{});
 }
 
 void TestSettings::namesAreThoseOfOneRowEach() {

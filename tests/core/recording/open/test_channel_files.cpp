@@ -185,6 +185,7 @@ private slots:
         row("runX.txt", "runY.txt");
         row("c-2024-05-01.txt", "d-2024-05-01.txt");
         row("cos.bin", "sin.bin");
+        row("dev1_demods_0_sample_00000.csv", "dev1_demods_1_sample_00000.csv");
         row("magic.wav", "");
     }
     void the_partner_is_found_by_its_name() {

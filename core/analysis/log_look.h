@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/analysis/identify_settings.h"
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/open/recording_preview.h"
+#include "core/recording/samples/open_options.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace vybeg {
+
+// What a file tells of the log in it, and what it leaves to be told.
+struct LogLook {
+    RecordingPreview preview;  // its first lines; of files that are no text there are none
+    LogChoice choice;          // what was told, and what the file tells besides; not given() where
+                               // its columns are not known by their names
+    bool one_channel = false;  // phasors of one channel: the other has a file of its own
+    bool needs_rate = false;   // neither times nor the clock of its ticks
+    bool needs_angle_unit = false;
+    bool needs_f_ref = false;
+    std::optional<Error> problem;  // why it cannot be read as `choice` says
+};
+
+// Looks at a file by the columns that the readers of logs know (phasor_log.h, power_log.h). What it
+// is and in which frame follows from the columns that are there: phases of both channels, or the
+// frequency or phase of an oscillator, which is fixed where its frequency does not move. The sign
+// of Y and peak or rms are told by no data; those of LabOne are the ones of its manual (X + iY
+// turns as the carrier does, rms). Where something is told in `told` it counts. Errors: those of
+// preview_recording(), interrupted.
+Result<LogLook> look_at_log(const std::filesystem::path& path, const OpenOptions& options,
+                            const LogChoice& told, const JobControl& job);
+
+}  // namespace vybeg

@@ -1,0 +1,325 @@
+// Logs in place of recordings in the window: what the dialog asks for, the set that they become,
+// its undo, session, report and database.
+#include "core/batch/identify_set.h"
+#include "core/output/identify_json.h"
+#include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+#include "tests/ui/gui_test.h"
+#include "ui/history/stored_set.h"
+#include "ui/import/log_dialog.h"
+#include "ui/panels/message_bar.h"
+#include "ui/report/document_report.h"
+#include "ui/report/report_text.h"
+#include "ui/resonator/resonator_page.h"
+#include "ui/resonator/set_panel.h"
+#include "ui/session/session_keeper.h"
+#include "ui/widgets/number_field.h"
+#include "ui/window/file_commands.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTest>
+
+namespace test_log_dialog {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestLogDialog : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+    SetStore& sets() { return document().sets(); }
+    LogDialog* dialog() { return window_->findChild<LogDialog*>(); }
+
+    template <class Widget>
+    Widget& the(const char* name = "") {
+        return childOf<Widget>(*dialog(), QLatin1String(name));
+    }
+    QString lacking() { return the<QLabel>("lacking").text(); }
+    QPushButton& openButton() { return *the<QDialogButtonBox>().button(QDialogButtonBox::Open); }
+    bool asksFor(const char* field) { return the<QWidget>(field).isVisible(); }
+
+    // The log of a lock-in of order 4 and 30 Hz, 200 rows a second: tau 40 s, split 0.05 Hz.
+    QString phasors(const QString& name, double two_theta = 0.3) {
+        const auto made = vybeg::test::run_cli(
+            {"simulate", "-o", name + ".npy", "--seconds", "10", "--tau", "40", "--f0", "5300.1",
+             "--noise", "1e-3", "--split", "0.05", "--two-theta-A", QString::number(two_theta),
+             "--lock-in", "4,30,200"},
+            home_.path({}));
+        if (made.status != 0) {
+            qFatal("%s", made.err.constData());
+        }
+        return home_.path(name + ".phasors.csv");
+    }
+
+    // Waits until the dialog has looked at the file.
+    void opened() {
+        QTRY_VERIFY(dialog());
+        QTRY_VERIFY(the<QTableWidget>().rowCount() > 0);
+    }
+    void tellPhasors() {
+        the<QComboBox>("y_sign").setCurrentIndex(1);
+        the<QComboBox>("amplitude").setCurrentIndex(1);
+        the<QComboBox>("order").setCurrentIndex(4);
+        QTest::keyClicks(&the<NumberField>("bandwidth"), "30");
+    }
+    void acceptAndWait() {
+        QTRY_VERIFY2(openButton().isEnabled(), qPrintable(lacking()));
+        QTest::mouseClick(&openButton(), Qt::LeftButton);
+        QVERIFY(sets().current());
+        waitForOutcome();
+    }
+    void waitForOutcome() {
+        QVERIFY(QTest::qWaitFor(
+            [&] { return sets().current() && sets().outcome(*sets().current()) != nullptr; },
+            60000));
+    }
+    const ResonatorOutcome& outcome() { return *sets().outcome(*sets().current()); }
+    QString state() { return childOf<QLabel>(*window_, "state").text(); }
+
+private slots:
+    void init() { window_ = shownWindow(); }
+    void cleanup() { window_.reset(); }
+
+    // From the file to the split: the file, two answers that no data give, the filter, Open.
+    void a_log_becomes_a_set_that_is_identified() {
+        const QString log = phasors("one");
+        window_->files().openLogs({log});
+        opened();
+        QTRY_COMPARE(the<QComboBox>("kind").currentText(), QString("phasors, one frequency"));
+        QVERIFY2(lacking().contains("sign of Y"), qPrintable(lacking()));
+        QVERIFY(!openButton().isEnabled());
+        for (const char* known : {"f_ref", "columns", "rate", "channel_d_file", "angle_unit"}) {
+            QVERIFY2(!asksFor(known), known);
+        }
+        the<QComboBox>("y_sign").setCurrentIndex(1);
+        QVERIFY2(lacking().contains("rms"), qPrintable(lacking()));
+        the<QComboBox>("amplitude").setCurrentIndex(1);
+        QVERIFY(openButton().isEnabled());
+        the<QComboBox>("order").setCurrentIndex(4);
+        QVERIFY2(lacking().contains("bandwidth"), qPrintable(lacking()));
+        QTest::keyClicks(&the<NumberField>("bandwidth"), "30");
+        acceptAndWait();
+        QTRY_VERIFY(!dialog());
+        const RecordingSet& set = *sets().current();
+        QVERIFY(isOfLogs(set));
+        QVERIFY(set.recordings.empty() && document().recordings().empty());
+        QCOMPARE(setName(document(), set), QString("one.phasors"));
+        QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
+        QCOMPARE(childOf<SetMembers>(*window_).item(0)->text(), QString("one.phasors.csv"));
+        // As core has it.
+        MeasurementSet same;
+        same.recordings.push_back({"one.phasors.csv", log.toStdU16String()});
+        same.settings.logs.phasors = {PhasorFrame::fixed, 0, 1, 1, {4, 30}};
+        const auto open = open_set(same, {}, {});
+        QVERIFY(open);
+        const auto expected = identify_set(*open, {}, {}, JobControl());
+        QVERIFY(expected);
+        QCOMPARE(outcome().identification.fit.resonator.tau_s.value,
+                 expected->identification.fit.resonator.tau_s.value);
+        QVERIFY(!sets().outOfDate(set, outcome()));
+        QVERIFY(!outcome().set.recordings.front().sha256.empty());
+        // A recording that is added makes a set of its own.
+        document().open({home_.recording("beside.wav")});
+        QTRY_VERIFY_WITH_TIMEOUT(
+            document().currentRecording() && document().currentRecording()->recording, 20000);
+        sets().addToCurrent({document().currentRecording()->id});
+        QCOMPARE(sets().all().size(), std::size_t(2));
+        QVERIFY(!isOfLogs(*sets().current()));
+    }
+
+    // Opened or dropped as recordings, they are logs of one set.
+    void a_file_that_is_a_log_opens_the_dialog() {
+        const QStringList logs{phasors("b"), phasors("a", 1.1)};
+        window_->files().open(logs);
+        opened();
+        QTRY_COMPARE(dialog()->files().size(), 2);
+        QVERIFY(dialog()->files().first().endsWith("a.phasors.csv"));
+        QTRY_VERIFY(document().recordings().empty());
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        acceptAndWait();
+        QCOMPARE(outcome().identification.runs.size(), std::size_t(2));
+        VYBEG_CLOSE_RATIO(outcome().identification.fit.resonator.tau_s.value, 40, 0.02);
+        VYBEG_CLOSE_RATIO(outcome().identification.fit.resonator.split_hz.value, 0.05, 0.1);
+        QVERIFY(childOf<MessageBar>(*window_).texts().filter("is a log").isEmpty());
+    }
+
+    void undo_and_session_keep_the_logs() {
+        window_->files().openLogs({phasors("kept"), phasors("other", 1.1)});
+        opened();
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        QTest::keyClicks(&the<NumberField>("from"), "0.5");
+        acceptAndWait();
+        const double tau_s = outcome().identification.fit.resonator.tau_s.value;
+        const MeasurementSet before = sets().measured(*sets().current());
+        QCOMPARE(before.settings.signal.from_s, std::optional(0.5));
+        QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(sets().all().empty());
+        QTest::keyClick(window_.get(), Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(sets().all().size(), std::size_t(1));
+        childOf<QPushButton>(*window_, "identify").click();
+        waitForOutcome();
+        QVERIFY(window_->action(Command::save_session)->isEnabled());
+        QVERIFY(window_->session().isModified());
+        const QString path = home_.path("logs.vybeg");
+        QVERIFY(savedTo(*window_, path));
+        window_ = shownWindow();
+        window_->files().open({path});
+        waitForOutcome();  // as its result was up to date
+        const MeasurementSet after = sets().measured(*sets().current());
+        QVERIFY(after.settings == before.settings);
+        QCOMPARE(after.recordings.size(), std::size_t(2));
+        for (const std::size_t k : {0, 1}) {  // in their order
+            QCOMPARE(after.recordings[k].path, before.recordings[k].path);
+        }
+        QCOMPARE(outcome().identification.fit.resonator.tau_s.value, tau_s);
+        QVERIFY2(!state().contains("Without"), qPrintable(state()));
+        QVERIFY(!window_->session().isModified());
+    }
+
+    void the_report_and_the_database_tell_what_was_told() {
+        window_->files().openLogs({phasors("told")});
+        opened();
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        acceptAndWait();
+        const auto subjects = reportSubjects(document());
+        QCOMPARE(subjects.size(), std::size_t(1));
+        QVERIFY(window_->action(Command::report)->isEnabled());
+        const ReportContent content = reportContentOf(document(), subjects.front());
+        QCOMPARE(content.recordings.size(), std::size_t(1));
+        const QString html = reportTextOf(content, "test", QDate(2026, 1, 1)).html;
+        QVERIFY(html.contains("told.phasors.csv"));
+        QVERIFY2(html.contains("--phasors fixed --y-sign + --amplitude peak --lock-in 4,30"),
+                 qPrintable(html));
+        QVERIFY(!html.contains("not finished yet"));
+        const auto stored = stored_result(outcome(), identify_json(outcome()));
+        QVERIFY(stored);
+        const StoredSet again = storedSet(*stored, {});
+        QVERIFY(again.settings_known && again.missing.isEmpty());
+        QVERIFY(again.list.sets.front().settings.logs == outcome().set.settings.logs);
+        const double tau_s = outcome().identification.fit.resonator.tau_s.value;
+        sets().open(again.list);
+        QCOMPARE(sets().all().size(), std::size_t(2));
+        QVERIFY(document().recordings().empty());
+        sets().identify();
+        waitForOutcome();
+        QCOMPARE(outcome().identification.fit.resonator.tau_s.value, tau_s);
+    }
+
+    void a_track_has_nothing_to_be_asked() {
+        home_.recording("tracked.wav", 4);
+        const auto made = vybeg::test::run_cli(
+            {"analyze", "tracked.wav", "-o", "tracked.csv", "--window", "200"}, home_.path({}));
+        QCOMPARE(made.status, 0);
+        window_->files().openLogs({home_.path("tracked.csv")});
+        opened();
+        QTRY_VERIFY2(openButton().isEnabled(), qPrintable(lacking()));
+        QCOMPARE(the<QComboBox>("kind").currentIndex(), 2);
+        QVERIFY(!asksFor("y_sign") && !asksFor("order"));
+        QTest::keyClick(dialog(), Qt::Key_Return);
+        QVERIFY(sets().current());
+        QVERIFY(sets().measured(*sets().current()).settings.logs.without_phase());
+    }
+
+    // Each channel has its file, found by its name; columns of no known name are told.
+    void what_the_file_does_not_tell_is_asked_for() {
+        QByteArray c = "t,X,Y\n";
+        QByteArray d = c;
+        QByteArray unknown;
+        QByteArray powers = "t,one,two,three,four\n";
+        for (int k = 0; k < 200; ++k) {
+            const QByteArray t = QByteArray::number(0.01 * k);
+            c += t + ",1,0.5\n";
+            d += t + ",0.25,0.125\n";
+            powers += t + ",1,0.5,0.5,0.1\n";
+        }
+        const QString of_c = home_.file("run_C.csv", c);
+        const QString of_d = home_.file("run_D.csv", d);
+        window_->files().openLogs({of_c});
+        opened();
+        QTRY_VERIFY(asksFor("channel_d_file"));
+        QCOMPARE(the<QLineEdit>("channel_d_file").text(), QString("run_D.csv"));
+        QTRY_VERIFY(asksFor("f_ref"));
+        the<QComboBox>("y_sign").setCurrentIndex(2);
+        the<QComboBox>("amplitude").setCurrentIndex(2);
+        QVERIFY2(lacking().contains("reference"), qPrintable(lacking()));
+        QTest::keyClicks(&the<NumberField>("f_ref"), "5300,5");
+        QVERIFY2(openButton().isEnabled(), qPrintable(lacking()));
+        const MeasurementSet set = dialog()->set();
+        QCOMPARE(set.recordings.size(), std::size_t(1));
+        QVERIFY(QString::fromStdString(set.recordings[0].open.channel_d_file) == of_d);
+        QVERIFY((set.settings.logs.phasors ==
+                 PhasorChoice{PhasorFrame::fixed, 5300.5, -1, std::numbers::sqrt2, {}}));
+        // Both files at once are the two channels.
+        dialog()->add({of_d});
+        QCOMPARE(dialog()->set().recordings.size(), std::size_t(1));
+        dialog()->reject();
+        QTRY_VERIFY(!dialog());
+
+        window_->files().openLogs({home_.file("unknown.csv", powers)});
+        opened();
+        QTRY_VERIFY2(lacking().contains("choose what they are"), qPrintable(lacking()));
+        the<QComboBox>("kind").setCurrentIndex(1);
+        QTRY_VERIFY(asksFor("columns"));
+        QTRY_VERIFY2(lacking().contains("no column"), qPrintable(lacking()));
+        the<QLineEdit>("columns").setFocus();
+        QTest::keyClicks(&the<QLineEdit>("columns"), "E=one,R=two,S=three,Q=5");
+        QTRY_VERIFY2(openButton().isEnabled(), qPrintable(lacking()));
+        QCOMPARE(dialog()->set().settings.logs.names, std::string("E=one,R=two,S=three,Q=5"));
+    }
+
+    // A list's sets of logs stand beside its sets of recordings.
+    void a_list_of_logs_and_recordings() {
+        phasors("listed");
+        home_.recording("listed.wav");
+        window_->files().open({home_.file(
+            "list.csv",
+            "file,set,phasors,y-sign,amplitude,lock-in,gyro\n"
+            "listed.phasors.csv,logs,fixed,+,peak,\"4,30\",G7\nlisted.wav,samples,,,,,\n")});
+        QCOMPARE(sets().all().size(), std::size_t(2));
+        QTRY_COMPARE(document().recordings().size(), std::size_t(1));
+        QVERIFY(isOfLogs(sets().all()[0]) && !isOfLogs(sets().all()[1]));
+        QVERIFY(childOf<QLabel>(*window_, "listed").text().contains("phasors fixed"));
+        QVERIFY(childOf<SetMembers>(*window_).item(0)->toolTip().contains("G7"));
+        window_->action(Command::identify)->trigger();
+        waitForOutcome();
+        QCOMPARE(outcome().set.recordings.front().conditions.gyro, std::string("G7"));
+        VYBEG_CLOSE_RATIO(outcome().identification.runs.front().wave.tau_s.value, 40, 0.2);
+    }
+
+    void a_log_that_cannot_be_read_is_told() {
+        window_->files().openLogs({home_.file("words.csv", "these are words\n")});
+        QTRY_VERIFY(dialog());
+        QTRY_VERIFY(!lacking().isEmpty() && !lacking().contains("Looking"));
+        QVERIFY(!openButton().isEnabled());
+        dialog()->reject();
+        const QString log = phasors("gone");
+        window_->files().openLogs({log});
+        opened();
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        QVERIFY(QFile::remove(log));
+        QTest::mouseClick(&openButton(), Qt::LeftButton);
+        QTRY_VERIFY(!childOf<MessageBar>(*window_).texts().filter("gone.phasors.csv").isEmpty());
+    }
+};
+
+VYBEG_TEST(TestLogDialog)
+
+}  // namespace test_log_dialog
+
+#include "test_log_dialog.moc"

@@ -1,0 +1,474 @@
+#include "ui/import/log_dialog.h"
+
+#include "core/analysis/power_log.h"
+#include "core/analysis/setting_table.h"
+#include "core/recording/open/log_columns.h"
+#include "core/recording/samples/open_table.h"
+#include "core/recording/samples/partner_file.h"
+#include "ui/import/import_preview.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/wheel_guard.h"
+#include "ui/words/error_text.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPointer>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+// What the columns are, in the order of the list.
+enum class Columns { unknown, powers, waves, fixed, common, pll };
+
+constexpr int look_key = 2;  // previews of recordings have others
+constexpr double degree = std::numbers::pi / 180;
+constexpr int most_stages = 8;
+
+Columns columnsOf(const LogChoice& choice) {
+    switch (choice.phasors.frame) {
+        case PhasorFrame::fixed: return Columns::fixed;
+        case PhasorFrame::common: return Columns::common;
+        case PhasorFrame::pll: return Columns::pll;
+        case PhasorFrame::none: break;
+    }
+    return !choice.given()                                 ? Columns::unknown
+           : column_wishes(choice.names, roles_of_waves()) ? Columns::waves
+                                                           : Columns::powers;
+}
+
+const char* usualNames(Columns columns) {
+    switch (columns) {
+        case Columns::powers: return "E,R,S,Q";
+        case Columns::waves: return "a,b,theta";
+        case Columns::pll: return "Xc,Yc,Xd,Yd,Pc,Pd";
+        case Columns::common: return "Xc,Yc,Xd,Yd,F";
+        default: return "Xc,Yc,Xd,Yd";
+    }
+}
+
+// Number being typed into the field; otherwise its value.
+std::optional<double> numberIn(const NumberField& field) {
+    return field.isModified() && field.isValid() ? readNumber(field.text()) : field.value();
+}
+
+QString fileName(const std::filesystem::path& path) {
+    return QString::fromStdU16String(path.filename().u16string());
+}
+
+}  // namespace
+
+LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent)
+    : QDialog(parent),
+      job_(&job),
+      files_(paths),
+      title_(new QLabel(this)),
+      form_(new QFormLayout),
+      lacking_(new QLabel(this)),
+      preview_(new ImportPreview(this)),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    files_.sort();
+    title_->setTextFormat(Qt::PlainText);
+    title_->setWordWrap(true);
+    lacking_->setObjectName(QStringLiteral("lacking"));
+    lacking_->setTextFormat(Qt::PlainText);
+    lacking_->setWordWrap(true);
+    form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    const auto put = [this](Row row, const char* name, auto* field) {
+        labels_[row] = new QLabel(this);
+        labels_[row]->setBuddy(field);
+        field->setObjectName(QLatin1String(name));
+        fields_[row] = field;
+        form_->addRow(labels_[row], field);
+        return field;
+    };
+    const auto list = [this, &put](Row row, const char* name, int entries) {
+        auto* box = put(row, name, new QComboBox(this));
+        box->addItems(QStringList(entries));
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(20);
+        connect(box, &QComboBox::currentIndexChanged, this, &LogDialog::refresh);
+        return box;
+    };
+    const auto number = [this, &put](Row row, const char* name, const QString& unit,
+                                     const Bounds& limits) {
+        auto* field = put(row, name, new NumberField(this));
+        field->setUnit(unit);
+        field->setOptional(true);
+        field->setLimits(limits);
+        connect(field, &QLineEdit::textEdited, this, &LogDialog::refresh);
+        connect(field, &NumberField::valueEdited, this, &LogDialog::refresh);
+        return field;
+    };
+    const auto words = [this, &put](Row row, const char* name) {
+        auto* field = put(row, name, new QLineEdit(this));
+        connect(field, &QLineEdit::textEdited, this, &LogDialog::refresh);
+        return field;
+    };
+    const auto bounds = [](const char* name) { return bounds_in(log_settings(), name); };
+    const QString hertz = QStringLiteral("Hz");
+    kind_ = list(kind, "kind", 6);
+    columns_ = words(columns, "columns");
+    channel_d_ = words(channel_d, "channel_d_file");
+    choose_ = channel_d_->addAction(QIcon(), QLineEdit::TrailingPosition);
+    angle_unit_ = list(angle_unit, "angle_unit", 3);
+    f_ref_ = number(f_ref, "f_ref", hertz, bounds("f-ref"));
+    y_sign_ = list(y_sign, "y_sign", 3);
+    amplitude_ = list(amplitude, "amplitude", 3);
+    order_ = list(order, "order", most_stages + 1);
+    bandwidth_ = number(bandwidth, "bandwidth", hertz, bounds("f-ref"));
+    rate_ = number(rate, "rate", hertz, bounds_in(open_settings(), "rate"));
+    from_ = number(from, "from", QStringLiteral("s"), bounds_of("from"));
+    auto* choices = new QWidget(this);
+    auto* column = new QVBoxLayout(choices);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(form_);
+    column->addWidget(lacking_);
+    column->addStretch(1);
+    choices->setFixedWidth(400);
+    auto* parts = new QHBoxLayout;
+    parts->addWidget(choices);
+    parts->addWidget(preview_, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(title_);
+    layout->addLayout(parts, 1);
+    layout->addWidget(buttons_);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &LogDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &LogDialog::reject);
+    connect(choose_, &QAction::triggered, this, [this] {
+        emit filesWanted(
+            [field = QPointer(channel_d_), dialog = QPointer(this)](const QStringList& files) {
+                if (field && dialog && !files.isEmpty()) {
+                    field->setText(files.first());
+                    dialog->refresh();
+                }
+            });
+    });
+    guardFromWheel(*this);
+    retranslate();
+    resize(980, 560);
+    look();
+}
+
+LogDialog::~LogDialog() {
+    for (QWidget* field : fields_) {
+        field->disconnect(this);  // no signals of fields to a destroyed object
+    }
+    if (job_) {
+        job_->forget(look_key);
+    }
+}
+
+void LogDialog::add(const QStringList& paths) {
+    for (const QString& path : paths) {
+        if (!files_.contains(path)) {
+            files_ << path;
+        }
+    }
+    const QString first = files_.first();
+    files_.sort();
+    retranslate();
+    if (files_.first() != first) {
+        look();
+    }
+}
+
+bool LogDialog::isOfPhasors() const {
+    return static_cast<Columns>(kind_->currentIndex()) >= Columns::fixed;
+}
+
+LogChoice LogDialog::choice() const {
+    LogChoice told;
+    const auto chosen = static_cast<Columns>(kind_->currentIndex());
+    told.names = columns_->text().trimmed().toStdString();
+    if (told.names.empty() && (chosen == Columns::powers || chosen == Columns::waves)) {
+        told.names = usualNames(chosen);
+    }
+    const std::array angle_units{0.0, degree, 1.0};
+    told.rad_per_angle_unit = angle_units.at(static_cast<std::size_t>(angle_unit_->currentIndex()));
+    if (!isOfPhasors()) {
+        return chosen == Columns::unknown ? LogChoice{} : told;
+    }
+    PhasorChoice& how = told.phasors;
+    how.frame = chosen == Columns::fixed    ? PhasorFrame::fixed
+                : chosen == Columns::common ? PhasorFrame::common
+                                            : PhasorFrame::pll;
+    how.f_ref_hz = numberIn(*f_ref_).value_or(0);
+    how.y_sign = std::array{0, 1, -1}.at(static_cast<std::size_t>(y_sign_->currentIndex()));
+    how.peak_per_unit = std::array{0.0, 1.0, std::numbers::sqrt2}.at(
+        static_cast<std::size_t>(amplitude_->currentIndex()));
+    if (order_->currentIndex() > 0) {
+        how.filter = {order_->currentIndex(), numberIn(*bandwidth_).value_or(0)};
+    }
+    return told;
+}
+
+OpenOptions LogDialog::options() const {
+    OpenOptions told;
+    told.rate_hz = numberIn(*rate_);
+    return told;
+}
+
+std::vector<RecordingRef> LogDialog::logs() const {
+    std::vector<RecordingRef> found;
+    QStringList left = files_;
+    const bool one_channel = look_ && look_->one_channel;
+    while (!left.isEmpty()) {
+        const QString file = left.takeFirst();
+        RecordingRef log{QFileInfo(file).fileName().toStdString(), file.toStdU16String(),
+                         options()};
+        if (one_channel) {
+            QString other = files_.size() == 1 ? channel_d_->text().trimmed() : QString();
+            const auto partner = partner_of(log.path);
+            const QString beside =
+                partner ? QString::fromStdU16String(partner->u16string()) : QString();
+            if (files_.size() > 1) {
+                other = left.contains(beside) ? beside
+                        : files_.size() == 2  ? left.value(0)
+                                              : QString();
+            }
+            if (other.isEmpty()) {
+                return {};
+            }
+            left.removeOne(other);
+            log.open.channel_d_file = other.toStdString();
+            find_files_from(QFileInfo(file).absolutePath().toStdU16String(), log.open);
+        }
+        found.push_back(std::move(log));
+    }
+    return found;
+}
+
+MeasurementSet LogDialog::set() const {
+    MeasurementSet set;
+    set.recordings = logs();
+    if (set.recordings.size() == 1) {
+        set.name = QFileInfo(files_.first()).completeBaseName().toStdString();
+    }
+    set.settings.logs = choice();
+    set.settings.signal.from_s = numberIn(*from_);
+    return set;
+}
+
+void LogDialog::look() {
+    look_.reset();
+    looked_with_ = known_shown_ ? choice() : LogChoice{};
+    refresh();
+    job_->run<LogLook>(
+        look_key,
+        [path = std::filesystem::path(files_.first().toStdU16String()), options = options(),
+         told = looked_with_](const JobControl& job) {
+            return look_at_log(path, options, told, job);
+        },
+        [this](const Result<LogLook>& result) { take(result); });
+}
+
+void LogDialog::take(const Result<LogLook>& result) {
+    look_ = result ? *result : LogLook();
+    if (result) {
+        preview_->setPreview(look_->preview);
+    } else {
+        look_->problem = result.error();
+        preview_->setError(result.error());
+    }
+    if (result && !std::exchange(known_shown_, true)) {
+        showKnown();
+        looked_with_ = choice();
+    }
+    refresh();
+}
+
+void LogDialog::showKnown() {
+    const QSignalBlocker of_kind(kind_);
+    const QSignalBlocker of_sign(y_sign_);
+    const QSignalBlocker of_amplitude(amplitude_);
+    const PhasorChoice& how = look_->choice.phasors;
+    kind_->setCurrentIndex(static_cast<int>(columnsOf(look_->choice)));
+    y_sign_->setCurrentIndex(how.y_sign == 0 ? 0 : how.y_sign > 0 ? 1 : 2);
+    amplitude_->setCurrentIndex(how.peak_per_unit == 0 ? 0 : how.peak_per_unit == 1 ? 1 : 2);
+    if (const auto partner = partner_of(files_.first().toStdU16String());
+        partner && look_->one_channel) {
+        channel_d_->setText(fileName(*partner));
+    }
+}
+
+void LogDialog::showRows() {
+    const bool phasors = isOfPhasors();
+    // Of names that the readers know, none has to be told.
+    const bool nameless = look_ && !look_->preview.columns.empty() &&
+                          std::ranges::all_of(look_->preview.columns, [](const Channel& column) {
+                              return column.name.empty();
+                          });
+    const bool asks_for_columns =
+        kind_->currentIndex() > 0 && (nameless || (look_ && look_->problem) ||
+                                      !columns_->text().isEmpty() || columns_->hasFocus());
+    std::array<bool, row_count> shown{};
+    shown[kind] = true;
+    shown[columns] = asks_for_columns;
+    shown[channel_d] = look_ && look_->one_channel && files_.size() == 1;
+    shown[angle_unit] = (look_ && look_->needs_angle_unit) || angle_unit_->currentIndex() > 0;
+    shown[f_ref] = phasors && ((look_ && look_->needs_f_ref) || !f_ref_->text().isEmpty());
+    shown[y_sign] = shown[amplitude] = shown[order] = phasors;
+    shown[bandwidth] = phasors && order_->currentIndex() > 0;
+    shown[rate] = (look_ && look_->needs_rate) || !rate_->text().isEmpty();
+    shown[from] = kind_->currentIndex() > 0;
+    for (std::size_t row = 0; row < shown.size(); ++row) {
+        labels_.at(row)->setVisible(shown.at(row));
+        fields_.at(row)->setVisible(shown.at(row));
+    }
+    columns_->setPlaceholderText(
+        QLatin1String(usualNames(static_cast<Columns>(kind_->currentIndex()))));
+}
+
+QString LogDialog::lacking() const {
+    if (!look_) {
+        return tr("Looking at the file…");
+    }
+    if (look_->problem) {
+        return errorText(*look_->problem);
+    }
+    if (kind_->currentIndex() == 0) {
+        return tr("Its columns are not known by their names: choose what they are.");
+    }
+    for (const NumberField* field : {f_ref_, bandwidth_, rate_, from_}) {
+        if (!field->isValid()) {
+            return tr("A number is not possible: see the red field.");
+        }
+    }
+    const LogChoice told = choice();
+    if (look_->needs_rate && !options().rate_hz) {
+        return tr("The file has no times: give its rows per second.");
+    }
+    if (look_->needs_angle_unit && told.rad_per_angle_unit == 0) {
+        return tr("The file does not tell the unit of its angles: choose it.");
+    }
+    if (isOfPhasors()) {
+        if (look_->needs_f_ref && told.phasors.f_ref_hz == 0) {
+            return tr("The frequency of the reference is not in the file: give it.");
+        }
+        if (told.phasors.y_sign == 0) {
+            return tr("No data show the sign of Y: choose it.");
+        }
+        if (told.phasors.peak_per_unit == 0) {
+            return tr("No data show whether amplitudes are peak or rms values: choose it.");
+        }
+        if (told.phasors.filter.order > 0 && told.phasors.filter.bandwidth_hz == 0) {
+            return tr("A filter has a bandwidth: give it, or choose none.");
+        }
+    }
+    if (logs().empty()) {
+        return files_.size() == 1
+                   ? tr("The file has one channel: choose the file of channel D.")
+                   : tr("Each file has one channel, and not each has its partner among them by "
+                        "its name: open the two files of one log at a time.");
+    }
+    return {};
+}
+
+// Other columns are looked at anew.
+void LogDialog::refresh() {
+    const LogChoice now = choice();
+    if (known_shown_ && look_ && kind_->currentIndex() > 0 &&
+        (now.names != looked_with_.names || now.phasors.frame != looked_with_.phasors.frame)) {
+        look();
+        return;
+    }
+    showRows();
+    const QString text = lacking();
+    lacking_->setText(text);
+    buttons_->button(QDialogButtonBox::Open)->setEnabled(text.isEmpty());
+}
+
+void LogDialog::accept() {
+    if (buttons_->button(QDialogButtonBox::Open)->isEnabled()) {
+        emit chosen(set());
+        QDialog::accept();
+    }
+}
+
+void LogDialog::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void LogDialog::retranslate() {
+    setWindowTitle(tr("Open logs"));
+    QStringList names;
+    for (const QString& file : files_) {
+        names << QFileInfo(file).fileName();
+    }
+    const QString first = names.takeFirst();
+    title_->setText(names.isEmpty()
+                        ? tr("What %1 holds").arg(first)
+                        : tr("What %1 holds, and, made alike, %2: logs of one resonator")
+                              .arg(first, names.join(QStringLiteral(", "))));
+    const auto name = [this](Row row, const QString& text, const QString& tip) {
+        labels_[row]->setText(text);
+        fields_[row]->setAccessibleName(text);
+        fields_[row]->setToolTip(tip);
+    };
+    const auto entries = [](QComboBox& box, const QStringList& texts) {
+        for (int k = 0; k < box.count(); ++k) {
+            box.setItemText(k, texts.value(k));
+        }
+    };
+    const QString choose = tr("choose…");
+    name(kind, tr("Columns are"),
+         tr("What the log keeps. The frame of phasors is whose phase they are relative to"));
+    entries(*kind_, {choose, tr("powers E, R, S, Q"), tr("amplitudes a, b and the angle θ"),
+                     tr("phasors, one frequency"), tr("phasors, an oscillator that moves"),
+                     tr("phasors, each channel its own phase")});
+    name(columns, tr("Named"),
+         tr("The columns, with commas between them, each with =COLUMN, a name or a number, where "
+            "the file calls it otherwise, as in Xc=3,Yc=4,Xd=5,Yd=6"));
+    name(channel_d, tr("Channel D in"), tr("The file of the other channel, with the same times"));
+    choose_->setIcon(themedIcon(QStringLiteral("open"), palette()));
+    choose_->setToolTip(tr("Choose the file"));
+    name(angle_unit, tr("Unit of angles"), tr("Of θ, or of the phase columns"));
+    entries(*angle_unit_, {choose, tr("degrees"), tr("radians")});
+    name(f_ref, tr("Reference"), tr("Frequency of the reference, which the file does not tell"));
+    name(y_sign, tr("Sign of Y"),
+         tr("The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and "
+            "the other sign is the resonator seen in a mirror"));
+    entries(*y_sign_,
+            {choose, tr("+: X + iY turns as the carrier does"), tr("−: X + iY turns against it")});
+    name(amplitude, tr("Amplitudes"), tr("What √(X² + Y²) is"));
+    entries(*amplitude_, {choose, tr("peak values"), tr("rms values")});
+    name(order, tr("Filter, stages"),
+         tr("RC stages of the lock-in's filter: it delays the phasors and correlates their noise"));
+    QStringList orders{tr("none")};
+    for (int stages = 1; stages <= most_stages; ++stages) {
+        orders << QLocale().toString(stages);
+    }
+    entries(*order_, orders);
+    name(bandwidth, tr("Its bandwidth"), tr("3 dB"));
+    name(rate, tr("Rows a second"), tr("Where the file has no times, or ticks of a clock"));
+    name(from, tr("Leave out until"),
+         tr("Time from the start of a log: what is before it is left out, as the settling of a "
+            "filter"));
+    from_->setPlaceholderText(tr("nothing"));
+    buttons_->button(QDialogButtonBox::Open)->setText(tr("Open"));
+    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    refresh();
+}
+
+}  // namespace vybeg::ui

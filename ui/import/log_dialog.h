@@ -1,0 +1,106 @@
+#pragma once
+
+#include "core/analysis/log_look.h"
+#include "core/analysis/measurement_list.h"
+#include "ui/document/background_jobs.h"
+#include "ui/import/import_fields.h"
+
+#include <QDialog>
+#include <QPointer>
+#include <QStringList>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+class QDialogButtonBox;
+
+namespace vybeg::ui {
+
+class ImportPreview;
+
+// What logs are that take the place of recordings: it looks at the first of them in the background
+// and asks for what no file tells. Does not block the window.
+class LogDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // `job` must outlive the dialog; of one job only one dialog may be open.
+    LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent = nullptr);
+    ~LogDialog() override;
+
+    // Further logs of the same resonator, made as the first one.
+    void add(const QStringList& paths);
+    const QStringList& files() const { return files_; }
+    // The logs with what is told of them.
+    MeasurementSet set() const;
+
+signals:
+    void chosen(const vybeg::MeasurementSet& set);
+    // As of ImportFields.
+    void filesWanted(const vybeg::ui::TakeFiles& take);
+
+public slots:
+    void accept() override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum Row {
+        kind,
+        columns,
+        channel_d,
+        angle_unit,
+        f_ref,
+        y_sign,
+        amplitude,
+        order,
+        bandwidth,
+        rate,
+        from,
+        row_count
+    };
+
+    LogChoice choice() const;
+    OpenOptions options() const;
+    // Logs of one channel by pairs; empty where one has no partner.
+    std::vector<RecordingRef> logs() const;
+    bool isOfPhasors() const;
+    void look();
+    void take(const Result<LogLook>& result);
+    // What the file tells stands in the fields.
+    void showKnown();
+    void showRows();
+    // Why the logs cannot be opened yet; empty: they can.
+    QString lacking() const;
+    void refresh();
+    void retranslate();
+
+    QPointer<BackgroundJobs> job_;  // may be destroyed before the dialog when the window closes
+    QStringList files_;
+    std::optional<LogLook> look_;  // of the present choice
+    LogChoice looked_with_;
+    bool known_shown_ = false;  // what the first look found stands in the fields
+    QLabel* title_;
+    QFormLayout* form_;
+    std::array<QLabel*, row_count> labels_{};
+    std::array<QWidget*, row_count> fields_{};
+    QComboBox* kind_;
+    QLineEdit* columns_;
+    QLineEdit* channel_d_;
+    QAction* choose_;
+    QComboBox* angle_unit_;
+    NumberField* f_ref_;
+    QComboBox* y_sign_;
+    QComboBox* amplitude_;
+    QComboBox* order_;
+    NumberField* bandwidth_;
+    NumberField* rate_;
+    NumberField* from_;
+    QLabel* lacking_;
+    ImportPreview* preview_;
+    QDialogButtonBox* buttons_;
+};
+
+}  // namespace vybeg::ui
