@@ -59,6 +59,10 @@ ReportRecording reportRecording(const Recording& recording, const QString& sha25
     return told;
 }
 
+bool ofLogsAlone(const ReportContent& content) {
+    return content.recordings.empty() && content.drift;
+}
+
 QString measuredOn(const std::vector<ReportRecording>& recordings) {
     QStringList starts;
     for (const ReportRecording& each : recordings) {

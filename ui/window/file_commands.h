@@ -47,12 +47,16 @@ public:
     // A database of results; both end in databaseChosen().
     void askForDatabase();
     void askForNewDatabase();
+    // Ends in wholeAngleLogsOpened().
+    void askForWholeAngleLogs();
     void askWhereToPutTrack();
+    void askWhereToPutDrift();
     void askWhereToPutPassport();
     void openImport(const QString& path, const OpenOptions& options);
 
     // By the ending of the path.
     void exportTrackTo(const QString& path);
+    void exportDriftTo(const QString& path);
     void savePassportTo(const QString& path);
     // By a dialog: plots, size, caption.
     void exportPlots(const FigureSource& source);
@@ -72,6 +76,7 @@ public:
 signals:
     // `make`: where there is none.
     void databaseChosen(const QString& path, bool make);
+    void wholeAngleLogsOpened();
 
 private:
     // Before the session's file loses what another program wrote into it.
