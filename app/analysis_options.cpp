@@ -43,12 +43,8 @@ void add_open_options(CLI::App& app, OpenOptions& options) {
     add_settings(app, open_settings(), options);
 }
 
-void add_table_options(CLI::App& app, OpenOptions& options) {
-    for (const char* name :
-         {"rate", "delimiter", "decimal", "skip-lines", "time-column", "time-unit"}) {
-        const auto& rows = open_settings();
-        add_setting(app, *std::ranges::find(rows, name, &SettingRow<OpenOptions>::name), options);
-    }
+void add_drift_settings(CLI::App& app, DriftSettings& settings) {
+    add_settings(app, drift_settings(), settings);
 }
 
 void add_analysis_options(CLI::App& app, Settings& settings) {

@@ -3,6 +3,7 @@
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/passport.h"
 #include "core/analysis/settings.h"
+#include "core/drift/drift_settings.h"
 #include "core/recording/samples/open_options.h"
 
 #include <CLI/CLI.hpp>
@@ -15,8 +16,8 @@ namespace vybeg::cli {
 // their companions. `options` must outlive the parse.
 void add_open_options(CLI::App& app, OpenOptions& options);
 
-// Those of them that say how a table of numbers is read. `options` must outlive the parse.
-void add_table_options(CLI::App& app, OpenOptions& options);
+// How whole-angle logs are read, and their channels' tolerances. `settings` must outlive the parse.
+void add_drift_settings(CLI::App& app, DriftSettings& settings);
 
 // The options that say how it is analysed: --algorithm to --angle-zero, --threads.
 // `settings` must outlive the parse. Their values are checked one by one here and together by

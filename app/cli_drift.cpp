@@ -78,7 +78,8 @@ int run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
     }
     std::vector<WholeAngleLog> logs;
     for (const std::string& input : request.inputs) {
-        Result<WholeAngleLog> read = read_whole_angle_log(input, request.reading, silent_job(stop));
+        Result<WholeAngleLog> read =
+            read_whole_angle_log(input, request.settings.reading, silent_job(stop));
         if (!read) {
             return log.fail(read.error());
         }
@@ -93,7 +94,7 @@ int run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
         output.emplace(std::move(*file));
     }
     const Result<WholeAngleDrift> drift =
-        whole_angle_drift(logs, job_of(stop, log), request.channels);
+        whole_angle_drift(logs, job_of(stop, log), pick_offs(request.settings.tolerance));
     if (!drift) {
         return log.fail(drift.error());
     }

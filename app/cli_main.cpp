@@ -6,7 +6,6 @@
 #include "app/cli_support.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
-#include "core/analysis/tolerance.h"
 #include "core/base/caught_error.h"
 #include "core/base/messages.h"
 #include "core/simulation/simulate.h"
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <numbers>
 #include <span>
 #include <sstream>
 #include <string_view>
@@ -77,44 +75,17 @@ void add_database(CLI::App& app, std::string& database) {
         ->type_name("FILE");
 }
 
-// Gain ratio and skew, which the drift of an angle knows.
-ChannelTolerance pick_offs_of(const std::string& text) {
-    const Result<Tolerance> told = read_tolerance(text);
-    if (!told) {
-        throw CLI::ValidationError(english(told.error()));
-    }
-    Tolerance rest = *told;
-    rest.kappa.reset();
-    rest.skew_deg.reset();
-    if (rest != Tolerance{}) {
-        reject("--tolerance", text, "it names kappa and skew");
-    }
-    ChannelTolerance channels = usual_pick_offs();
-    channels.kappa = told->kappa.value_or(channels.kappa);
-    channels.skew_rad =
-        told->skew_deg ? *told->skew_deg * std::numbers::pi / 180 : channels.skew_rad;
-    return channels;
-}
-
 void add_drift_options(CLI::App& app, DriftRequest& request) {
     app.add_option("LOG", request.inputs, "Whole-angle logs of one gyro: text, NPZ, MAT or HDF5")
         ->type_name("")
         ->required();
-    add_column_options(
-        app, request.reading.columns, request.reading.rad_per_angle_unit,
-        "What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a "
-        "name or a number, where the file calls it otherwise, e.g. t,theta=angle (default: by "
-        "their names)");
-    add_value(app, "--tolerance", "NAME=X[,NAME=X]",
-              "Standard deviations of the channels: kappa, skew (default kappa=0.01,skew=0.1deg)",
-              [&request](const auto&, const auto& text) { request.channels = pick_offs_of(text); });
+    add_drift_settings(app, request.settings);
     app.add_option("-o,--output", request.output,
                    "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
                    "standard output")
         ->type_name("FILE");
     app.add_flag("--json", request.json,
                  "The result on standard output, JSON, in place of the summary");
-    add_table_options(app, request.reading.open);
 }
 
 void add_batch_options(CLI::App& app, BatchCommand& command) {

@@ -4,8 +4,7 @@
 #include "core/analysis/passport.h"
 #include "core/analysis/settings.h"
 #include "core/batch/batch_request.h"
-#include "core/drift/log_reading.h"
-#include "core/drift/whole_angle_drift.h"
+#include "core/drift/drift_settings.h"
 #include "core/numerics/lock_in.h"
 #include "core/recording/samples/open_options.h"
 #include "core/simulation/free_decay.h"
@@ -52,8 +51,7 @@ struct DriftRequest {
     std::vector<std::string> inputs;
     std::string output;  // empty: none; .json: the result, .csv: its bins; "-": bins
     bool json = false;   // on standard output, in place of the summary
-    LogReading reading;
-    ChannelTolerance channels = usual_pick_offs();
+    DriftSettings settings;
 };
 
 struct BatchCommand {

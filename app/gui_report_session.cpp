@@ -40,9 +40,9 @@ bool wait_until(const std::function<bool()>& done, const std::stop_token& stop) 
     return !stop.stop_requested();
 }
 
-// Whether every recording has its hash and its check, and no analysis is under way.
+// Whether every recording has its hash and its check, and no analysis and no drift is under way.
 bool is_whole(const Document& document) {
-    return !document.busy() &&
+    return !document.busy() && !document.drift().computing() &&
            std::ranges::all_of(document.recordings(), [](const RecordingEntry& entry) {
                return entry.recording && !entry.sha256.isEmpty() && entry.faults;
            });
@@ -108,10 +108,11 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
     }
     const std::optional<ReportSubject> subject = subject_of(document);
     if (!subject) {
-        return fail({ErrorCode::setting_invalid,
-                     "",
-                     {"--report", request.inputs.front(),
-                      "none of the session's recordings is there and analysed"}});
+        return fail(
+            {ErrorCode::setting_invalid,
+             "",
+             {"--report", request.inputs.front(),
+              "none of the session's recordings is there and analysed, and no log has a drift"}});
     }
     const ReportTitle otherwise =
         completed(request.title, titleOf(document.dossier().dossier().gyro));

@@ -520,6 +520,22 @@
         <source>Open logs of a controller, a lock-in or a phasemeter in place of recordings, and identify their resonator</source>
         <translation>Открыть вместо записей журналы контроллера, синхронного детектора или фазометра и найти по ним резонатор</translation>
     </message>
+    <message>
+        <source>Open w&amp;hole-angle logs…</source>
+        <translation>Открыть журналы интегрирующего режи&amp;ма…</translation>
+    </message>
+    <message>
+        <source>Open logs of a wave whose amplitude is held while it turns, for its drift against the angle</source>
+        <translation>Открыть журналы волны, амплитуду которой удерживают, пока она поворачивается, — для её дрейфа по углу</translation>
+    </message>
+    <message>
+        <source>Drift of the whole angl&amp;e</source>
+        <translation>&amp;Дрейф в интегрирующем режиме</translation>
+    </message>
+    <message>
+        <source>The page with the drift of whole-angle logs against the angle, and what it and the efforts say of the resonator</source>
+        <translation>Страница с дрейфом по углу из журналов интегрирующего режима и тем, что он и воздействия говорят о резонаторе</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -550,6 +566,101 @@
     <message>
         <source>s</source>
         <translation>с</translation>
+    </message>
+</context>
+<context>
+    <name>Drift</name>
+    <message>
+        <source>means over %1°</source>
+        <translation>средние по %1°</translation>
+    </message>
+    <message>
+        <source>harmonics 2 and 4</source>
+        <translation>гармоники 2 и 4</translation>
+    </message>
+    <message>
+        <source>%1, %2 without</source>
+        <translation>%1, без угла %2</translation>
+    </message>
+    <message>
+        <source>dθ_A/dt less the turn</source>
+        <translation>dθ_A/dt без самого поворота</translation>
+    </message>
+    <message>
+        <source>%1 (left out)</source>
+        <translation>%1 (исключён)</translation>
+    </message>
+    <message>
+        <source>All logs</source>
+        <translation>Все журналы</translation>
+    </message>
+    <message>
+        <source>Turn dθ_A/dt</source>
+        <translation>Поворот dθ_A/dt</translation>
+    </message>
+    <message>
+        <source>Mean rate over the angle: input rate and bias. Each log has its own</source>
+        <translation>Средняя по углу скорость: входная скорость и смещение нуля. У каждого журнала своя</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Длительность</translation>
+    </message>
+    <message>
+        <source>Turn of the wave</source>
+        <translation>Поворот волны</translation>
+    </message>
+    <message>
+        <source>From the least to the greatest angle</source>
+        <translation>От наименьшего угла до наибольшего</translation>
+    </message>
+    <message>
+        <source>Rows with an angle</source>
+        <translation>Строк с углом</translation>
+    </message>
+    <message>
+        <source>Four times the fourth harmonic of the drift</source>
+        <translation>Учетверённая четвёртая гармоника дрейфа</translation>
+    </message>
+    <message>
+        <source>Axis of larger damping, from the drift</source>
+        <translation>Ось большего затухания, по дрейфу</translation>
+    </message>
+    <message>
+        <source>2ρ/g, ρ the fourth harmonic of the amplitude effort over its mean</source>
+        <translation>2ρ/g, где ρ — отношение четвёртой гармоники воздействия на амплитуду к его среднему</translation>
+    </message>
+    <message>
+        <source>From the quadrature effort against the amplitude effort</source>
+        <translation>По воздействию на квадратуру в сравнении с воздействием на амплитуду</translation>
+    </message>
+    <message>
+        <source>Axis of the mode with the higher frequency, from the quadrature effort</source>
+        <translation>Ось моды с большей частотой, по воздействию на квадратуру</translation>
+    </message>
+    <message>
+        <source>Turn: the logs agree, χ² %1 of %2.</source>
+        <translation>Поворот: журналы согласны, χ² %1 при %2.</translation>
+    </message>
+    <message>
+        <source>Turn: the logs differ, χ² %1 of %2, which is no fault.</source>
+        <translation>Поворот: журналы различаются, χ² %1 при %2; это не ошибка.</translation>
+    </message>
+    <message>
+        <source>Harmonic %3: the logs agree, χ² %1 of %2.</source>
+        <translation>Гармоника %3: журналы согласны, χ² %1 при %2.</translation>
+    </message>
+    <message>
+        <source>Harmonic %3: the logs differ, χ² %1 of %2.</source>
+        <translation>Гармоника %3: журналы расходятся, χ² %1 при %2.</translation>
+    </message>
+    <message>
+        <source>Of one log it is not known whether another one would agree with it.</source>
+        <translation>Журнал один: согласуется ли с ним другой, неизвестно.</translation>
+    </message>
+    <message>
+        <source>± is the statistical standard deviation. u, where it differs, holds the tolerances of the channels too: κ ± %1, ε ± %2°.</source>
+        <translation>± — статистическое СКО. u, если она отличается, содержит и допуски каналов: κ ± %1, ε ± %2°.</translation>
     </message>
 </context>
 <context>
@@ -1912,6 +2023,10 @@
         <source>History</source>
         <translation>История</translation>
     </message>
+    <message>
+        <source>Drift</source>
+        <translation>Дрейф</translation>
+    </message>
 </context>
 <context>
     <name>PlotFocus</name>
@@ -2485,6 +2600,30 @@
     <message>
         <source>Log</source>
         <translation>Журнал</translation>
+    </message>
+    <message>
+        <source>Whole-angle logs alone</source>
+        <translation>Только журналы интегрирующего режима</translation>
+    </message>
+    <message>
+        <source>Drift of the whole angle</source>
+        <translation>Дрейф в интегрирующем режиме</translation>
+    </message>
+    <message>
+        <source>Drift of the angle</source>
+        <translation>Дрейф угла</translation>
+    </message>
+    <message>
+        <source>Resonator, from drift and efforts</source>
+        <translation>Резонатор по дрейфу и воздействиям</translation>
+    </message>
+    <message>
+        <source>Of the drift of the whole angle</source>
+        <translation>О дрейфе в интегрирующем режиме</translation>
+    </message>
+    <message>
+        <source>Report of whole-angle logs</source>
+        <translation>Отчёт о журналах интегрирующего режима</translation>
     </message>
 </context>
 <context>
@@ -5213,6 +5352,207 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::DriftPage</name>
+    <message>
+        <source>The drift is being computed…</source>
+        <translation>Дрейф вычисляется…</translation>
+    </message>
+    <message>
+        <source>There is no drift: %1</source>
+        <translation>Дрейфа нет: %1</translation>
+    </message>
+    <message>
+        <source>Open whole-angle logs: a controller holds the amplitude while the wave turns by 180 degrees or more, and its angle is written down over the time. Here appear the drift against the angle with its harmonics, and, where the log has the efforts, the resonator&apos;s damping and split.</source>
+        <translation>Откройте журналы интегрирующего режима: контроллер удерживает амплитуду, пока волна поворачивается на 180 градусов или больше, и её угол записывается по времени. Здесь появятся дрейф по углу с его гармониками, а если в журнале есть воздействия — затухание и разночастотность резонатора.</translation>
+    </message>
+    <message>
+        <source>Drift of the angle</source>
+        <translation>Дрейф угла</translation>
+    </message>
+    <message>
+        <source>Resonator, from drift and efforts</source>
+        <translation>Резонатор по дрейфу и воздействиям</translation>
+    </message>
+    <message>
+        <source>The turn and the harmonics of the drift; of several logs each by itself, too. Ctrl+C copies the table</source>
+        <translation>Поворот и гармоники дрейфа; если журналов несколько — и каждого в отдельности. Ctrl+C копирует таблицу</translation>
+    </message>
+    <message>
+        <source>Ctrl+C copies the table</source>
+        <translation>Ctrl+C копирует таблицу</translation>
+    </message>
+    <message>
+        <source>Drift against the angle</source>
+        <translation>Дрейф по углу</translation>
+    </message>
+    <message>
+        <source>Drift of the wave angle less the turn of each log: means over ranges of the angle with their standard deviations, and the fitted harmonics with theirs as a band</source>
+        <translation>Дрейф угла волны без самого поворота каждого журнала: средние на участках угла с их СКО и подогнанные гармоники с полосой СКО</translation>
+    </message>
+    <message>
+        <source>Export result…</source>
+        <translation>Экспорт результата…</translation>
+    </message>
+    <message>
+        <source>The drift by angle as a table (CSV), or the whole result (JSON)</source>
+        <translation>Дрейф по углу таблицей (CSV) или весь результат (JSON)</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::DriftPanel</name>
+    <message>
+        <source>Drop whole-angle logs of one gyro here</source>
+        <translation>Перетащите сюда журналы интегрирующего режима одного гироскопа</translation>
+    </message>
+    <message>
+        <source>Not in effect: %1</source>
+        <translation>Не действует: %1</translation>
+    </message>
+    <message>
+        <source>Whole-angle logs</source>
+        <translation>Журналы интегрирующего режима</translation>
+    </message>
+    <message>
+        <source>Logs of one gyro: its angle, written down while a controller holds the amplitude. Delete removes the chosen ones</source>
+        <translation>Журналы одного гироскопа: угол волны, пока контроллер удерживает амплитуду. Delete убирает выбранные</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Открыть…</translation>
+    </message>
+    <message>
+        <source>Open whole-angle logs</source>
+        <translation>Открыть журналы интегрирующего режима</translation>
+    </message>
+    <message>
+        <source>Text, NPZ, MAT or HDF5 with a column of the wave angle</source>
+        <translation>Текст, NPZ, MAT или HDF5 со столбцом угла волны</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Убрать</translation>
+    </message>
+    <message>
+        <source>Remove the chosen logs</source>
+        <translation>Убрать выбранные журналы</translation>
+    </message>
+    <message>
+        <source>The files stay; Undo takes it back</source>
+        <translation>Файлы остаются; отмена возвращает журналы</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Столбцы</translation>
+    </message>
+    <message>
+        <source>What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a name or a number, where the file calls it otherwise: t,theta=angle. Empty: by their names</source>
+        <translation>Что в столбцах: t, theta, amplitude и quadrature (угол, воздействия на амплитуду и квадратуру), каждое с =СТОЛБЕЦ (имя или номер), если в файле он назван иначе: t,theta=угол. Пусто — по именам</translation>
+    </message>
+    <message>
+        <source>by their names</source>
+        <translation>по именам</translation>
+    </message>
+    <message>
+        <source>Angle in</source>
+        <translation>Угол в</translation>
+    </message>
+    <message>
+        <source>Unit of the angle, where the name of its column does not tell it</source>
+        <translation>Единица угла, если её не указывает имя столбца</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>как в файле</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>градусах</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>радианах</translation>
+    </message>
+    <message>
+        <source>Time in</source>
+        <translation>Время в</translation>
+    </message>
+    <message>
+        <source>Unit of the time in a text file</source>
+        <translation>Единица времени в текстовом файле</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>мкс</translation>
+    </message>
+    <message>
+        <source>ns</source>
+        <translation>нс</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Частота</translation>
+    </message>
+    <message>
+        <source>Rows a second, of a file without times</source>
+        <translation>Строк в секунду — для файла без времени</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>κ ±</source>
+        <translation>κ ±</translation>
+    </message>
+    <message>
+        <source>How well the gain ratio of the channels is known: relative standard deviation. A gain error gives a wave that turns a fourth harmonic; u holds it. Grey: assumed; 0: exact</source>
+        <translation>Насколько известно отношение коэффициентов передачи каналов: относительное СКО. Его ошибка даёт поворачивающейся волне четвёртую гармонику; она входит в u. Серое — принято; 0 — точно</translation>
+    </message>
+    <message>
+        <source>Gain ratio of the logs’ channels ±</source>
+        <translation>Отношение коэффициентов передачи каналов журналов ±</translation>
+    </message>
+    <message>
+        <source>ε ±</source>
+        <translation>ε ±</translation>
+    </message>
+    <message>
+        <source>How well the non-orthogonality of the channels is known: standard deviation. Grey: assumed; 0: exact</source>
+        <translation>Насколько известна неортогональность каналов: СКО. Серое — принято; 0 — точно</translation>
+    </message>
+    <message>
+        <source>Non-orthogonality of the logs’ channels ±</source>
+        <translation>Неортогональность каналов журналов ±</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::DriftStore</name>
+    <message>
+        <source>open whole-angle logs</source>
+        <translation>открытие журналов</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>убрать %1</translation>
+    </message>
+    <message>
+        <source>remove logs</source>
+        <translation>убрать журналы</translation>
+    </message>
+    <message>
+        <source>settings of the drift</source>
+        <translation>настройки дрейфа</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::ExportDialog</name>
     <message>
         <source>Settings of the analyses below the plots</source>
@@ -5526,6 +5866,18 @@
     <message>
         <source>Logs (%1)</source>
         <translation>Журналы (%1)</translation>
+    </message>
+    <message>
+        <source>Open whole-angle logs</source>
+        <translation>Открыть журналы интегрирующего режима</translation>
+    </message>
+    <message>
+        <source>Export drift</source>
+        <translation>Экспорт дрейфа</translation>
+    </message>
+    <message>
+        <source>Result (*.json)</source>
+        <translation>Результат (*.json)</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,11 @@ const std::vector<ColumnRole>& log_roles() {
 
 }  // namespace
 
+Status check_log_columns(const std::string& columns) {
+    const auto wishes = column_wishes(columns, log_roles());
+    return wishes ? Status() : Status(wishes.error());
+}
+
 Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
                                            const LogReading& reading, const JobControl& job) {
     const auto wishes = TRY(column_wishes(reading.columns, log_roles()));

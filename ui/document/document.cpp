@@ -43,6 +43,8 @@ void Document::connectStores() {
     connect(&live_, &LiveFollower::reported, this, &Document::reported);
     connect(&live_, &LiveFollower::settled, this, &Document::settled);
     connect(&sets_, &SetStore::reported, this, &Document::reported);
+    connect(&drift_, &DriftStore::reported, this, &Document::reported);
+    connect(&drift_, &DriftStore::settled, this, &Document::settled);
 }
 
 void Document::open(const QStringList& paths, const OpenOptions& options) {

@@ -3,6 +3,7 @@
 #include "ui/document/analysis_store.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/dossier_model.h"
+#include "ui/document/drift_store.h"
 #include "ui/document/id_counter.h"
 #include "ui/document/live_follower.h"
 #include "ui/document/message.h"
@@ -23,9 +24,10 @@
 
 namespace vybeg::ui {
 
-// The session: open recordings, the settings being edited, analyses and sets, each in a store of
-// its own. The document connects the stores and asks for analyses. It is the only source of change
-// signals in the window: widgets call its functions, listen, and hold no state of the session.
+// The session: open recordings, the settings being edited, analyses, sets and whole-angle logs,
+// each in a store of its own. The document connects the stores and asks for analyses. It is the
+// only source of change signals in the window: widgets call its functions, listen, and hold no
+// state of the session.
 class Document : public QObject {
     Q_OBJECT
 
@@ -57,7 +59,7 @@ public:
     void startWith(const Settings& settings, const Tolerance& tolerance = {}) {
         settings_.startWith(settings, tolerance);
     }
-    // Steps of undo: settings, tolerances, analyses, sets, closed recordings.
+    // Steps of undo: settings, tolerances, analyses, sets, closed recordings, whole-angle logs.
     UndoSteps& undoSteps() { return steps_; }
     const UndoSteps& undoSteps() const { return steps_; }
     QUndoStack& undoStack() { return steps_.stack(); }
@@ -92,6 +94,10 @@ public:
 
     SetStore& sets() { return sets_; }
     const SetStore& sets() const { return sets_; }
+
+    // Whole-angle logs.
+    DriftStore& drift() { return drift_; }
+    const DriftStore& drift() const { return drift_; }
 
     void report(const Message& message) { emit reported(message); }
 
@@ -144,6 +150,7 @@ private:
     RequestQueue queue_{job_};
     LiveFollower live_{job_, settings_, recordings_, analyses_, queue_};
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
+    DriftStore drift_{job_, ids_, steps_};
     std::map<RecordingId, std::vector<AnalysisWish>> restored_;  // by recording, until it is open
 };
 

@@ -16,7 +16,7 @@ enum class MessageLevel : std::uint8_t { info, warning, error };
 
 // A newer message of a topic replaces the older one; all of them disappear when the topic is
 // settled.
-enum class Topic : std::uint8_t { none, live };
+enum class Topic : std::uint8_t { none, live, drift };
 
 // A message to the engineer. The text is a function, so that a change of language reaches what is
 // already on the screen.

@@ -41,6 +41,9 @@ const RecordingSet* identifiedSet(const Document& document, const ReportSubject&
     if (subject.set != SetId::none) {
         return document.sets().find(subject.set);
     }
+    if (subject.recordings.empty()) {
+        return nullptr;
+    }
     const auto& sets = document.sets().all();
     const auto alone = std::ranges::find_if(sets, [&](const RecordingSet& set) {
         return set.recordings == subject.recordings && document.sets().outcome(set);
@@ -87,6 +90,12 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
         }
         subjects.push_back(all);
     }
+    if (document.drift().outcome()) {
+        subjects.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Whole-angle logs alone")),
+                            {},
+                            SetId::none,
+                            false});
+    }
     return subjects;
 }
 
@@ -102,6 +111,7 @@ std::vector<ReportContent> reportContentsOf(const Document& document,
             const QString name = setName(document, set);
             contents.push_back(reportContentOf(document, {name, recordings, set.id, false}));
             contents.back().set = name;
+            contents.back().drift.reset();  // sets may be those of several gyros
             contents.back().chapter = static_cast<int>(contents.size());
         }
     }
@@ -139,6 +149,7 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
     }
     content.title.date = measuredOn(content.recordings);
     content.limits = document.dossier().dossier().limits;
+    content.drift = document.drift().outcome();
     if (set) {
         content.title = titleOf(document.sets().measured(*set), content.title);
         content.absent = absentFiles(*set);

@@ -10,19 +10,20 @@
 
 namespace vybeg::ui {
 
-// What a report can be about: a set of recordings, one recording, or all sets.
+// What a report can be about: a set of recordings, one recording, all sets, or the whole-angle
+// logs, which every report but that of all sets holds.
 struct ReportSubject {
     QString name;
     std::vector<RecordingId> recordings;  // those that are open
-    SetId set = SetId::none;              // none: one recording, or all sets
+    SetId set = SetId::none;              // none: one recording, all sets, or logs
     bool all_sets = false;
 
     friend bool operator==(const ReportSubject&, const ReportSubject&) = default;
 };
 
 // The current set first where it has the current recording, then the current recording, then the
-// other sets, and all sets where there are several. Only those with an analysis that has all its
-// windows.
+// other sets, all sets where there are several, and logs with a drift. Of recordings only those
+// with an analysis that has all its windows.
 std::vector<ReportSubject> reportSubjects(const Document& document);
 
 // What the document holds of a subject: visible analyses, and the newest identification of the set

@@ -41,6 +41,14 @@ QString optionsText(const Settings& settings) {
                     {"algorithm", "window", "hop", "f0"});
 }
 
+QString optionsText(const DriftSettings& settings) {
+    std::vector<NamedValue> listed;
+    for (const SettingRow<DriftSettings>& row : drift_settings()) {
+        listed.emplace_back(row.name, row.text(settings));
+    }
+    return rowsText(drift_settings(), listed);
+}
+
 QString optionsText(const IdentifySettings& settings) {
     return rowsText(identify_settings(), settings_list(settings));
 }

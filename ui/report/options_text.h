@@ -2,6 +2,7 @@
 
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
+#include "core/drift/drift_settings.h"
 
 #include <QString>
 
@@ -15,5 +16,7 @@ QString optionsText(const Settings& settings);
 
 // Settings in which the recordings differ have the value of each, with semicolons between them.
 QString optionsText(const IdentifySettings& settings);
+
+QString optionsText(const DriftSettings& settings);
 
 }  // namespace vybeg::ui

@@ -70,6 +70,10 @@ ReportRecording reportLog(const RecordingRef& log) {
     return told;
 }
 
+bool ofLogsAlone(const ReportContent& content) {
+    return content.recordings.empty() && content.drift;
+}
+
 QString measuredOn(const std::vector<ReportRecording>& recordings) {
     QStringList starts;
     for (const ReportRecording& each : recordings) {

@@ -6,6 +6,7 @@
 #include "core/resonator/results/parameter_limit.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
+#include "ui/document/drift_store.h"
 #include "ui/values/dossier.h"
 #include "ui/values/recording_set.h"
 #include "ui/values/shown_analysis.h"
@@ -110,9 +111,13 @@ struct ReportContent {
     std::optional<Error>
         not_identified;  // reason for the absence of the outcome, where one is known
     std::vector<ParameterLimit> limits;
-    bool summary = false;  // the page to be signed alone
+    std::shared_ptr<const DriftOutcome> drift;  // of whole-angle logs; null: none
+    bool summary = false;                       // the page to be signed alone
     DisplayUnits units;
     std::vector<SlowVariable> variables{main_slow_variables.begin(), main_slow_variables.end()};
 };
+
+// Whether a report is about whole-angle logs without any recording.
+bool ofLogsAlone(const ReportContent& content);
 
 }  // namespace vybeg::ui

@@ -1,5 +1,6 @@
 #include "ui/report/report_figures.h"
 
+#include "ui/drift/drift_text.h"
 #include "ui/plots/plot_export.h"
 #include "ui/resonator/resonator_plots.h"
 
@@ -66,6 +67,12 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content) {
             reportFigure(figureName(content, balance_figure),
                          xyDrawing(balancePlot(*content.outcome, BalanceAxis::time, content.units)),
                          {report_page.width(), 0.33 * report_page.width()}));
+    }
+    if (content.drift) {
+        figures.push_back(
+            reportFigure(figureName(content, whole_angle_figure),
+                         xyDrawing(wholeAnglePlot(content.drift->drift, content.units)),
+                         {report_page.width(), 0.45 * report_page.width()}));
     }
     return figures;
 }

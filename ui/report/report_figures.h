@@ -29,13 +29,15 @@ ReportFigure reportFigure(const QString& name, Drawing draw, QSizeF paper);
 inline constexpr const char* rim_figure = "rim";
 inline constexpr const char* drift_figure = "drift";
 inline constexpr const char* balance_figure = "balance";
+inline constexpr const char* whole_angle_figure = "whole-angle";
 
 // The name of one of these in the text, and of the plots of a recording: different in each chapter.
 QString figureName(const ReportContent& content, const char* figure);
 QString plotsName(const ReportContent& content, std::size_t recording);
 
 // All figures of a report: for each recording with an analysis the slow variables, then those of
-// the resonator. Drawing one needs the thread of the window (QCustomPlot is a widget).
+// the resonator and of the whole-angle logs. Drawing one needs the thread of the window
+// (QCustomPlot is a widget).
 std::vector<ReportFigure> reportFigures(const ReportContent& content);
 
 // A figure as vectors, which any thread can play.

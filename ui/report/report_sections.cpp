@@ -1,6 +1,7 @@
 #include "ui/report/report_sections.h"
 
 #include "ui/report/budget_text.h"
+#include "ui/report/drift_section.h"
 #include "ui/report/options_text.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
@@ -208,6 +209,10 @@ QString warningsSection(const ReportContent& content) {
         (content.outcome ? warningsPart(QT_TRANSLATE_NOOP("Report", "Of the resonator"),
                                         findings_of(content.outcome->identification.fit.warnings))
                          : QString()) +
+        (content.drift
+             ? warningsPart(QT_TRANSLATE_NOOP("Report", "Of the drift of the whole angle"),
+                            findings_of(content.drift->drift.warnings))
+             : QString()) +
         warningsPart(QT_TRANSLATE_NOOP("Report", "Of the analyses"),
                      findings_of(warningsOfAnalyses(content))) +
         (content.outcome ? warningsPart(QT_TRANSLATE_NOOP("Report", "Of the recordings in the fit"),
@@ -222,6 +227,9 @@ QString worstWarnings(const ReportContent& content) {
     std::vector<NamedWarnings> all;
     if (content.outcome) {
         all.emplace_back("", content.outcome->identification.fit.warnings);
+    }
+    if (content.drift) {
+        all.emplace_back("", content.drift->drift.warnings);
     }
     for (NamedWarnings& each : warningsOfAnalyses(content)) {
         all.push_back(std::move(each));
@@ -280,11 +288,16 @@ QString titleBlock(const ReportTitle& title, const QString& made) {
 }
 
 QString reportSections(const ReportContent& content) {
+    if (ofLogsAlone(content)) {
+        return wholeAngleSection(content, false) + warningsSection(content) +
+               signatures(content.title);
+    }
     const QString first = firstPage(content);
     return content.summary ? first
                            : first + recordingsSection(content) + settingsSection(content) +
                                  plotsSection(content) + resonatorSection(content) +
-                                 eventsSection(content) + warningsSection(content);
+                                 wholeAngleSection(content, true) + eventsSection(content) +
+                                 warningsSection(content);
 }
 
 }  // namespace vybeg::ui

@@ -75,8 +75,17 @@ ReportText reportTextOf(const ReportContent& content, const QString& program, QD
             about += QStringLiteral(" … ") + content.recordings.back().name;
         }
     }
+    if (about.isEmpty() && ofLogsAlone(content)) {
+        const std::vector<WholeAngleLog>& logs = content.drift->logs;
+        about = QString::fromStdString(logs.front().name);
+        if (logs.size() > 1) {
+            about += QStringLiteral(" … ") + QString::fromStdString(logs.back().name);
+        }
+    }
     ReportText text = framedReport(
-        reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay")), about, program);
+        ofLogsAlone(content) ? reportText(QT_TRANSLATE_NOOP("Report", "Report of whole-angle logs"))
+                             : reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay")),
+        about, program);
     text.author = content.title.engineer;
     text.html += titleBlock(content.title, madeText(program, made)) + reportSections(content);
     return text;

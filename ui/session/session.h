@@ -2,8 +2,10 @@
 
 #include "core/analysis/settings.h"
 #include "core/analysis/tolerance.h"
+#include "core/drift/drift_settings.h"
 #include "core/recording/samples/open_options.h"
 #include "ui/document/analysis_store.h"
+#include "ui/document/drift_store.h"
 #include "ui/panels/fitted_trend.h"
 #include "ui/plots/track_view.h"
 #include "ui/values/dossier.h"
@@ -39,6 +41,11 @@ struct SessionSet {
     QJsonObject unknown;  // as Session::unknown
 };
 
+struct SessionDrift {
+    std::vector<DriftLog> logs;
+    DriftSettings settings;
+};
+
 // What the plots show.
 struct SessionView {
     ZoomState zoom;
@@ -61,6 +68,7 @@ struct Session {
     std::vector<SessionSet> sets;
     int current_set = -1;
     int current_analysis = -1;  // place among all analyses
+    SessionDrift drift;
     SessionView view;
     // Keys of the file that this program does not know, written again.
     QJsonObject unknown;

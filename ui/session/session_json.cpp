@@ -1,6 +1,7 @@
 #include "ui/session/session_json.h"
 
 #include "core/analysis/setting_table.h"
+#include "core/drift/drift_settings.h"
 #include "ui/import/open_options_json.h"
 #include "ui/session/listed_json.h"
 #include "ui/session/session_view_json.h"
@@ -29,6 +30,8 @@ const QString current_analysis_key = QStringLiteral("current_run");
 const QString listed_key = QStringLiteral("listed");
 const QString result_key = QStringLiteral("result");
 const QString up_to_date_key = QStringLiteral("result_up_to_date");
+const QString drift_key = QStringLiteral("drift");
+const QString logs_key = QStringLiteral("logs");
 const QString view_key = QStringLiteral("view");
 const QString gyro_key = QStringLiteral("gyro");
 const QString limits_key = QStringLiteral("limits");
@@ -156,6 +159,33 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
     return set;
 }
 
+// `json` has the keys of a later version, which stay.
+QJsonObject driftToJson(const SessionDrift& drift, QJsonObject json, const QDir& folder) {
+    QJsonArray logs;
+    for (const DriftLog& log : drift.logs) {
+        logs.append(
+            QJsonObject{{path_key, storedPath(log.path, folder)}, {sha256_key, log.sha256}});
+    }
+    const QJsonObject settings = settingsToJson(drift_settings(), drift.settings);
+    if (!logs.isEmpty() || !settings.isEmpty()) {
+        json[logs_key] = logs;
+        json[settings_key] = settings;
+    }
+    return json;
+}
+
+Result<SessionDrift> driftFromJson(const QJsonObject& json, const QDir& folder) {
+    SessionDrift drift;
+    auto settings = TRY(settingsFromJson(drift_settings(), json[settings_key].toObject()));
+    drift.settings = std::move(settings);
+    for (const auto& value : json[logs_key].toArray()) {
+        const QJsonObject log = value.toObject();
+        drift.logs.push_back({QDir::cleanPath(folder.absoluteFilePath(log[path_key].toString())),
+                              log[sha256_key].toString()});
+    }
+    return drift;
+}
+
 // By parameter the least and the greatest value in stored units, null for none.
 QJsonObject limitsToJson(const std::vector<ParameterLimit>& limits) {
     const auto end = [](const std::optional<double>& value) {
@@ -181,6 +211,12 @@ std::vector<ParameterLimit> limitsFromJson(const QJsonObject& json) {
         }
     }
     return limits;
+}
+
+bool isListOfObjects(const QJsonValue& value) {
+    const QJsonArray elements = value.toArray();
+    return value.isArray() && std::all_of(elements.begin(), elements.end(),
+                                          [](const auto& element) { return element.isObject(); });
 }
 
 // A place in a list, -1 for one outside of it.
@@ -218,25 +254,28 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     describe(JsonWriter(gyro), session.dossier.gyro);
     json[gyro_key] = gyro;
     json[limits_key] = limitsToJson(session.dossier.limits);
+    const QJsonObject drift = driftToJson(session.drift, json[drift_key].toObject(), folder);
+    json.remove(drift_key);
+    if (!drift.isEmpty()) {
+        json[drift_key] = drift;
+    }
     json[view_key] = viewToJson(session.view);
     return json;
 }
 
 QString misplacedKey(const QJsonObject& json) {
-    for (const QString& key : {settings_key, gyro_key, limits_key, view_key}) {
+    for (const QString& key : {settings_key, gyro_key, limits_key, drift_key, view_key}) {
         if (json.contains(key) && !json[key].isObject()) {
             return key;
         }
     }
     for (const QString& key : {recordings_key, sets_key}) {
-        const QJsonArray elements = json[key].toArray();
-        if ((json.contains(key) && !json[key].isArray()) ||
-            !std::all_of(elements.begin(), elements.end(),
-                         [](const auto& element) { return element.isObject(); })) {
+        if (json.contains(key) && !isListOfObjects(json[key])) {
             return key;
         }
     }
-    return {};
+    const QJsonObject drift = json[drift_key].toObject();
+    return drift.contains(logs_key) && !isListOfObjects(drift[logs_key]) ? drift_key : QString();
 }
 
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
@@ -267,6 +306,9 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     const QJsonObject gyro = json[gyro_key].toObject();
     describe(JsonReader(gyro), session.dossier.gyro);
     session.dossier.limits = limitsFromJson(json[limits_key].toObject());
+    const QJsonObject drift = json[drift_key].toObject();
+    auto read_drift = TRY(driftFromJson(drift, folder));
+    session.drift = std::move(read_drift);
     session.view = viewFromJson(json[view_key].toObject());
     session.unknown = without(json, {session_schema_key, program_key, settings_key, tolerance_key,
                                      live_key, recordings_key, current_key, sets_key,
@@ -274,6 +316,7 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     QJsonObject known;
     describe(JsonWriter(known), session.dossier.gyro);
     session.unknown[gyro_key] = without(gyro, known.keys());
+    session.unknown[drift_key] = without(drift, {logs_key, settings_key});
     return session;
 }
 

@@ -37,6 +37,7 @@ SessionKeeper::SessionKeeper(Document& document, TrackView& tracks, QObject* par
             Qt::QueuedConnection);
     connect(&document_, &Document::recordingChanged, this, &SessionKeeper::compareHash);
     connect(&document_, &Document::finished, this, [this] { backup_.soon(); });
+    connect(&document_.drift(), &DriftStore::changed, this, &SessionKeeper::compareHashesOfLogs);
     connect(&document_.sets(), &SetStore::identified, this, [this] { backup_.soon(); });
 }
 
@@ -130,10 +131,14 @@ void SessionKeeper::begin(Session session) {
     unknown_ = session.unknown;
     absent_.clear();
     hashes_.clear();
+    hashes_of_logs_.clear();
     unknown_of_recordings_.clear();
     unknown_of_sets_.clear();
     opening_ = true;
     keepAbsent(session);
+    for (const DriftLog& log : session.drift.logs) {
+        hashes_of_logs_[log.path] = log.sha256;
+    }
     wanted_ids_ = restoreSession(session, document_);
     const std::vector<RecordingSet>& sets = document_.sets().all();
     for (std::size_t set = 0; set < session.sets.size(); ++set) {
@@ -181,6 +186,12 @@ void SessionKeeper::keepAbsent(Session& session) {
         };
         document_.report(message);
         recording.path.clear();
+    }
+    for (DriftLog& log : session.drift.logs) {
+        const QString found = folder.isRoot() || QFileInfo::exists(log.path)
+                                  ? QString()
+                                  : foundNear(folder, log.path, log.sha256);
+        log.path = found.isEmpty() ? log.path : found;
     }
 }
 
@@ -251,13 +262,32 @@ void SessionKeeper::compareHash(RecordingId recording_id) {
         return;
     }
     if (!stated->second.isEmpty() && stated->second != entry->sha256) {
-        warn([path = entry->path] {
-            return tr("%1 is another file than that of the session: its SHA-256 differs. The "
-                      "analyses are computed from the present file.")
-                .arg(path);
-        });
+        warnOfOtherFile(entry->path);
     }
     hashes_.erase(stated);
+}
+
+// When their drift is there, and with it what was read.
+void SessionKeeper::compareHashesOfLogs() {
+    if (!document_.drift().outcome()) {
+        return;
+    }
+    for (const DriftLog& log : document_.drift().logs()) {
+        const auto stated = hashes_of_logs_.find(log.path);
+        if (stated != hashes_of_logs_.end() && !stated->second.isEmpty() &&
+            stated->second != log.sha256) {
+            warnOfOtherFile(log.path);
+        }
+    }
+    hashes_of_logs_.clear();
+}
+
+void SessionKeeper::warnOfOtherFile(const QString& path) {
+    warn([path] {
+        return tr("%1 is another file than that of the session: its SHA-256 differs. The "
+                  "analyses are computed from the present file.")
+            .arg(path);
+    });
 }
 
 Session SessionKeeper::present() const {
@@ -300,6 +330,9 @@ QJsonObject SessionKeeper::content() const {
     for (SessionRecording& recording : session.recordings) {
         recording.sha256.clear();
     }
+    for (DriftLog& log : session.drift.logs) {
+        log.sha256.clear();
+    }
     session.current = -1;
     return sessionToJson(session, QDir::root());
 }
@@ -312,7 +345,8 @@ bool SessionKeeper::isModified() const {
         const bool has_sets = std::ranges::any_of(
             document_.sets().all(),
             [](const RecordingSet& set) { return isOfLogs(set) || !set.recordings.empty(); });
-        return has_sets || (!document_.recordings().empty() && !document_.undoStack().isClean());
+        const bool has_files = !document_.recordings().empty() || !document_.drift().logs().empty();
+        return has_sets || (has_files && !document_.undoStack().isClean());
     }
     return recovered_ || content() != saved_;
 }
@@ -350,7 +384,8 @@ void SessionKeeper::save(const QString& path, std::function<void()> then) {
 }
 
 QJsonObject SessionKeeper::backup() const {
-    const bool has_logs = std::ranges::any_of(document_.sets().all(), isOfLogs);
+    const bool has_logs =
+        std::ranges::any_of(document_.sets().all(), isOfLogs) || !document_.drift().logs().empty();
     if (opening_ || (document_.recordings().empty() && absent_.empty() && !has_logs)) {
         return {};
     }

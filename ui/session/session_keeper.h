@@ -82,6 +82,8 @@ private:
     void finishWhenComputed();
     void identifyAgain();
     void compareHash(RecordingId recording_id);
+    void compareHashesOfLogs();
+    void warnOfOtherFile(const QString& path);
     void warn(std::function<QString()> text);
     void fail(std::function<QString()> text);
 
@@ -98,7 +100,8 @@ private:
     std::function<void(SessionView&)> add_to_view_ = [](SessionView&) {};
     QJsonObject saved_;  // content() when it was saved or opened
     std::vector<Absent> absent_;
-    std::map<RecordingId, QString> hashes_;  // that the session states, by recording
+    std::map<RecordingId, QString> hashes_;      // that the session states, by recording
+    std::map<QString, QString> hashes_of_logs_;  // likewise, by path
     // Until the session that is being opened is computed.
     bool opening_ = false;
     Session wanted_;

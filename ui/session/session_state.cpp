@@ -65,6 +65,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         }
         session.sets.push_back(std::move(stored));
     }
+    session.drift = {document.drift().logs(), document.drift().settings()};
     const PlotContent content = tracks.content();
     session.view.zoom = content.zoom;
     session.view.variables = content.variables;
@@ -122,6 +123,7 @@ std::vector<RecordingId> restoreSession(const Session& session, Document& docume
     if (session.current_set >= 0) {
         document.sets().setCurrent(set_ids[static_cast<std::size_t>(session.current_set)]);
     }
+    document.drift().startWith(session.drift.logs, session.drift.settings);
     document.undoStack().clear();  // of this session alone
     return ids;
 }

@@ -1,6 +1,7 @@
 #include "ui/window/file_commands.h"
 
 #include "core/analysis/measurement_list.h"
+#include "core/output/drift_json.h"
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
 #include "ui/import/import_dialog.h"
@@ -12,6 +13,7 @@
 #include "ui/window/export_dialog.h"
 #include "ui/window/file_questions.h"
 #include "ui/window/report_dialog.h"
+#include "ui/words/program_name.h"
 
 #include <QFileInfo>
 #include <QMessageBox>
@@ -26,7 +28,7 @@ namespace vybeg::ui {
 
 namespace {
 
-// Whether a file would take the place of an open recording.
+// Whether a file would take the place of an open recording or log.
 Status stayAsTheyAre(const Document& document, const QString& path) {
     for (const RecordingEntry& entry : document.recordings()) {
         if (same_file(entry.path.toStdU16String(), path.toStdU16String())) {
@@ -38,6 +40,11 @@ Status stayAsTheyAre(const Document& document, const QString& path) {
             if (same_file(log.path, path.toStdU16String())) {
                 return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
             }
+        }
+    }
+    for (const DriftLog& log : document.drift().logs()) {
+        if (same_file(log.path.toStdU16String(), path.toStdU16String())) {
+            return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
         }
     }
     return {};
@@ -209,6 +216,17 @@ void FileCommands::askWhereToPutTrack() {
     }
 }
 
+void FileCommands::askForWholeAngleLogs() {
+    ask_.wholeAngleLogs([this](const QStringList& files) {
+        document_.drift().open(files);
+        emit wholeAngleLogsOpened();
+    });
+}
+
+void FileCommands::askWhereToPutDrift() {
+    ask_.driftTarget([this](const QString& path) { exportDriftTo(path); });
+}
+
 void FileCommands::askWhereToPutPassport() {
     ask_.passportTarget([this](const QString& path) { savePassportTo(path); });
 }
@@ -342,6 +360,24 @@ void FileCommands::exportTrackTo(const QString& path) {
     }
     document_.exportTrack(ledger_.currentAnalysis(), path,
                           [this, path](const Status& status) { reportSaved(status, path); });
+}
+
+void FileCommands::exportDriftTo(const QString& path) {
+    const auto outcome = document_.drift().outcome();
+    if (!outcome) {
+        return;
+    }
+    const std::filesystem::path target(path.toStdU16String());
+    Status done = stayAsTheyAre(document_, path);
+    done = done ? check_ending(target, {".csv", ".json"}) : done;
+    if (done) {
+        const std::string program = programName().toStdString();
+        const std::string text = file_ending(target) == ".json"
+                                     ? drift_json(program, outcome->logs, outcome->drift)
+                                     : drift_csv(program, outcome->logs, outcome->drift);
+        done = write_file(target, text, JobControl());
+    }
+    reportSaved(done, path);
 }
 
 void FileCommands::savePassportTo(const QString& path) {

@@ -49,7 +49,10 @@ public:
     // A database of results; both end in databaseChosen().
     void askForDatabase();
     void askForNewDatabase();
+    // Ends in wholeAngleLogsOpened().
+    void askForWholeAngleLogs();
     void askWhereToPutTrack();
+    void askWhereToPutDrift();
     void askWhereToPutPassport();
     void openImport(const QString& path, const OpenOptions& options);
     // By a dialog, which takes the logs of several calls while it is open: one set.
@@ -57,6 +60,7 @@ public:
 
     // By the ending of the path.
     void exportTrackTo(const QString& path);
+    void exportDriftTo(const QString& path);
     void savePassportTo(const QString& path);
     // By a dialog: plots, size, caption.
     void exportPlots(const FigureSource& source);
@@ -77,6 +81,7 @@ signals:
     void logsOpened(const QStringList& paths);
     // `make`: where there is none.
     void databaseChosen(const QString& path, bool make);
+    void wholeAngleLogsOpened();
 
 private:
     // Before the session's file loses what another program wrote into it.

@@ -141,6 +141,19 @@ void FileQuestions::database(const std::function<void(const QString&)>& open) {
     asked.open();
 }
 
+void FileQuestions::wholeAngleLogs(const std::function<void(const QStringList&)>& open) {
+    QFileDialog& asked = dialog(tr("Open whole-angle logs"));
+    asked.setFileMode(QFileDialog::ExistingFiles);
+    asked.setNameFilters({tr("Tables of numbers (%1)").arg(endingsOf(FileFormat::Group::tables)),
+                          tr("Arrays (%1)").arg(endingsOf(FileFormat::Group::arrays)),
+                          tr("All files (*)")});
+    connect(&asked, &QFileDialog::filesSelected, this, [open](const QStringList& files) {
+        keepFolder(files.first());
+        open(files);
+    });
+    asked.open();
+}
+
 void FileQuestions::list(const std::function<void(const QString&)>& open) {
     QFileDialog& asked = dialog(tr("Measurement list"));
     asked.setFileMode(QFileDialog::ExistingFile);
@@ -197,6 +210,11 @@ void FileQuestions::picture(const QString& name, const Save& save) {
 void FileQuestions::historyTarget(const QString& name, const Save& save) {
     target(tr("Export history"), name + QStringLiteral(".csv"),
            {tr("Table (*.csv)"), tr("PDF document (*.pdf)")}, save);
+}
+
+void FileQuestions::driftTarget(const Save& save) {
+    target(tr("Export drift"), QStringLiteral("drift.csv"),
+           {tr("Table (*.csv)"), tr("Result (*.json)")}, save);
 }
 
 void FileQuestions::reportTarget(const QString& name, const Save& save) {

@@ -32,6 +32,7 @@ public:
     void missingRecording(const QString& name, const std::function<void(const QString&)>& open);
     void passport(const std::function<void(const QString&)>& open);
     void database(const std::function<void(const QString&)>& open);
+    void wholeAngleLogs(const std::function<void(const QStringList&)>& open);
     void list(const std::function<void(const QString&)>& open);
     void folder(const QString& title, const std::function<void(const QString&)>& open);
     // Where to write what.
@@ -49,6 +50,8 @@ public:
     void picture(const QString& name, const Save& save);
     // A table (CSV) or a report (PDF); `name` without its ending.
     void historyTarget(const QString& name, const Save& save);
+    // A table (CSV) or the result (JSON).
+    void driftTarget(const Save& save);
     // A PDF; `name` without its ending.
     void reportTarget(const QString& name, const Save& save);
 

@@ -1,5 +1,6 @@
 #include "ui/window/main_window.h"
 
+#include "ui/drift/drift_page.h"
 #include "ui/history/history_page.h"
 #include "ui/panels/cursor_times.h"
 #include "ui/panels/findings_flag.h"
@@ -101,10 +102,11 @@ void MainWindow::buildPages() {
     resonator_ = new ResonatorPage(document_, this);
     residuals_ = new ResidualsPage(document_, this);
     sweep_ = new SweepPage(document_, this);
+    drift_ = new DriftPage(document_, this);
     history_ = new HistoryPage(document_, this);
     pages_ = new PageStack(welcome_, this);
     for (QWidget* page : std::initializer_list<QWidget*>{tracks_page_, signals_, residuals_, sweep_,
-                                                         resonator_, history_}) {
+                                                         resonator_, drift_, history_}) {
         pages_->add(page);
     }
     settings_ = new SettingsPanel(document_, this);
@@ -187,6 +189,7 @@ void MainWindow::connectDocument() {
     });
     connect(&document_.dossier(), &DossierModel::changed, this, &MainWindow::showTitle);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, commands_, &Commands::refresh);
+    connect(&document_.drift(), &DriftStore::changed, commands_, &Commands::refresh);
 }
 
 void MainWindow::connectSession() {
@@ -238,9 +241,15 @@ void MainWindow::connectPanels() {
     connect(residuals_, &ResidualsPage::figuresChanged, commands_, &Commands::refresh);
     connect(resonator_, &ResonatorPage::figuresChanged, commands_, &Commands::refresh);
     connect(sweep_, &SweepPage::figuresChanged, commands_, &Commands::refresh);
+    connect(drift_, &DriftPage::figuresChanged, commands_, &Commands::refresh);
     connect(history_, &HistoryPage::figuresChanged, commands_, &Commands::refresh);
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(drift_, &DriftPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(drift_, &DriftPage::exportResultWanted, files_, &FileCommands::askWhereToPutDrift);
+    connect(drift_, &DriftPage::openWanted, files_, &FileCommands::askForWholeAngleLogs);
+    connect(files_, &FileCommands::wholeAngleLogsOpened, this,
+            [this] { pages_->showPage(Page::drift); });
     connect(history_, &HistoryPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(history_, &HistoryPage::exportAllWanted, files_, &FileCommands::exportHistory);
     connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
@@ -358,6 +367,7 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     ledger_->setUnits(units);
     resonator_->setUnits(units);
     sweep_->setUnits(units);
+    drift_->setUnits(units);
     history_->setUnits(units);
     batch_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
@@ -371,6 +381,7 @@ FigureSource MainWindow::figures() const {
         case Page::resonator: return resonator_->figures();
         case Page::residuals: return residuals_->figures();
         case Page::windows: return sweep_->figures();
+        case Page::drift: return drift_->figures();
         case Page::history: return history_->figures();
     }
     return {};

@@ -21,6 +21,7 @@ namespace vybeg::ui {
 
 class BatchCommands;
 class CursorTimes;
+class DriftPage;
 class FileCommands;
 class HistoryPage;
 class HelpView;
@@ -117,6 +118,7 @@ private:
     SignalsPage* signals_ = nullptr;
     ResidualsPage* residuals_ = nullptr;
     SweepPage* sweep_ = nullptr;
+    DriftPage* drift_ = nullptr;
     HistoryPage* history_ = nullptr;
     SettingsPanel* settings_ = nullptr;
     Overview* overview_ = nullptr;

@@ -1,4 +1,5 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
+#include "ui/drift/drift_page.h"
 #include "ui/history/history_page.h"
 #include "ui/panels/ledger.h"
 #include "ui/panels/wave_panel.h"
@@ -138,6 +139,7 @@ void MainWindow::applyLook() {
     signals_->setTheme(theme_);
     residuals_->setTheme(theme_);
     sweep_->setTheme(theme_);
+    drift_->setTheme(theme_);
     history_->setTheme(theme_);
     resonator_->setTheme(theme_);
     wave_->setTheme(theme_);

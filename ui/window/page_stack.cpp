@@ -18,6 +18,7 @@ struct PageRow {
     const char* word;
     const char* title;  // of context "Pages"
     PageNeeds needs;
+    bool of_recordings = true;  // without one the welcome stands in its place
 };
 
 // As Page.
@@ -32,7 +33,8 @@ constexpr std::array page_rows{
         "residuals", QT_TRANSLATE_NOOP("Pages", "Residuals"), {.sidebar = true, .ledger = true}},
     PageRow{"windows", QT_TRANSLATE_NOOP("Pages", "Windows"), {.sidebar = true, .ledger = true}},
     PageRow{"resonator", QT_TRANSLATE_NOOP("Pages", "Resonator"), {}},
-    PageRow{"history", QT_TRANSLATE_NOOP("Pages", "History"), {}},
+    PageRow{"drift", QT_TRANSLATE_NOOP("Pages", "Drift"), {}, false},
+    PageRow{"history", QT_TRANSLATE_NOOP("Pages", "History"), {}, false},
 };
 static_assert(page_rows.size() == static_cast<std::size_t>(Page::history) + 1);
 
@@ -95,7 +97,7 @@ Page PageStack::page() const {
 }
 
 bool PageStack::welcomes() const {
-    return welcome_ && page() != Page::history;
+    return welcome_ && rowOf(page()).of_recordings;
 }
 
 PageNeeds PageStack::needs() const {

@@ -9,8 +9,8 @@ class QTabBar;
 
 namespace vybeg::ui {
 
-// The pages in the order of their tabs. All but the last are about the open recordings.
-enum class Page { tracks, samples, residuals, windows, resonator, history };
+// The pages in the order of their tabs. All but the last two are about the open recordings.
+enum class Page { tracks, samples, residuals, windows, resonator, drift, history };
 
 // What a page shows around itself: a page shows only what acts on it.
 struct PageNeeds {

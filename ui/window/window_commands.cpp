@@ -21,6 +21,7 @@ namespace vybeg::ui {
 
 std::vector<CommandRow> windowCommands(const CommandTargets& to) {
     const auto any = [to] { return to.document.currentRecording() != nullptr; };
+    const auto anything = [to, any] { return any() || !to.document.drift().logs().empty(); };
     const auto open = [to] {
         const RecordingEntry* entry = to.document.currentRecording();
         return entry != nullptr && entry->recording.has_value();
@@ -56,6 +57,12 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "Open a database of results, for the history of its gyros"),
          .act = [to] { to.files.askForDatabase(); }},
+        {.id = Command::open_whole_angle,
+         .text = QT_TRANSLATE_NOOP("Command", "Open w&hole-angle logs…"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Open logs of a wave whose amplitude is held while it turns, for "
+                                  "its drift against the angle"),
+         .act = [to] { to.files.askForWholeAngleLogs(); }},
         {.id = Command::close_recording,
          .text = QT_TRANSLATE_NOOP("Command", "&Close recording"),
          .tip = QT_TRANSLATE_NOOP("Command", "Close the current recording and its analyses"),
@@ -205,12 +212,19 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_4)},
          .enabled = any,
          .act = [to] { to.show_page(Page::windows); }},
+        {.id = Command::page_drift,
+         .text = QT_TRANSLATE_NOOP("Command", "Drift of the whole angl&e"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The page with the drift of whole-angle logs against the angle, "
+                                  "and what it and the efforts say of the resonator"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_6)},
+         .act = [to] { to.show_page(Page::drift); }},
         {.id = Command::page_history,
          .text = QT_TRANSLATE_NOOP("Command", "&History"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with the parameters of each gyro over all results of "
                                   "the laboratory's database"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_6)},
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_7)},
          .act = [to] { to.show_page(Page::history); }},
         {.id = Command::zoom_in,
          .text = QT_TRANSLATE_NOOP("Command", "Zoom &in"),

@@ -77,8 +77,8 @@ void WindowMenus::addFile() {
     add(file, {Command::open});
     titles_[recent_] = QT_TR_NOOP("Open rece&nt");
     file->addMenu(recent_);
-    add(file, {Command::import_file, Command::open_logs, Command::open_database,
-               Command::close_recording});
+    add(file, {Command::import_file, Command::open_logs, Command::open_whole_angle,
+               Command::open_database, Command::close_recording});
     file->addSeparator();
     add(file, {Command::save_session, Command::save_session_as});
     file->addSeparator();
@@ -93,7 +93,8 @@ void WindowMenus::addFile() {
 void WindowMenus::addView(int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
     add(view, {Command::page_tracks, Command::page_signals, Command::page_residuals,
-               Command::page_windows, Command::page_resonator, Command::page_history});
+               Command::page_windows, Command::page_resonator, Command::page_drift,
+               Command::page_history});
     view->addSeparator();
     add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
                Command::zoom_forward});

@@ -105,6 +105,7 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
                                    {"resonator", page(Command::page_resonator)},
                                    {"residuals", page(Command::page_residuals)},
                                    {"windows", show_sweep},
+                                   {"drift", page(Command::page_drift)},
                                    {"history", page(Command::page_history)}};
     pages.push_back({"wave", [](MainWindow& shown) {
                          shown.action(Command::page_tracks)->trigger();
@@ -343,8 +344,11 @@ void make_pictures(const PictureRequest& request) {
         window.resize(request.sizes.front());
         window.show();
         fill(window, recordings, request.open);
-        // The page without a database belongs to one recording.
+        // The pages without a database and without logs belong to one recording.
         if (recordings.size() > 1) {
+            if (shows(request, "drift")) {
+                document.drift().open(write_simulated_logs(own.folder()));
+            }
             if (shows(request, "history")) {
                 show_history(window, database);
             }

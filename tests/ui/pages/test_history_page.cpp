@@ -144,9 +144,9 @@ private slots:
         VYBEG_AT_MOST(shown.lower, 0.01 - 2 * 2e-5);
     }
 
-    // Ctrl+6 without any recording: a sentence and buttons. Tracks then is the welcome again.
+    // Ctrl+7 without any recording: a sentence and buttons. Tracks then is the welcome again.
     void without_a_database_the_page_says_what_to_do() {
-        QTest::keyClick(window_.get(), Qt::Key_6, Qt::ControlModifier);
+        QTest::keyClick(window_.get(), Qt::Key_7, Qt::ControlModifier);
         QVERIFY(page().isVisible() && the<QTabBar>("pages").isVisible());
         QVERIFY2(text("historyState").contains("database"), qPrintable(text("historyState")));
         QVERIFY(the<QPushButton>("historyOpen").isVisible());
@@ -303,7 +303,7 @@ private slots:
     // A new database, an identified resonator, its result under a name and a date.
     void this_result_is_added() {
         const QString path = home_.path("new.db");
-        QTest::keyClick(window_.get(), Qt::Key_6, Qt::ControlModifier);
+        QTest::keyClick(window_.get(), Qt::Key_7, Qt::ControlModifier);
         click("historyNew");
         auto* files = window_->findChild<QFileDialog*>("files");
         QVERIFY(files && files->isVisible());
@@ -414,7 +414,7 @@ private slots:
         window_ = shownWindow();  // without settings
         QSettings().setValue("history/database", kept);
         QVERIFY(!page().history());
-        QTest::keyClick(window_.get(), Qt::Key_6, Qt::ControlModifier);
+        QTest::keyClick(window_.get(), Qt::Key_7, Qt::ControlModifier);
         waitForPage();
         QCOMPARE(page().path(), home_.path("kept.db"));
         QCOMPARE(page().history()->points.size(), std::size_t(3));
@@ -424,7 +424,7 @@ private slots:
         open(database("words.db", 30, 1, 25));
         chooseGyro(1);
         window_->setLanguage("ru");
-        QTRY_COMPARE(the<QTabBar>("pages").tabText(5), QString("История"));
+        QTRY_COMPARE(the<QTabBar>("pages").tabText(6), QString("История"));
         QVERIFY2(text("historyVerdict").contains("выше"), qPrintable(text("historyVerdict")));
         QCOMPARE(page().history()->points.size(), std::size_t(30));
         window_->setLanguage("en");

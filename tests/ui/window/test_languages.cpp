@@ -34,11 +34,12 @@ namespace {
 
 // What stands in Latin letters in every language: names, endings of files, keys, notation.
 const std::set<QString> anyLanguage{
-    "Vybeg", "English", "Qt",  "QCustomPlot", "GNU",   "General", "Public", "License",
-    "WAV",   "FLAC",    "CSV", "PNG",         "SVG",   "PDF",     "NPZ",    "MAT",
-    "HDF",   "SHA",     "NaN", "nan",         "rms",   "demo",    "wav",    "Home",
-    "Ctrl",  "Shift",   "Alt", "Del",         "Space", "png",     "csv",    "bits",
-    "cos",   "sin",     "opt", "Return",      "json",  "ppm",     "Delete", "Insert"};
+    "Vybeg", "English", "Qt",        "QCustomPlot", "GNU",   "General", "Public", "License",
+    "WAV",   "FLAC",    "CSV",       "PNG",         "SVG",   "PDF",     "NPZ",    "MAT",
+    "HDF",   "SHA",     "NaN",       "nan",         "rms",   "demo",    "wav",    "Home",
+    "Ctrl",  "Shift",   "Alt",       "Del",         "Space", "png",     "csv",    "bits",
+    "cos",   "sin",     "opt",       "Return",      "json",  "ppm",     "Delete", "Insert",
+    "JSON",  "theta",   "amplitude", "quadrature"};
 
 // All texts that a widget shows or tells a screen reader.
 QStringList textsOf(const QWidget& widget) {

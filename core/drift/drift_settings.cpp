@@ -1,0 +1,97 @@
+#include "core/drift/drift_settings.h"
+
+#include "core/drift/whole_angle_drift.h"
+#include "core/recording/samples/open_table.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+using Row = SettingRow<DriftSettings>;
+
+Row columns_row() {
+    return value_row<std::string, DriftSettings>(
+        {"columns", "NAMES",
+         "What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a "
+         "name or a number, where the file calls it otherwise, e.g. t,theta=angle (default: by "
+         "their names)"},
+        [](auto& s) -> auto& { return s.reading.columns; },
+        [](const std::string& from) -> Result<std::string> {
+            TRY(check_log_columns(from));
+            return from;
+        },
+        [](const std::string& columns) { return columns; }, any_value);
+}
+
+Row angle_unit_row() {
+    return choice_row<DriftSettings>(
+        {"angle-unit", "deg|rad", "Unit of theta where the file does not tell it"},
+        [](auto& s) -> auto& { return s.reading.rad_per_angle_unit; },
+        std::array{std::pair{"deg", std::numbers::pi / 180}, std::pair{"rad", 1.0}},
+        "it is deg or rad");
+}
+
+// Gain ratio and skew, which the drift of an angle knows.
+Result<Tolerance> read_pick_offs(const std::string& from) {
+    const auto told = TRY(read_tolerance(from));
+    Tolerance rest = told;
+    rest.kappa.reset();
+    rest.skew_deg.reset();
+    if (rest != Tolerance{}) {
+        return refused_value("--tolerance", from, "it names kappa and skew");
+    }
+    return told;
+}
+
+Row pick_offs_row() {
+    return value_row<Tolerance, DriftSettings>(
+        {"tolerance", "NAME=X[,NAME=X]",
+         "Standard deviations of the channels: kappa, skew (default kappa=0.01,skew=0.1deg)"},
+        [](auto& s) -> auto& { return s.tolerance; }, read_pick_offs, tolerance_text, any_value);
+}
+
+// Of a table of numbers, which is no recording: an option of opening.
+Row opening_row(const SettingRow<OpenOptions>& of_opening) {
+    Row row{of_opening.name, of_opening.placeholder, of_opening.help};
+    row.read = [read = of_opening.read](const std::string& from, DriftSettings& settings) {
+        return read(from, settings.reading.open);
+    };
+    row.text = [text = of_opening.text](const DriftSettings& settings) {
+        return text(settings.reading.open);
+    };
+    row.bounds = of_opening.bounds;
+    return row;
+}
+
+std::vector<Row> rows_of_drift() {
+    std::vector<Row> rows{columns_row(), angle_unit_row(), pick_offs_row()};
+    for (const char* name :
+         {"rate", "delimiter", "decimal", "skip-lines", "time-column", "time-unit"}) {
+        rows.push_back(
+            opening_row(*std::ranges::find(open_settings(), name, &SettingRow<OpenOptions>::name)));
+    }
+    return rows;
+}
+
+}  // namespace
+
+const std::vector<SettingRow<DriftSettings>>& drift_settings() {
+    static const std::vector<Row> rows = rows_of_drift();
+    return rows;
+}
+
+ChannelTolerance pick_offs(const Tolerance& tolerance) {
+    ChannelTolerance channels = usual_pick_offs();
+    channels.kappa = tolerance.kappa.value_or(channels.kappa);
+    if (tolerance.skew_deg) {
+        channels.skew_rad = *tolerance.skew_deg * std::numbers::pi / 180;
+    }
+    return channels;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/analysis/tolerance.h"
+#include "core/base/setting_rows.h"
+#include "core/drift/log_reading.h"
+#include "core/resonator/model/channel_tolerance.h"
+
+#include <vector>
+
+namespace vybeg {
+
+// How whole-angle logs are read, and how well the channels behind their angle are known.
+struct DriftSettings {
+    LogReading reading;
+    Tolerance tolerance;  // kappa and skew alone
+
+    friend bool operator==(const DriftSettings&, const DriftSettings&) = default;
+};
+
+// A row for each of them, as analysis/setting_table.h has those of an analysis. The text of an
+// option that is not given is empty, of the tolerance "none".
+const std::vector<SettingRow<DriftSettings>>& drift_settings();
+
+// Gain ratio and skew with their tolerances, in place of those that are not told the usual ones.
+ChannelTolerance pick_offs(const Tolerance& tolerance);
+
+}  // namespace vybeg

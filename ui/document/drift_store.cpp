@@ -1,0 +1,127 @@
+#include "ui/document/drift_store.h"
+
+#include "core/drift/log_reading.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+Result<DriftOutcome> driftOf(const std::vector<std::filesystem::path>& paths,
+                             const DriftSettings& settings, const JobControl& job) {
+    DriftOutcome outcome;
+    outcome.settings = settings;
+    for (const std::filesystem::path& path : paths) {
+        auto log = TRY(read_whole_angle_log(path, settings.reading, job));
+        outcome.logs.push_back(std::move(log));
+    }
+    auto drift = TRY(whole_angle_drift(outcome.logs, job, pick_offs(settings.tolerance)));
+    outcome.drift = std::move(drift);
+    for (WholeAngleLog& log : outcome.logs) {
+        log = {std::move(log.name), std::move(log.sha256), {}, {}, {}, {}};
+    }
+    return outcome;
+}
+
+}  // namespace
+
+QString DriftLog::name() const {
+    return QFileInfo(path).fileName();
+}
+
+DriftStore::DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps, QObject* parent)
+    : QObject(parent), job_(job), ids_(ids), steps_(steps) {}
+
+void DriftStore::open(const QStringList& paths) {
+    State after = state_;
+    for (const QString& path : paths) {
+        const QString absolute = QFileInfo(path).absoluteFilePath();
+        if (std::ranges::find(after.logs, absolute, &DriftLog::path) == after.logs.end()) {
+            after.logs.push_back({absolute, {}});
+        }
+    }
+    if (after.logs.size() > state_.logs.size()) {
+        step([] { return tr("open whole-angle logs"); }, std::move(after));
+    }
+}
+
+void DriftStore::remove(const QStringList& paths) {
+    State after = state_;
+    const auto gone = std::erase_if(
+        after.logs, [&paths](const DriftLog& log) { return paths.contains(log.path); });
+    if (gone > 0) {
+        const QString name = QFileInfo(paths.front()).fileName();
+        const bool one = gone == 1;
+        step([one, name] { return one ? tr("remove %1").arg(name) : tr("remove logs"); },
+             std::move(after));
+    }
+}
+
+void DriftStore::setSettings(const DriftSettings& settings) {
+    if (settings != state_.settings) {
+        step([] { return tr("settings of the drift"); }, {state_.logs, settings});
+    }
+}
+
+void DriftStore::startWith(std::vector<DriftLog> logs, const DriftSettings& settings) {
+    if (!logs.empty() || !state_.logs.empty() || settings != state_.settings) {
+        restore({std::move(logs), settings});
+    }
+}
+
+void DriftStore::step(UndoSteps::Words words, State after) {
+    steps_.add(
+        std::move(words), [this, before = state_] { restore(before); },
+        [this, after] { restore(after); });
+    restore(std::move(after));
+}
+
+void DriftStore::restore(State state) {
+    state_ = std::move(state);
+    compute();
+    emit changed();
+}
+
+void DriftStore::compute() {
+    outcome_.reset();
+    failure_.reset();
+    computing_ = !state_.logs.empty();
+    if (!computing_) {
+        job_.forget(key_);
+        emit settled(Topic::drift);
+        return;
+    }
+    key_ = key_ == 0 ? ids_.next() : key_;
+    std::vector<std::filesystem::path> paths;
+    for (const DriftLog& log : state_.logs) {
+        paths.emplace_back(log.path.toStdU16String());
+    }
+    job_.run<DriftOutcome>(
+        key_,
+        [paths = std::move(paths), settings = state_.settings](const JobControl& job) {
+            return driftOf(paths, settings, job);
+        },
+        [this](Result<DriftOutcome> result) { take(std::move(result)); });
+}
+
+void DriftStore::take(Result<DriftOutcome> result) {
+    computing_ = false;
+    if (result) {
+        for (std::size_t k = 0; k < state_.logs.size(); ++k) {
+            state_.logs[k].sha256 = QString::fromStdString(result->logs[k].sha256);
+        }
+        outcome_ = std::make_shared<const DriftOutcome>(std::move(*result));
+        emit settled(Topic::drift);
+    } else {
+        failure_ = result.error();
+        emit reported(errorMessage(*failure_, Topic::drift));
+    }
+    emit changed();
+}
+
+}  // namespace vybeg::ui

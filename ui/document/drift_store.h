@@ -1,0 +1,86 @@
+#pragma once
+
+#include "core/drift/drift_settings.h"
+#include "core/drift/whole_angle_drift.h"
+#include "ui/document/background_jobs.h"
+#include "ui/document/id_counter.h"
+#include "ui/document/message.h"
+#include "ui/document/undo_steps.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// A whole-angle log in the window's list.
+struct DriftLog {
+    QString path;    // absolute
+    QString sha256;  // of what was read of it; empty: not known yet
+
+    QString name() const;
+
+    friend bool operator==(const DriftLog&, const DriftLog&) = default;
+};
+
+// The drift of whole-angle logs, and what it was computed from.
+struct DriftOutcome {
+    std::vector<WholeAngleLog> logs;  // name and SHA-256 alone, without their rows
+    WholeAngleDrift drift;
+    DriftSettings settings;
+};
+
+// Whole-angle logs of one gyro, how they are read, and their drift, which is computed in the
+// background after each change of both.
+class DriftStore : public QObject {
+    Q_OBJECT
+
+public:
+    DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps, QObject* parent = nullptr);
+
+    const std::vector<DriftLog>& logs() const { return state_.logs; }
+    const DriftSettings& settings() const { return state_.settings; }
+    // Steps of undo. A log that is open already stays as it is.
+    void open(const QStringList& paths);
+    void remove(const QStringList& paths);
+    void setSettings(const DriftSettings& settings);
+    // No step: of a session.
+    void startWith(std::vector<DriftLog> logs, const DriftSettings& settings);
+
+    bool computing() const { return computing_; }
+    // Of the present logs and settings; null where it is computed yet or there is none.
+    std::shared_ptr<const DriftOutcome> outcome() const { return outcome_; }
+    // Why there is none.
+    const std::optional<Error>& failure() const { return failure_; }
+
+signals:
+    void changed();  // logs, settings or their drift
+    void reported(const Message& message);
+    void settled(Topic topic);
+
+private:
+    struct State {
+        std::vector<DriftLog> logs;
+        DriftSettings settings;
+    };
+    void step(UndoSteps::Words words, State after);
+    void restore(State state);
+    void compute();
+    void take(Result<DriftOutcome> result);
+
+    BackgroundJobs& job_;
+    IdCounter& ids_;
+    UndoSteps& steps_;
+    State state_;
+    int key_ = 0;  // of the job
+    bool computing_ = false;
+    std::shared_ptr<const DriftOutcome> outcome_;
+    std::optional<Error> failure_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,191 @@
+#include "ui/drift/drift_page.h"
+
+#include "ui/drift/drift_panel.h"
+#include "ui/drift/drift_text.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/resonator/page_parts.h"
+#include "ui/resonator/warning_list.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/wheel_guard.h"
+#include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int panel_width = 216;
+constexpr int least_plot_height = 260;
+constexpr int hint_width = 460;
+
+}  // namespace
+
+DriftPage::DriftPage(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      panel_(new DriftPanel(document, this)),
+      export_(new QPushButton(this)),
+      state_(sentence(this)),
+      hint_(new QLabel(this)) {
+    setObjectName(QStringLiteral("driftPage"));
+    export_->setObjectName(QStringLiteral("driftExport"));
+    state_->setObjectName(QStringLiteral("driftState"));
+    hint_->setObjectName(QStringLiteral("driftHint"));
+    hint_->setWordWrap(true);
+    hint_->setAlignment(Qt::AlignCenter);
+    hint_->setMaximumWidth(hint_width);
+    auto* left = new QVBoxLayout;
+    left->addWidget(panel_);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(6, 0, 6, 0);
+    row->addWidget(export_);
+    left->addLayout(row);
+    left->addWidget(state_);
+    left->addStretch(1);
+    left->setContentsMargins(0, 0, 0, 0);
+    left->setSpacing(0);
+    auto* side = new QWidget(this);
+    side->setLayout(left);
+    side->setFixedWidth(panel_width);
+    content_ = buildContent();
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(side);
+    layout->addWidget(hint_, 1, Qt::AlignCenter);
+    layout->addWidget(content_, 1);
+    connect(panel_, &DriftPanel::openWanted, this, &DriftPage::openWanted);
+    connect(export_, &QPushButton::clicked, this, &DriftPage::exportResultWanted);
+    connect(plot_, &XYPlotView::exportWanted, this, &DriftPage::exportWanted);
+    connect(&document_.drift(), &DriftStore::changed, this, &DriftPage::refresh);
+    guardFromWheel(*this);
+    retranslate();
+}
+
+QWidget* DriftPage::buildContent() {
+    auto* content = new QWidget(this);
+    plot_ = new XYPlotView(content);
+    plot_->setObjectName(QStringLiteral("driftPlot"));
+    plot_->setMinimumSize(260, least_plot_height);
+    plot_->setMaximumHeight(QWIDGETSIZE_MAX);
+    warnings_ = new WarningList(content);
+    warnings_->setObjectName(QStringLiteral("driftWarnings"));
+    harmonics_ = table("driftHarmonics");
+    agreement_ = sentence(content);
+    agreement_->setObjectName(QStringLiteral("driftAgreement"));
+    resonator_ = table("driftResonator");
+    statistical_ = sentence(content);
+    statistical_->setObjectName(QStringLiteral("driftStatistical"));
+    auto* numbers = new QVBoxLayout;
+    numbers->setSpacing(2);
+    numbers->addWidget(warnings_);
+    harmonics_section_ = addSection(*numbers, {harmonics_, agreement_});
+    resonator_section_ = addSection(*numbers, {resonator_, statistical_});
+    numbers->addStretch(1);
+    auto* layout = new QHBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(plot_, 3);
+    layout->addWidget(scrolled(numbers), 2);
+    return content;
+}
+
+QuantityTable* DriftPage::table(const char* name) {
+    auto* made = new QuantityTable(this);
+    made->setObjectName(QLatin1String(name));
+    return made;
+}
+
+void DriftPage::setUnits(const DisplayUnits& units) {
+    units_ = units;
+    showFound();
+}
+
+void DriftPage::setTheme(const Theme& theme) {
+    plot_->setTheme(theme);
+}
+
+FigureSource DriftPage::figures() const {
+    return shown_ ? figuresOf({plot_}, QStringLiteral("drift"), QString()) : FigureSource();
+}
+
+void DriftPage::refresh() {
+    if (!document_.drift().computing()) {
+        shown_ = document_.drift().outcome();
+    }
+    showFound();
+}
+
+// Empty where the drift says all.
+QString DriftPage::stateText() const {
+    const DriftStore& drift = document_.drift();
+    if (drift.computing()) {
+        return tr("The drift is being computed…");
+    }
+    return shown_ || !drift.failure()
+               ? QString()
+               : tr("There is no drift: %1").arg(errorText(*drift.failure()));
+}
+
+void DriftPage::showFound() {
+    const QString state = stateText();
+    state_->setVisible(shown_ && !state.isEmpty());
+    state_->setText(richText(state));
+    hint_->setVisible(!shown_);
+    hint_->setText(!state.isEmpty()
+                       ? state
+                       : tr("Open whole-angle logs: a controller holds the amplitude while the "
+                            "wave turns by 180 degrees or more, and its angle is written down over "
+                            "the time. Here appear the drift against the angle with its harmonics, "
+                            "and, where the log has the efforts, the resonator's damping and "
+                            "split."));
+    content_->setVisible(shown_ != nullptr);
+    export_->setEnabled(document_.drift().outcome() != nullptr);
+    if (shown_) {
+        const WholeAngleDrift& drift = shown_->drift;
+        plot_->setContent(wholeAnglePlot(drift, units_));
+        warnings_->setFindings(findings_of(drift.warnings));
+        harmonics_->setContent(logHeaders(drift), logRows(drift, units_));
+        agreement_->setText(paragraphs(agreementTexts(drift), QStringLiteral("%1")));
+        resonator_->setContent({}, heldRows(drift.resonator, units_));
+        statistical_->setText(richText(channelsText(pick_offs(shown_->settings.tolerance))));
+    }
+    emit figuresChanged();
+}
+
+void DriftPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void DriftPage::retranslate() {
+    const auto name = [](Section* section, QWidget* widget, const QString& title) {
+        section->setTitle(title);
+        widget->setAccessibleName(title);
+    };
+    name(harmonics_section_, harmonics_, tr("Drift of the angle"));
+    name(resonator_section_, resonator_, tr("Resonator, from drift and efforts"));
+    harmonics_->setToolTip(
+        tr("The turn and the harmonics of the drift; of several logs each by itself, too. Ctrl+C "
+           "copies the table"));
+    resonator_->setToolTip(tr("Ctrl+C copies the table"));
+    plot_->setAccessibleName(tr("Drift against the angle"));
+    plot_->setToolTip(richTip(
+        tr("Drift of the wave angle less the turn of each log: means over ranges of the angle with "
+           "their standard deviations, and the fitted harmonics with theirs as a band")));
+    export_->setText(tr("Export result…"));
+    export_->setToolTip(tr("The drift by angle as a table (CSV), or the whole result (JSON)"));
+    showFound();
+}
+
+}  // namespace vybeg::ui

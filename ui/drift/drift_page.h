@@ -1,0 +1,72 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/plots/figure_source.h"
+#include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+class QPushButton;
+
+namespace vybeg::ui {
+
+class DriftPanel;
+class QuantityTable;
+class Section;
+class WarningList;
+class XYPlotView;
+
+// The drift of whole-angle logs: logs and settings at the left, the drift against the angle in the
+// middle, harmonics and resonator at the right. While a newer drift is computed, the one before is
+// shown.
+class DriftPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DriftPage(Document& document, QWidget* parent = nullptr);
+
+    void setUnits(const DisplayUnits& units);
+    void setTheme(const Theme& theme);
+
+    FigureSource figures() const;
+
+signals:
+    void openWanted();
+    void exportWanted(const Figure& figure);
+    void exportResultWanted();
+    void figuresChanged();  // figures() are others, or there are some now
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* buildContent();
+    QuantityTable* table(const char* name);
+    void refresh();
+    void showFound();
+    QString stateText() const;
+    void retranslate();
+
+    Document& document_;
+    DisplayUnits units_;
+    std::shared_ptr<const DriftOutcome> shown_;
+    DriftPanel* panel_;
+    QPushButton* export_;
+    QLabel* state_;
+    QLabel* hint_;
+    QWidget* content_ = nullptr;
+    XYPlotView* plot_ = nullptr;
+    WarningList* warnings_ = nullptr;
+    Section* harmonics_section_ = nullptr;
+    QuantityTable* harmonics_ = nullptr;
+    QLabel* agreement_ = nullptr;
+    Section* resonator_section_ = nullptr;
+    QuantityTable* resonator_ = nullptr;
+    QLabel* statistical_ = nullptr;
+};
+
+}  // namespace vybeg::ui

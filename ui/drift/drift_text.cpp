@@ -1,0 +1,243 @@
+#include "ui/drift/drift_text.h"
+
+#include "ui/resonator/parameter_text.h"
+#include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr double half_turn = std::numbers::pi;
+constexpr int curve_steps = 360;
+
+QString text(const char* source) {
+    return QCoreApplication::translate("Drift", source);
+}
+
+XYSeries meansOf(const WholeAngleDrift& drift, double angle, double rate) {
+    XYSeries means;
+    means.name = text(QT_TRANSLATE_NOOP("Drift", "means over %1°"))
+                     .arg(QLocale().toString(180.0 / static_cast<double>(drift.bins.size())));
+    means.ink = Ink::channel_c;
+    means.points = true;
+    for (const LogBin& bin : drift.bins) {
+        if (std::isfinite(bin.rate)) {
+            means.x.push_back(angle * bin.theta);
+            means.y.push_back(rate * bin.rate);
+            means.sd.push_back(rate * bin.sd);
+        }
+    }
+    return means;
+}
+
+XYSeries harmonicsOf(const WholeAngleDrift& drift, double angle, double rate) {
+    XYSeries curve;
+    curve.name = text(QT_TRANSLATE_NOOP("Drift", "harmonics 2 and 4"));
+    curve.ink = Ink::text;
+    for (int k = 0; k <= curve_steps; ++k) {
+        const double theta = half_turn * k / curve_steps;
+        curve.x.push_back(angle * theta);
+        curve.y.push_back(rate * drift.rate(theta));
+        curve.sd.push_back(rate * drift.sd_rate(theta));
+    }
+    return curve;
+}
+
+// Of points with their deviations, with room at both ends.
+std::optional<AxisRange> rangeOf(const XYSeries& points) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t k = 0; k < points.y.size(); ++k) {
+        low = std::min(low, points.y[k] - points.sd[k]);
+        high = std::max(high, points.y[k] + points.sd[k]);
+    }
+    if (!std::isfinite(low) || !std::isfinite(high) || !(high > low)) {
+        return std::nullopt;
+    }
+    const double spare = 0.06 * (high - low);
+    return AxisRange{low - spare, high + spare};
+}
+
+bool hasAll(const WholeAngleDrift& drift) {
+    return std::ranges::all_of(drift.harmonics.begin() + 1, drift.harmonics.end(),
+                               [](const Estimate& each) { return each.given(); });
+}
+
+// A number of a log, with no more decimals than it has use for.
+QuantityCell plainCell(double value) {
+    constexpr double large = 100;
+    return {QLocale().toString(value, 'f', std::abs(value) < large ? 1 : 0),
+            {exactText(value), QString(), QString()},
+            {}};
+}
+
+QuantityCell rowsCell(const LogDrift& log) {
+    const QLocale locale;
+    const QString rows = locale.toString(static_cast<qint64>(log.rows));
+    return sentenceCell(log.missing == 0
+                            ? rows
+                            : text(QT_TRANSLATE_NOOP("Drift", "%1, %2 without"))
+                                  .arg(rows, locale.toString(static_cast<qint64>(log.missing))));
+}
+
+}  // namespace
+
+XYPlot wholeAnglePlot(const WholeAngleDrift& drift, const DisplayUnits& units) {
+    const double angle = angleFactor(units);
+    const double rate = angleRateFactor(units);
+    XYPlot plot;
+    plot.x_name = QStringLiteral("θ_A");
+    plot.x_unit = angleUnit(units);
+    plot.x_in_degrees = units.angle == AngleUnit::degrees;
+    plot.x_range = AxisRange{-0.01 * angle * half_turn, 1.01 * angle * half_turn};
+    plot.y_name = text(QT_TRANSLATE_NOOP("Drift", "dθ_A/dt less the turn"));
+    plot.y_unit = angleRateUnit(units);
+    plot.y_takes_prefix = units.angle == AngleUnit::radians;
+    plot.series.push_back(meansOf(drift, angle, rate));
+    plot.y_range = rangeOf(plot.series[whole_angle_means]);
+    if (hasAll(drift)) {
+        plot.series.push_back(harmonicsOf(drift, angle, rate));
+    }
+    return plot;
+}
+
+QString logName(const WholeAngleDrift& drift, std::size_t log) {
+    const QString name = QString::fromStdString(drift.logs[log].name);
+    return drift.left_out == log ? text(QT_TRANSLATE_NOOP("Drift", "%1 (left out)")).arg(name)
+                                 : name;
+}
+
+QStringList logHeaders(const WholeAngleDrift& drift) {
+    QStringList headers;
+    if (drift.logs.size() > 1) {
+        headers << text(QT_TRANSLATE_NOOP("Drift", "All logs"));
+        for (std::size_t k = 0; k < drift.logs.size(); ++k) {
+            headers << logName(drift, k);
+        }
+    }
+    return headers;
+}
+
+std::vector<QuantityRow> logRows(const WholeAngleDrift& drift, const DisplayUnits& units) {
+    const std::array<QString, log_terms> names{
+        text(QT_TRANSLATE_NOOP("Drift", "Turn dθ_A/dt")), QStringLiteral("cos 2θ_A"),
+        QStringLiteral("sin 2θ_A"), QStringLiteral("cos 4θ_A"), QStringLiteral("sin 4θ_A")};
+    const double factor = angleRateFactor(units);
+    const bool several = drift.logs.size() > 1;
+    std::vector<QuantityRow> rows;
+    for (std::size_t term = 0; term < names.size(); ++term) {
+        const QString tip =
+            term == 0 ? text(QT_TRANSLATE_NOOP(
+                            "Drift",
+                            "Mean rate over the angle: input rate and bias. Each log has its own"))
+                      : QString();
+        QuantityRow row{withUnit(names.at(term), angleRateUnit(units)),
+                        tip,
+                        {cellOf(drift.harmonics.at(term), factor)}};
+        const auto at = static_cast<Eigen::Index>(term);
+        for (std::size_t k = 0; several && k < drift.logs.size(); ++k) {
+            const LogDrift& log = drift.logs[k];
+            row.cells.push_back(valueCell(factor * log.coefficients[at],
+                                          factor * std::sqrt(log.covariance(at, at))));
+        }
+        rows.push_back(std::move(row));
+    }
+    const auto add = [&](const QString& name, const QString& tip, const auto& cell) {
+        QuantityRow row{name, tip, {}};
+        if (several) {
+            row.cells.push_back(sentenceCell({}));
+        }
+        for (const LogDrift& log : drift.logs) {
+            row.cells.push_back(cell(log));
+        }
+        rows.push_back(std::move(row));
+    };
+    add(withUnit(text(QT_TRANSLATE_NOOP("Drift", "Length")), unitText("s")), {},
+        [](const LogDrift& log) { return plainCell(log.seconds); });
+    add(withUnit(text(QT_TRANSLATE_NOOP("Drift", "Turn of the wave")), angleUnit(units)),
+        text(QT_TRANSLATE_NOOP("Drift", "From the least to the greatest angle")),
+        [angle = angleFactor(units)](const LogDrift& log) { return plainCell(angle * log.turn); });
+    add(text(QT_TRANSLATE_NOOP("Drift", "Rows with an angle")), {}, rowsCell);
+    return rows;
+}
+
+std::vector<QuantityRow> heldRows(const HeldResonator& resonator, const DisplayUnits& units) {
+    struct Held {
+        const char* name;  // as in resonator_parameters.h
+        const char* unit;
+        const Estimate& estimate;
+        const char* tip;
+    };
+    const std::array<Held, 5> parameters{{
+        {"damping_anisotropy_per_s", "1/s", resonator.damping_anisotropy_per_s,
+         QT_TRANSLATE_NOOP("Drift", "Four times the fourth harmonic of the drift")},
+        {"theta_tau_rad", "rad", resonator.theta_tau_rad,
+         QT_TRANSLATE_NOOP("Drift", "Axis of larger damping, from the drift")},
+        {"tau_s", "s", resonator.tau_s,
+         QT_TRANSLATE_NOOP("Drift",
+                           "2ρ/g, ρ the fourth harmonic of the amplitude effort over its "
+                           "mean")},
+        {"split_hz", "Hz", resonator.split_hz,
+         QT_TRANSLATE_NOOP("Drift", "From the quadrature effort against the amplitude effort")},
+        {"theta_w_rad", "rad", resonator.theta_w_rad,
+         QT_TRANSLATE_NOOP("Drift",
+                           "Axis of the mode with the higher frequency, from the "
+                           "quadrature effort")},
+    }};
+    std::vector<QuantityRow> rows;
+    for (const Held& each : parameters) {
+        const Shown shown = shownAs(each.name, each.unit, units);
+        rows.push_back({withUnit(shown.title, shown.unit),
+                        text(each.tip),
+                        {cellOf(each.estimate, shown.factor)}});
+    }
+    return rows;
+}
+
+QStringList agreementTexts(const WholeAngleDrift& drift) {
+    QStringList texts;
+    for (const LogAgreement& each : drift.agreement) {
+        if (each.freedom > 0) {
+            const QString form =
+                each.harmonic == 0
+                    ? (each.agrees
+                           ? text(QT_TRANSLATE_NOOP("Drift", "Turn: the logs agree, χ² %1 of %2."))
+                           : text(QT_TRANSLATE_NOOP(
+                                 "Drift",
+                                 "Turn: the logs differ, χ² %1 of %2, which is no fault.")))
+                    : (each.agrees ? text(QT_TRANSLATE_NOOP(
+                                         "Drift", "Harmonic %3: the logs agree, χ² %1 of %2."))
+                                   : text(QT_TRANSLATE_NOOP(
+                                         "Drift", "Harmonic %3: the logs differ, χ² %1 of %2.")));
+            const QString sentence =
+                form.arg(shortNumberText(each.chi2, 3), shortNumberText(each.freedom, 3));
+            texts << (each.harmonic == 0 ? sentence : sentence.arg(each.harmonic));
+        }
+    }
+    if (texts.isEmpty()) {
+        texts << text(QT_TRANSLATE_NOOP(
+            "Drift", "Of one log it is not known whether another one would agree with it."));
+    }
+    return texts;
+}
+
+QString channelsText(const ChannelTolerance& channels) {
+    return text(QT_TRANSLATE_NOOP("Drift",
+                                  "± is the statistical standard deviation. u, where it differs, "
+                                  "holds the tolerances of the channels too: κ ± %1, ε ± %2°."))
+        .arg(shortNumberText(channels.kappa, 3),
+             shortNumberText(channels.skew_rad * 180 / std::numbers::pi, 3));
+}
+
+}  // namespace vybeg::ui
