@@ -142,12 +142,16 @@ std::vector<FittedBreak> breaks_without(std::vector<FittedBreak> breaks, std::si
     return breaks;
 }
 
+bool has_foreign(const SetFit& set) {
+    return set.examination().verdict == SetVerdict::foreign;
+}
+
 // Leaves out the run that does not belong to the set, if the others agree; returns the set with it,
 // else null.
 std::unique_ptr<SetFit> without_foreign(std::vector<PhasorRun>& runs, std::unique_ptr<SetFit>& set,
                                         double scale, const FitOptions& options,
                                         const JobControl& job) {
-    if (set->examination().verdict != SetVerdict::foreign || runs.size() < 3) {
+    if (!has_foreign(*set) || runs.size() < 3) {
         return nullptr;
     }
     std::vector<PhasorRun> others = runs;
@@ -220,9 +224,10 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     bool by_usual = false;
     if (usual.tolerance != stated.tolerance &&
         !(set->explains() && set->is_white() && set->unexplained_breaks().empty())) {
-        // What channels within their usual tolerances explain is no finding.
+        // What channels within their usual tolerances explain is no finding, and hides the run that
+        // does not belong to the set.
         std::unique_ptr<SetFit> open = solved_set(good, scale, usual, job);
-        by_usual = open->explains();
+        by_usual = open->explains() || (!set->agrees() && !has_foreign(*set) && has_foreign(*open));
         if (by_usual) {
             set = std::move(open);
         }

@@ -155,6 +155,28 @@ private slots:
         VYBEG_AT_LEAST(within, 20);
     }
 
+    // Nor do they hide a recording of another resonator.
+    void a_foreign_recording_is_named_beside_them() {
+        int named = 0;
+        constexpr int sets = 12;
+        for (std::uint64_t seed = 1; seed <= sets; ++seed) {
+            FreeDecay decay = resonator();
+            decay.noise = 1e-4;
+            std::vector<PhasorRun> runs = set_of(decay, {3, 21, 39, 57, 75}, window, seed);
+            FreeDecay other = decay;
+            other.f0_hz += seed % 2 == 0 ? 2 : 0.01;
+            other.tau_s = 90;
+            other.split_hz = 0.05;
+            other.theta_w = -0.5;
+            const std::size_t out = seed % runs.size();
+            runs[out] = set_of(other, {30}, window, seed + 50).front();
+            spoil(runs, drawn_from(assuming.assumed, seed));
+            const ResonatorFit fit = fitted(runs, assuming);
+            named += fit.left_out == out && warns(fit, DiagnosticKind::foreign_recording) ? 1 : 0;
+        }
+        VYBEG_AT_LEAST(named, sets - 1);
+    }
+
     // A residual that is noise by its chi^2 still shows an error of many tolerances.
     void a_score_names_an_error_that_chi_square_hides() {
         int named = 0;
