@@ -196,7 +196,8 @@ private:
     }
 
     void ask_for_unit(const LogColumn& angles) {
-        look_.needs_angle_unit = !angle_factor(path_, angles, look_.choice.rad_per_angle_unit);
+        look_.needs_angle_unit =
+            look_.needs_angle_unit || !angle_factor(path_, angles, look_.choice.rad_per_angle_unit);
     }
 
     std::string all_names() const {

@@ -10,6 +10,7 @@
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -107,10 +108,8 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
         connect(box, &QComboBox::currentIndexChanged, this, &LogDialog::refresh);
         return box;
     };
-    const auto number = [this, &put](Row row, const char* name, const QString& unit,
-                                     const Bounds& limits) {
+    const auto number = [this, &put](Row row, const char* name, const Bounds& limits) {
         auto* field = put(row, name, new NumberField(this));
-        field->setUnit(unit);
         field->setOptional(true);
         field->setLimits(limits);
         connect(field, &QLineEdit::textEdited, this, &LogDialog::refresh);
@@ -123,19 +122,18 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
         return field;
     };
     const auto bounds = [](const char* name) { return bounds_in(log_settings(), name); };
-    const QString hertz = QStringLiteral("Hz");
     kind_ = list(kind, "kind", 6);
     columns_ = words(columns, "columns");
     channel_d_ = words(channel_d, "channel_d_file");
     choose_ = channel_d_->addAction(QIcon(), QLineEdit::TrailingPosition);
     angle_unit_ = list(angle_unit, "angle_unit", 3);
-    f_ref_ = number(f_ref, "f_ref", hertz, bounds("f-ref"));
+    f_ref_ = number(f_ref, "f_ref", bounds("f-ref"));
     y_sign_ = list(y_sign, "y_sign", 3);
     amplitude_ = list(amplitude, "amplitude", 3);
     order_ = list(order, "order", most_stages + 1);
-    bandwidth_ = number(bandwidth, "bandwidth", hertz, bounds("f-ref"));
-    rate_ = number(rate, "rate", hertz, bounds_in(open_settings(), "rate"));
-    from_ = number(from, "from", QStringLiteral("s"), bounds_of("from"));
+    bandwidth_ = number(bandwidth, "bandwidth", bounds("f-ref"));
+    rate_ = number(rate, "rate", bounds_in(open_settings(), "rate"));
+    from_ = number(from, "from", bounds_of("from"));
     auto* choices = new QWidget(this);
     auto* column = new QVBoxLayout(choices);
     column->setContentsMargins(0, 0, 0, 0);
@@ -466,6 +464,10 @@ void LogDialog::retranslate() {
          tr("Time from the start of a log: what is before it is left out, as the settling of a "
             "filter"));
     from_->setPlaceholderText(tr("nothing"));
+    for (NumberField* field : {f_ref_, bandwidth_, rate_}) {
+        field->setUnit(unitText("Hz"));
+    }
+    from_->setUnit(unitText("s"));
     buttons_->button(QDialogButtonBox::Open)->setText(tr("Open"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     refresh();

@@ -126,8 +126,8 @@ private slots:
         QVERIFY(open);
         const auto expected = identify_set(*open, {}, {}, JobControl());
         QVERIFY(expected);
-        QCOMPARE(outcome().identification.fit.resonator.tau_s.value,
-                 expected->identification.fit.resonator.tau_s.value);
+        QCOMPARE(outcome().identification.runs.front().wave.tau_s.value,
+                 expected->identification.runs.front().wave.tau_s.value);
         QVERIFY(!sets().outOfDate(set, outcome()));
         QVERIFY(!outcome().set.recordings.front().sha256.empty());
         // A recording that is added makes a set of its own.
@@ -211,13 +211,13 @@ private slots:
         const StoredSet again = storedSet(*stored, {});
         QVERIFY(again.settings_known && again.missing.isEmpty());
         QVERIFY(again.list.sets.front().settings.logs == outcome().set.settings.logs);
-        const double tau_s = outcome().identification.fit.resonator.tau_s.value;
+        const double tau_s = outcome().identification.runs.front().wave.tau_s.value;
         sets().open(again.list);
         QCOMPARE(sets().all().size(), std::size_t(2));
         QVERIFY(document().recordings().empty());
         sets().identify();
         waitForOutcome();
-        QCOMPARE(outcome().identification.fit.resonator.tau_s.value, tau_s);
+        QCOMPARE(outcome().identification.runs.front().wave.tau_s.value, tau_s);
     }
 
     void a_track_has_nothing_to_be_asked() {
