@@ -21,13 +21,13 @@ namespace vybeg::ui {
 
 std::vector<CommandRow> windowCommands(const CommandTargets& to) {
     const auto any = [to] { return to.document.currentRecording() != nullptr; };
-    const auto anything = [to, any] { return any() || !to.document.drift().logs().empty(); };
     const auto open = [to] {
         const RecordingEntry* entry = to.document.currentRecording();
         return entry != nullptr && entry->recording.has_value();
     };
     const auto anything = [to, any] {
-        return any() || std::ranges::any_of(to.document.sets().all(), isOfLogs);
+        return any() || !to.document.drift().logs().empty() ||
+               std::ranges::any_of(to.document.sets().all(), isOfLogs);
     };
     const auto plots = [to] { return !to.document.analyses().empty(); };
     const auto figures = [to] { return !to.figures().plots.isEmpty(); };
