@@ -59,13 +59,16 @@ void look_for_lock(std::span<const Complex> c, std::vector<Diagnostic>& found) {
     double across = 0;
     double along = 0;
     for (std::size_t k = 0; k < blocks; ++k) {
-        means[k] *= std::conj(direction);
-        across += std::pow(means[k].imag(), 2) / blocks;
+        across += std::pow((means[k] * std::conj(direction)).imag(), 2) / blocks;
         if (k >= 4) {
-            // Fourth differences leave nothing of a decay, and 70 times the variance of the noise.
-            const double rest = means[k].real() - 4 * means[k - 1].real() +
-                                6 * means[k - 2].real() - 4 * means[k - 3].real() +
-                                means[k - 4].real();
+            // Fourth differences of the logarithm leave nothing of a decay, and 70 times the
+            // variance of the noise.
+            const auto log_at = [&means, k](std::size_t back) {
+                return std::log(std::abs(means[k - back]));
+            };
+            const double rest =
+                std::abs(means[k - 2]) *
+                (log_at(0) - 4 * log_at(1) + 6 * log_at(2) - 4 * log_at(3) + log_at(4));
             along += rest * rest / (70.0 * (blocks - 4));
         }
     }

@@ -92,8 +92,9 @@ void PageStack::showPage(Page page) {
     tabs_->setCurrentIndex(static_cast<int>(page));
 }
 
+// Before a page is added, the first.
 Page PageStack::page() const {
-    return static_cast<Page>(tabs_->currentIndex());
+    return static_cast<Page>(std::max(tabs_->currentIndex(), 0));
 }
 
 bool PageStack::welcomes() const {
