@@ -1837,10 +1837,6 @@
         <translation>%1: фазоры C вращаются относительно опорной частоты на %2, фазоры D — на %3, как если бы Y одного из каналов имел другой знак. Запишите оба канала с одним знаком Y или смените его знак в файле. Числа верны, только если опорная частота лежит посередине между двумя модами.</translation>
     </message>
     <message>
-        <source>%1: the phase of C stands stiller than the noise leaves it, as behind a reference that follows C. Frequency, split and quadrature are gone from such phasors: export the oscillator&apos;s frequency or phase with all its digits, and choose --phasors common or pll.</source>
-        <translation>%1: фаза C неподвижна больше, чем допускает шум, как если бы опорный генератор следовал за C. Частоты, разночастотности и квадратуры в таких фазорах уже нет: запишите частоту или фазу генератора со всеми знаками и выберите --phasors common или pll.</translation>
-    </message>
-    <message>
         <source>%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than noise explains: a column has an offset, or a gain of its own, or the wave turns far within a row. The numbers may be off by more than their uncertainties. Calibrate the columns, or log faster.</source>
         <translation>%1: около %3 с сумма R² + S² + Q² отличается от E² на %2 %, больше, чем объясняет шум: в столбце есть сдвиг или своё усиление, либо за одну строку волна поворачивается далеко. Числа могут быть неверны больше, чем на свои неопределённости. Откалибруйте столбцы или записывайте журнал чаще.</translation>
     </message>

@@ -1,6 +1,5 @@
 #include "core/analysis/phasor_log.h"
 
-#include "core/analysis/phasor_findings.h"
 #include "core/base/describe.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
@@ -308,6 +307,36 @@ void drop_missing(Rows& rows) {
     rows.d.resize(kept);
 }
 
+// Both channels hold the same two modes: only with a sign of Y of their own, or with the reference
+// just between modes each of which is in one channel, do they turn against each other.
+std::vector<Diagnostic> mirror_of(double step_s, const Rows& rows) {
+    constexpr double alike = 0.25;
+    constexpr double certain = 10;
+    std::array<double, 2> rates{};
+    for (const std::size_t channel : {0, 1}) {
+        const std::vector<Complex>& z = channel == 0 ? rows.c : rows.d;
+        Complex sum = 0;
+        for (std::size_t k = 1; k < z.size(); ++k) {
+            sum += z[k] * std::conj(z[k - 1]);
+        }
+        double across = 0;
+        for (std::size_t k = 1; k < z.size(); ++k) {
+            const double off = (z[k] * std::conj(z[k - 1]) * std::conj(sum)).imag();
+            across += off * off;
+        }
+        const double angle = std::arg(sum);
+        if (std::abs(angle) < certain * std::sqrt(across) / std::norm(sum)) {
+            return {};
+        }
+        rates[channel] = angle / (2 * pi * step_s);
+    }
+    if (std::abs(rates[0] + rates[1]) >= alike * std::abs(rates[0] - rates[1])) {
+        return {};
+    }
+    return {{DiagnosticKind::phasors_mirrored,
+             {number_arg(rates[0], 3, "Hz"), number_arg(rates[1], 3, "Hz")}}};
+}
+
 // Brings the reference to the mean frequency: a mean over rows that turn is smaller than they are.
 void centre(double step_s, Rows& rows) {
     Complex sum = 0;
@@ -503,7 +532,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
         t -= filter.delay_s();
     }
     PhasorLog log;
-    log.warnings = phasor_findings(step_s, rows.c, rows.d);
+    log.warnings = mirror_of(step_s, rows);
     centre(step_s, rows);
     if (choice.phasors.frame == PhasorFrame::fixed) {
         const Complex response = filter.response(rows.f_ref_hz - told_hz);

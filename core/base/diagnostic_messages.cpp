@@ -294,14 +294,6 @@ MessageRow message_row(DiagnosticKind kind) {
                               "%3, as if Y of one had the other sign. Export both channels with "
                               "one sign of Y, or exchange its sign in the file. The numbers hold "
                               "only if the reference lies in the middle between two modes.")};
-        case DiagnosticKind::phasors_locked:
-            return {"phasors-locked", serious,
-                    VYBEG_MESSAGE("Message",
-                                  "%1: the phase of C stands stiller than the noise leaves it, as "
-                                  "behind a reference that follows C. Frequency, split and "
-                                  "quadrature are gone from such phasors: export the oscillator's "
-                                  "frequency or phase with all its digits, and choose --phasors "
-                                  "common or pll.")};
         case DiagnosticKind::powers_apart:
             return {
                 "powers-apart", serious,
