@@ -1985,8 +1985,8 @@
         <translation>%1 — журнал, а не запись: в нём %2. Прочитайте его с %3: это параметры команд identify, compare, analyze и batch и столбцы списка измерений; в наборе либо журналы, либо записи. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
     </message>
     <message>
-        <source>%1 is a log, no recording: it holds %2. Open it with File, Open logs, or say in the measurement list what it is; a set has logs or recordings, not both. If the columns are samples all the same, give them other names.</source>
-        <translation>%1 — журнал, а не запись: в нём %2. Откройте его через «Файл», «Открыть журналы» или укажите в списке измерений, что это; в наборе либо журналы, либо записи. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
+        <source>%1 is a log, no recording: it holds %2. Open it with File, Open logs, or say in the measurement list what it is (%3); a set has logs or recordings, not both. If the columns are samples all the same, give them other names.</source>
+        <translation>%1 — журнал, а не запись: в нём %2. Откройте его через «Файл», «Открыть журналы» или укажите в списке измерений, что это (%3); в наборе либо журналы, либо записи. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
     </message>
     <message>
         <source>%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording does not belong among logs: give it a set of its own.</source>

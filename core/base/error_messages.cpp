@@ -203,8 +203,8 @@ MessageRow message_row(ErrorCode code) {
                               "the columns are samples all the same, give them other names."),
                 VYBEG_MESSAGE("Message",
                               "%1 is a log, no recording: it holds %2. Open it with File, Open "
-                              "logs, or say in the measurement list what it is; a set has logs "
-                              "or recordings, not both. If the columns are samples all the "
+                              "logs, or say in the measurement list what it is (%3); a set has "
+                              "logs or recordings, not both. If the columns are samples all the "
                               "same, give them other names.")};
         case ErrorCode::no_log:
             return {"no-log", bad_input,

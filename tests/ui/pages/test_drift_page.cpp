@@ -194,7 +194,10 @@ private slots:
         for (int term = 0; term < log_terms; ++term) {
             const Estimate rate =
                 degrees_per_hour(expected.harmonics.at(static_cast<std::size_t>(term)));
-            QCOMPARE(cell("driftHarmonics", term, 1), valueText(rate.value, rate.sd, rate.u));
+            // Each log has a turn of its own.
+            QCOMPARE(cell("driftHarmonics", term, 1),
+                     term == 0 ? QString("The logs differ in it: each has its own value.")
+                               : valueText(rate.value, rate.sd, rate.u));
         }
         QCOMPARE(cell("driftHarmonics", 3, 2),
                  valueText(degrees_per_hour(expected.logs[0].coefficients[3]),
@@ -228,7 +231,7 @@ private slots:
 
     void logs_that_differ_are_told_so_and_one_of_three_is_left_out() {
         HeldLoop other = loop(0.06, 6);
-        other.c4 = 5e-4;
+        other.c4 = 2e-3;
         const QString foreign = written("other.csv", other);
         const QString first = written("first.csv", loop(0.05, 4));
         open({first, foreign});
@@ -267,6 +270,7 @@ private slots:
 
         QVERIFY2(document().undoSteps().undoWords().contains("bad.csv"),
                  qPrintable(document().undoSteps().undoWords()));
+        qWarning() << "FOCUS" << QApplication::focusWidget();
         QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(list.count(), 2);
         wait();
