@@ -227,7 +227,7 @@ private slots:
             QVERIFY2(refused.err.contains("it holds phasors"), refused.err.constData());
         }
         const Outcome read = run_cli({"identify", zip, "-o", "-", "--phasors", "pll", "--y-sign",
-                                      "+", "--amplitude", "peak"},
+                                      "+", "--amplitude", "peak", "--to", "60"},
                                      folder_.path());
         VYBEG_EQUAL(read.status, 0, read.err.constData());
         const QJsonObject run = json_of(read)["runs"].toArray()[0].toObject();

@@ -80,7 +80,9 @@ void DriftLogs::refresh() {
     updateGeometry();
 }
 
+// The focus does not fall to a field, whose undo would hide that of the logs.
 void DriftLogs::removeChosen() {
+    setFocus();
     document_.drift().remove(chosenPaths(*this));
 }
 

@@ -262,6 +262,7 @@ void MainWindow::connectPanels() {
             menus_->recentFiles()->add(path);
         }
         pages_->showPage(Page::resonator);
+        resonator_->setFocus();  // no field, whose undo would hide that of the set
     });
     connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
         pages_->showPage(Page::history);

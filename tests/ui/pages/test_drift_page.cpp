@@ -270,7 +270,6 @@ private slots:
 
         QVERIFY2(document().undoSteps().undoWords().contains("bad.csv"),
                  qPrintable(document().undoSteps().undoWords()));
-        qWarning() << "FOCUS" << QApplication::focusWidget();
         QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(list.count(), 2);
         wait();
