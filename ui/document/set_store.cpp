@@ -248,7 +248,7 @@ void SetStore::openList(const QString& path, const OpenOptions& options) {
         emit reported(message);
     }
     open(*list);
-    emit listOpened(path);
+    emit opened({path});
 }
 
 void SetStore::open(const MeasurementList& list) {
@@ -271,8 +271,13 @@ void SetStore::openLogs(MeasurementSet set) {
     calibration.offset_c = calibration.offset_d = 0;
     set.settings.signal.calibration = calibration;
     set.settings.tolerance = settings_.tolerance();
+    QStringList paths;
+    for (const RecordingRef& log : set.recordings) {
+        paths << QString::fromStdU16String(log.path.u16string());
+    }
     enter(openSets({{}, {std::move(set)}, {}}, recordings_), [] { return tr("open logs"); });
     identifySet(current_);
+    emit opened(paths);
 }
 
 void SetStore::enter(std::vector<RecordingSet> sets, UndoSteps::Words words) {

@@ -95,7 +95,7 @@ signals:
     void changed();          // the sets, their recordings and outcomes
     void passportChanged();  // also its limits
     void identified(SetId set_id);
-    void listOpened(const QString& path);
+    void opened(const QStringList& paths);  // a list, or logs
     void reported(const Message& message);
 
 private:

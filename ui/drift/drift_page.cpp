@@ -29,7 +29,7 @@ constexpr int hint_width = 460;
 }  // namespace
 
 DriftPage::DriftPage(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : FigurePage(parent),
       document_(document),
       panel_(new DriftPanel(document, this)),
       export_(new QPushButton(this)),
@@ -162,7 +162,7 @@ void DriftPage::showFound() {
 }
 
 void DriftPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
+    FigurePage::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
     }

@@ -2,10 +2,6 @@
 
 #include "ui/document/document.h"
 #include "ui/plots/figure_source.h"
-#include "ui/widgets/theme.h"
-#include "ui/words/display_units.h"
-
-#include <QWidget>
 
 #include <memory>
 
@@ -23,22 +19,20 @@ class XYPlotView;
 // The drift of whole-angle logs: logs and settings at the left, the drift against the angle in the
 // middle, harmonics and resonator at the right. While a newer drift is computed, the one before is
 // shown.
-class DriftPage : public QWidget {
+class DriftPage : public FigurePage {
     Q_OBJECT
 
 public:
     explicit DriftPage(Document& document, QWidget* parent = nullptr);
 
-    void setUnits(const DisplayUnits& units);
-    void setTheme(const Theme& theme);
+    void setUnits(const DisplayUnits& units) override;
+    void setTheme(const Theme& theme) override;
 
-    FigureSource figures() const;
+    FigureSource figures() const override;
 
 signals:
     void openWanted();
-    void exportWanted(const Figure& figure);
     void exportResultWanted();
-    void figuresChanged();  // figures() are others, or there are some now
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -31,7 +31,7 @@ const QString path_key = QStringLiteral("history/database");
 }  // namespace
 
 HistoryPage::HistoryPage(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : FigurePage(parent),
       document_(document),
       adder_(document),
       theme_(lightTheme()),
@@ -83,7 +83,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
 
 // The database is read when the page is first seen: it may lie on a slow share.
 void HistoryPage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
+    FigurePage::showEvent(event);
     if (!seen_) {
         seen_ = true;
         path_ = QSettings().value(path_key).toString();
@@ -318,7 +318,7 @@ void HistoryPage::setUnits(const DisplayUnits& units) {
 }
 
 void HistoryPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
+    FigurePage::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
     }

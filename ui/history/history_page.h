@@ -4,9 +4,6 @@
 #include "ui/history/history_export.h"
 #include "ui/history/result_adder.h"
 #include "ui/plots/figure_source.h"
-#include "ui/widgets/theme.h"
-
-#include <QWidget>
 
 #include <memory>
 
@@ -22,7 +19,7 @@ class XYPlotView;
 
 // The history of a gyro's parameters in a laboratory's database of results: values, control charts,
 // distribution. Read in the background; the database's path is kept between sessions.
-class HistoryPage : public QWidget {
+class HistoryPage : public FigurePage {
     Q_OBJECT
 
 public:
@@ -30,19 +27,17 @@ public:
 
     // Takes another database; `make`: also one that is still to come.
     void openDatabase(const QString& path, bool make);
-    void setTheme(const Theme& theme);
-    void setUnits(const DisplayUnits& units);
+    void setTheme(const Theme& theme) override;
+    void setUnits(const DisplayUnits& units) override;
     const QString& path() const { return path_; }
     // What is shown; null without a database.
     const StoredHistory* history() const { return history_ ? &*history_ : nullptr; }
     const HistoryCharts& charts() const { return charts_; }
     bool reading() const { return reading_; }
-    FigureSource figures() const;
+    FigureSource figures() const override;
 
 signals:
-    void exportWanted(const Figure& figure);
     void exportAllWanted(const HistoryExport& all);
-    void figuresChanged();  // figures() are others, or there are some now
     void openWanted();
     void newWanted();
     // Recordings of a result, open as a set.

@@ -43,7 +43,7 @@ QLabel* sentence(QWidget* parent) {
 }  // namespace
 
 ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : FigurePage(parent),
       document_(document),
       range_(new QComboBox(this)),
       range_label_(new QLabel(this)),
@@ -344,13 +344,13 @@ void ResidualsPage::putFilter() {
 }
 
 void ResidualsPage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
+    FigurePage::showEvent(event);
     refresh();
 }
 
 // A computation under way is asked for again when the page is shown.
 void ResidualsPage::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
+    FigurePage::hideEvent(event);
     pause_.stop();
     job_.forget(job_key);
     if (computing_) {
@@ -359,7 +359,7 @@ void ResidualsPage::hideEvent(QHideEvent* event) {
 }
 
 void ResidualsPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
+    FigurePage::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
     }

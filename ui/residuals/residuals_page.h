@@ -5,10 +5,8 @@
 #include "ui/plots/figure_source.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/values/ids.h"
-#include "ui/widgets/theme.h"
 
 #include <QTimer>
-#include <QWidget>
 
 #include <memory>
 #include <optional>
@@ -28,7 +26,7 @@ struct AnalysisEntry;
 // The residual of the chosen analysis: its spectrum with the lines above the noise, its
 // distribution and its autocorrelation, of the window at the cursor, the visible part or the whole.
 // Computed in the background while the page is shown; a newer request replaces the one before.
-class ResidualsPage : public QWidget {
+class ResidualsPage : public FigurePage {
     Q_OBJECT
 
 public:
@@ -40,16 +38,12 @@ public:
     void setVisibleRange(const AxisRange& visible);
     // Time of the cursor whose window is meant.
     void setCursor(double time_s);
-    void setTheme(const Theme& theme);
+    void setTheme(const Theme& theme) override;
     // What is shown; null until it is computed.
     const Residuals* residuals() const { return found_ ? &*found_ : nullptr; }
     bool computing() const { return computing_; }
 
-    FigureSource figures() const;
-
-signals:
-    void exportWanted(const Figure& figure);
-    void figuresChanged();  // figures() are others, or there are some now
+    FigureSource figures() const override;
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -20,7 +20,7 @@
 namespace vybeg::ui {
 
 ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : FigurePage(parent),
       document_(document),
       theme_(lightTheme()),
       set_(new SetPanel(document, this)),
@@ -177,7 +177,7 @@ QString ResonatorPage::modelText(ResonatorModel model) {
 }
 
 void ResonatorPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
+    FigurePage::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         refresh();
     }

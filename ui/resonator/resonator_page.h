@@ -2,10 +2,6 @@
 
 #include "ui/document/document.h"
 #include "ui/plots/figure_source.h"
-#include "ui/widgets/theme.h"
-#include "ui/words/display_units.h"
-
-#include <QWidget>
 
 class QLabel;
 
@@ -18,22 +14,18 @@ class SetPanel;
 
 // The resonator of the current set: recordings and numbers at the left, figures and the comparison
 // with a passport at the right.
-class ResonatorPage : public QWidget {
+class ResonatorPage : public FigurePage {
     Q_OBJECT
 
 public:
     explicit ResonatorPage(Document& document, QWidget* parent = nullptr);
 
-    void setUnits(const DisplayUnits& units);
-    void setTheme(const Theme& theme);
+    void setUnits(const DisplayUnits& units) override;
+    void setTheme(const Theme& theme) override;
     // Opens the comparison.
     void showComparison();
 
-    FigureSource figures() const;
-
-signals:
-    void exportWanted(const Figure& figure);
-    void figuresChanged();  // figures() are others, or there are some now
+    FigureSource figures() const override;
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -30,7 +30,7 @@ constexpr int job_key = 1;
 }  // namespace
 
 SweepPage::SweepPage(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : FigurePage(parent),
       document_(document),
       recording_(new QLabel(this)),
       algorithm_label_(new QLabel(this)),
@@ -285,7 +285,7 @@ void SweepPage::setUnits(const DisplayUnits& units) {
 }
 
 void SweepPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
+    FigurePage::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
     }

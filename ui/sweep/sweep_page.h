@@ -5,10 +5,6 @@
 #include "ui/plots/figure_source.h"
 #include "ui/sweep/sweep_plots.h"
 #include "ui/values/ids.h"
-#include "ui/widgets/theme.h"
-#include "ui/words/display_units.h"
-
-#include <QWidget>
 
 #include <array>
 #include <map>
@@ -32,23 +28,19 @@ struct RecordingEntry;
 // The current recording in windows of many lengths: scatter, bound, leakage and residual against
 // the length, and the window that the recording deserves. Computed in the background on demand; a
 // result is kept for each recording until the recording is closed or opened anew.
-class SweepPage : public QWidget {
+class SweepPage : public FigurePage {
     Q_OBJECT
 
 public:
     explicit SweepPage(Document& document, QWidget* parent = nullptr);
 
-    void setTheme(const Theme& theme);
-    void setUnits(const DisplayUnits& units);
+    void setTheme(const Theme& theme) override;
+    void setUnits(const DisplayUnits& units) override;
     // What is shown; null without a result.
     const WindowSweep* sweep() const;
     bool running() const { return running_ != RecordingId::none; }
 
-    FigureSource figures() const;
-
-signals:
-    void exportWanted(const Figure& figure);
-    void figuresChanged();  // figures() are others, or there are some now
+    FigureSource figures() const override;
 
 protected:
     void changeEvent(QEvent* event) override;

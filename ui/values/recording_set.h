@@ -66,6 +66,11 @@ inline bool isOfLogs(const RecordingSet& set) {
     return set.listed && set.listed->settings.logs.given();
 }
 
+// Whether it shows something without an open recording.
+inline bool hasContent(const RecordingSet& set) {
+    return isOfLogs(set) || !set.kept.json.isEmpty();
+}
+
 // Passport for the comparison of sets.
 struct OpenPassport {
     QString name;  // of its file

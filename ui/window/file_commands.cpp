@@ -253,10 +253,7 @@ void FileCommands::openLogs(const QStringList& paths) {
     logs_ = dialog;
     connect(dialog, &LogDialog::filesWanted, this,
             [this](const TakeFiles& take) { ask_.parts(take); });
-    connect(dialog, &LogDialog::chosen, this, [this, dialog](const MeasurementSet& set) {
-        document_.sets().openLogs(set);
-        emit logsOpened(dialog->files());
-    });
+    connect(dialog, &LogDialog::chosen, &document_.sets(), &SetStore::openLogs);
     dialog->open();
 }
 

@@ -78,7 +78,6 @@ public:
     bool writeFigure(const Figure& figure, const Paper& paper, const QString& path);
 
 signals:
-    void logsOpened(const QStringList& paths);
     // `make`: where there is none.
     void databaseChosen(const QString& path, bool make);
     void wholeAngleLogsOpened();

@@ -104,11 +104,11 @@ void MainWindow::buildPages() {
     sweep_ = new SweepPage(document_, this);
     drift_ = new DriftPage(document_, this);
     history_ = new HistoryPage(document_, this);
+    figure_pages_ = {residuals_, sweep_, resonator_, drift_, history_};
     pages_ = new PageStack(welcome_, this);
-    for (QWidget* page : std::initializer_list<QWidget*>{tracks_page_, signals_, residuals_, sweep_,
-                                                         resonator_, drift_, history_}) {
-        pages_->add(page);
-    }
+    pages_->add(tracks_page_);
+    pages_->add(signals_);
+    std::ranges::for_each(figure_pages_, [this](FigurePage* page) { pages_->add(page); });
     settings_ = new SettingsPanel(document_, this);
     overview_ = new Overview(document_, *tracks_, this);
     wave_ = new WavePanel(document_, this);
@@ -177,9 +177,12 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
     connect(&document_.sets(), &SetStore::changed, this, &MainWindow::showCurrentRecording);
-    connect(&document_.sets(), &SetStore::listOpened, this, [this](const QString& path) {
-        menus_->recentFiles()->add(path);
+    connect(&document_.sets(), &SetStore::opened, this, [this](const QStringList& paths) {
+        for (const QString& path : paths) {
+            menus_->recentFiles()->add(path);
+        }
         pages_->showPage(Page::resonator);
+        resonator_->setFocus();  // no field, whose undo would hide that of the set
     });
     connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
         if (document_.sets().passport()) {
@@ -189,7 +192,6 @@ void MainWindow::connectDocument() {
     });
     connect(&document_.dossier(), &DossierModel::changed, this, &MainWindow::showTitle);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, commands_, &Commands::refresh);
-    connect(&document_.drift(), &DriftStore::changed, commands_, &Commands::refresh);
 }
 
 void MainWindow::connectSession() {
@@ -238,32 +240,20 @@ void MainWindow::connectPanels() {
         sidebar_wanted_ = true;
         showPanels();
     });
-    connect(residuals_, &ResidualsPage::figuresChanged, commands_, &Commands::refresh);
-    connect(resonator_, &ResonatorPage::figuresChanged, commands_, &Commands::refresh);
-    connect(sweep_, &SweepPage::figuresChanged, commands_, &Commands::refresh);
-    connect(drift_, &DriftPage::figuresChanged, commands_, &Commands::refresh);
-    connect(history_, &HistoryPage::figuresChanged, commands_, &Commands::refresh);
-    connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
-    connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
-    connect(drift_, &DriftPage::exportWanted, files_, &FileCommands::exportPlot);
+    for (const FigurePage* page : figure_pages_) {
+        connect(page, &FigurePage::figuresChanged, commands_, &Commands::refresh);
+        connect(page, &FigurePage::exportWanted, files_, &FileCommands::exportPlot);
+    }
     connect(drift_, &DriftPage::exportResultWanted, files_, &FileCommands::askWhereToPutDrift);
     connect(drift_, &DriftPage::openWanted, files_, &FileCommands::askForWholeAngleLogs);
-    connect(files_, &FileCommands::wholeAngleLogsOpened, this,
-            [this] { pages_->showPage(Page::drift); });
-    connect(history_, &HistoryPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(files_, &FileCommands::wholeAngleLogsOpened, action(Command::page_drift),
+            &QAction::trigger);
     connect(history_, &HistoryPage::exportAllWanted, files_, &FileCommands::exportHistory);
     connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
     connect(history_, &HistoryPage::newWanted, files_, &FileCommands::askForNewDatabase);
     connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
     connect(batch_, &BatchCommands::helpWanted, this, &MainWindow::showHelp);
     connect(batch_, &BatchCommands::setOpened, this, [this] { pages_->showPage(Page::resonator); });
-    connect(files_, &FileCommands::logsOpened, this, [this](const QStringList& paths) {
-        for (const QString& path : paths) {
-            menus_->recentFiles()->add(path);
-        }
-        pages_->showPage(Page::resonator);
-        resonator_->setFocus();  // no field, whose undo would hide that of the set
-    });
     connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
         pages_->showPage(Page::history);
         history_->openDatabase(path, make);
@@ -292,16 +282,12 @@ void MainWindow::connectPanels() {
             });
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
     connect(ledger_, &Ledger::currentAnalysisChanged, this, &MainWindow::showAnalysis);
-    connect(resonator_, &ResonatorPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(wave_, &WavePanel::exportWanted, files_, &FileCommands::exportPlot);
 }
 
 void MainWindow::showCurrentRecording() {
-    const auto has_content = [](const RecordingSet& set) {
-        return isOfLogs(set) || !set.kept.json.isEmpty();
-    };
     const bool empty =
-        document_.recordings().empty() && std::ranges::none_of(document_.sets().all(), has_content);
+        document_.recordings().empty() && std::ranges::none_of(document_.sets().all(), hasContent);
     if (empty) {
         welcome_->setRecent(menus_->recentFiles()->paths());
     }
@@ -366,26 +352,20 @@ void MainWindow::goToEvent(double time_s, double seconds) {
 void MainWindow::setUnits(const DisplayUnits& units) {
     tracks_->setUnits(units);
     ledger_->setUnits(units);
-    resonator_->setUnits(units);
-    sweep_->setUnits(units);
-    drift_->setUnits(units);
-    history_->setUnits(units);
+    std::ranges::for_each(figure_pages_, [&units](FigurePage* page) { page->setUnits(units); });
     batch_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
 
 FigureSource MainWindow::figures() const {
-    switch (pages_->page()) {
-        case Page::tracks: return tracks_page_->figures();
-        case Page::samples: return signals_->figures();
-        case Page::resonator: return resonator_->figures();
-        case Page::residuals: return residuals_->figures();
-        case Page::windows: return sweep_->figures();
-        case Page::drift: return drift_->figures();
-        case Page::history: return history_->figures();
-    }
-    return {};
+    const Page page = pages_->page();
+    return page == Page::tracks ? tracks_page_->figures()
+           : page == Page::samples
+               ? signals_->figures()
+               : figure_pages_
+                     .at(static_cast<std::size_t>(page) - static_cast<std::size_t>(Page::residuals))
+                     ->figures();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

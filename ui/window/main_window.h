@@ -13,6 +13,7 @@
 #include <QPointer>
 
 #include <optional>
+#include <vector>
 
 class QMenuBar;
 class QToolBar;
@@ -120,6 +121,7 @@ private:
     SweepPage* sweep_ = nullptr;
     DriftPage* drift_ = nullptr;
     HistoryPage* history_ = nullptr;
+    std::vector<FigurePage*> figure_pages_;  // as Page, from residuals on
     SettingsPanel* settings_ = nullptr;
     Overview* overview_ = nullptr;
     Ledger* ledger_ = nullptr;

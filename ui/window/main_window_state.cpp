@@ -25,6 +25,8 @@
 #include <QSettings>
 #include <QToolBar>
 
+#include <algorithm>
+
 namespace vybeg::ui {
 
 namespace {
@@ -137,11 +139,7 @@ void MainWindow::applyLook() {
     tracks_page_->setTheme(theme_);
     overview_->setTheme(theme_);
     signals_->setTheme(theme_);
-    residuals_->setTheme(theme_);
-    sweep_->setTheme(theme_);
-    drift_->setTheme(theme_);
-    history_->setTheme(theme_);
-    resonator_->setTheme(theme_);
+    std::ranges::for_each(figure_pages_, [this](FigurePage* page) { page->setTheme(theme_); });
     wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
 }

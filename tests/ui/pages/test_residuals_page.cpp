@@ -114,7 +114,7 @@ private slots:
         QVERIFY(!window_->action(Command::page_residuals)->isEnabled());
         open(home_.recording("demo.wav"));
         QVERIFY(tabs.isVisible());
-        QCOMPARE(tabs.count(), 6);
+        QCOMPARE(tabs.count(), 7);
         goToResiduals();
         QCOMPARE(tabs.currentIndex(), 2);
         QVERIFY(!the<TrackView>().isVisible());
