@@ -166,6 +166,8 @@ private slots:
         const double tau_s = outcome().identification.fit.resonator.tau_s.value;
         const MeasurementSet before = sets().measured(*sets().current());
         QCOMPARE(before.settings.signal.from_s, std::optional(0.5));
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(sets().all().empty());
         QTest::keyClick(window_.get(), Qt::Key_Y, Qt::ControlModifier);
