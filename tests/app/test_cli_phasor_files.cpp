@@ -232,7 +232,8 @@ private slots:
         VYBEG_EQUAL(read.status, 0, read.err.constData());
         const QJsonObject run = json_of(read)["runs"].toArray()[0].toObject();
         const double f_hz = run["wave"].toObject()["f_hz"].toObject()["value"].toDouble();
-        VYBEG_LESS(std::abs(f_hz - 250000.0176), 1e-3);
+        // The mean of the whole log; the frequency wanders by some mHz.
+        VYBEG_LESS(std::abs(f_hz - 250000.0176), 3e-3);
         const QJsonObject input = json_of(read)["inputs"].toArray()[0].toObject();
         VYBEG_LESS(std::abs(input["rate_hz"].toDouble() - 37.2529), 1e-3);
     }
