@@ -158,7 +158,7 @@ private slots:
     // Nor do they hide a recording of another resonator.
     void a_foreign_recording_is_named_beside_them() {
         int named = 0;
-        constexpr int sets = 12;
+        constexpr int sets = 4;
         for (std::uint64_t seed = 1; seed <= sets; ++seed) {
             FreeDecay decay = resonator();
             decay.noise = 1e-4;
