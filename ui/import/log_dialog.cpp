@@ -151,13 +151,12 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     connect(buttons_, &QDialogButtonBox::accepted, this, &LogDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &LogDialog::reject);
     connect(choose_, &QAction::triggered, this, [this] {
-        emit filesWanted(
-            [field = QPointer(channel_d_), dialog = QPointer(this)](const QStringList& files) {
-                if (field && dialog && !files.isEmpty()) {
-                    field->setText(files.first());
-                    dialog->refresh();
-                }
-            });
+        emit filesWanted([field = QPointer(channel_d_)](const QStringList& files) {
+            if (field && !files.isEmpty()) {
+                field->setText(files.first());
+                emit field->textEdited(files.first());
+            }
+        });
     });
     guardFromWheel(*this);
     retranslate();
