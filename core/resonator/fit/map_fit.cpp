@@ -15,7 +15,8 @@ constexpr double first_damping = 1e-8;
 constexpr double least_damping = 1e-12;
 constexpr double most_damping = 1e6;
 constexpr double least_gain = 1e-5;
-// A fit that needs more steps follows a bent valley.
+// A fit of several runs that needs more steps follows a bent valley. That of one run leads to rates
+// which only its phase asks for, as where the frequency settles.
 constexpr int straight_steps = 12;
 constexpr double probe = 0.1;  // share of a step at which its curvature is taken
 
@@ -222,7 +223,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
             move(active) = inverse.asDiagonal() * solver.solve(right);
             Eigen::VectorXd moved = fit.p + move;
             Cost then = cost_at(moved);
-            if (step >= straight_steps && std::isfinite(then.all)) {
+            if (step >= straight_steps && problem.runs.size() > 1 && std::isfinite(then.all)) {
                 const Eigen::VectorXd bend =
                     -0.5 * solver.solve(inverse.asDiagonal() *
                                         curvature_along(problem, active, fit.p, move, windows));
