@@ -61,25 +61,6 @@ void add_log_choice(CLI::App& app, LogChoice& logs) {
     add_settings(app, log_settings(), logs);
 }
 
-void add_column_options(CLI::App& app, std::string& columns, double& rad_per_angle_unit,
-                        const std::string& roles) {
-    const auto read = [](const std::string& name, const std::string& text) {
-        LogChoice choice;
-        const auto row = std::ranges::find(log_settings(), name, &SettingRow<LogChoice>::name);
-        if (const Status taken = row->read(text, choice); !taken) {
-            throw CLI::ValidationError(english(taken.error()));
-        }
-        return choice;
-    };
-    add_value(app, "--columns", "NAMES", roles, [&columns, read](const auto&, const auto& text) {
-        columns = read("columns", text).names;
-    });
-    add_value(app, "--angle-unit", "deg|rad", "Unit of theta where the file does not tell it",
-              [&rad_per_angle_unit, read](const auto&, const auto& text) {
-                  rad_per_angle_unit = read("angle-unit", text).rad_per_angle_unit;
-              });
-}
-
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings) {
     const auto& rows = identify_settings();
     const auto row =

@@ -31,10 +31,6 @@ void add_identify_options(CLI::App& app, IdentifySettings& settings);
 // Those of them that say what a log in place of a recording is. `logs` must outlive the parse.
 void add_log_choice(CLI::App& app, LogChoice& logs);
 
-// Of these --columns and --angle-unit for other logs, whose `roles` stand in the help.
-void add_column_options(CLI::App& app, std::string& columns, double& rad_per_angle_unit,
-                        const std::string& roles);
-
 // --tolerance alone, for the window and its report. `settings` must outlive the parse.
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings);
 
