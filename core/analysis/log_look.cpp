@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -41,14 +40,7 @@ bool is_missing_column(const Error& error) {
 // Whether an oscillator's frequency is another one from row to row.
 bool moves(const LogColumn& frequency) {
     constexpr double digits = 1e-9;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (const double f_hz : frequency.values) {
-        if (std::isfinite(f_hz)) {
-            least = std::min(least, f_hz);
-            most = std::max(most, f_hz);
-        }
-    }
+    const auto [least, most] = range_of(frequency);
     return most - least > digits * std::abs(most);
 }
 

@@ -195,7 +195,7 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
     const PhasorChoice& how = choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
     if (how.frame == PhasorFrame::fixed && frequency != nullptr) {
-        const auto [least, most] = std::ranges::minmax(frequency->values);
+        const auto [least, most] = range_of(*frequency);
         constexpr double harmless_turns = 0.01;
         if ((most - least) * (rows.time_s.back() - rows.time_s.front()) > harmless_turns) {
             return not_told(

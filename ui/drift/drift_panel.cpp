@@ -2,22 +2,18 @@
 
 #include "core/recording/samples/open_table.h"
 #include "ui/drift/drift_text.h"
-#include "ui/panels/recording_facts.h"
 #include "ui/widgets/number_field.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
 #include <QDir>
-#include <QDragEnterEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
-#include <QMimeData>
-#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -52,12 +48,9 @@ QStringList chosenPaths(const QListWidget& list) {
 }  // namespace
 
 DriftLogs::DriftLogs(Document& document, QWidget* parent)
-    : QListWidget(parent), document_(document) {
+    : FileList(8, parent), document_(document) {
     setObjectName(QStringLiteral("driftLogs"));
-    setAcceptDrops(true);
-    setTextElideMode(Qt::ElideMiddle);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
 void DriftLogs::refresh() {
@@ -86,46 +79,20 @@ void DriftLogs::removeChosen() {
     document_.drift().remove(chosenPaths(*this));
 }
 
-QSize DriftLogs::sizeHint() const {
-    const int rows = std::clamp(count(), 3, 8);
-    return {200, rows * (fontMetrics().height() + 4) + 2 * frameWidth()};
-}
-
-void DriftLogs::dragEnterEvent(QDragEnterEvent* event) {
-    if (!localFiles(*event->mimeData()).isEmpty()) {
-        event->setDropAction(Qt::CopyAction);
-        event->accept();
-    }
-}
-
-void DriftLogs::dragMoveEvent(QDragMoveEvent* event) {
-    event->setDropAction(Qt::CopyAction);
-    event->accept();
-}
-
-void DriftLogs::dropEvent(QDropEvent* event) {
-    document_.drift().open(localFiles(*event->mimeData()));
-    event->setDropAction(Qt::CopyAction);
-    event->accept();
+void DriftLogs::take(const QStringList& files) {
+    document_.drift().open(files);
 }
 
 void DriftLogs::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Delete) {
         removeChosen();
     } else {
-        QListWidget::keyPressEvent(event);
+        FileList::keyPressEvent(event);
     }
 }
 
-void DriftLogs::paintEvent(QPaintEvent* event) {
-    QListWidget::paintEvent(event);
-    if (count() == 0) {
-        QPainter painter(viewport());
-        painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(viewport()->rect().adjusted(8, 2, -8, -2),
-                         Qt::AlignCenter | Qt::TextWordWrap,
-                         DriftPanel::tr("Drop whole-angle logs of one gyro here"));
-    }
+QString DriftLogs::hint() const {
+    return DriftPanel::tr("Drop whole-angle logs of one gyro here");
 }
 
 DriftPanel::DriftPanel(Document& document, QWidget* parent)

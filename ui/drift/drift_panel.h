@@ -1,8 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-
-#include <QListWidget>
+#include "ui/panels/file_list.h"
 
 #include <functional>
 
@@ -16,8 +15,8 @@ namespace vybeg::ui {
 
 class NumberField;
 
-// The whole-angle logs; accepts drops; Delete removes the chosen ones.
-class DriftLogs : public QListWidget {
+// The whole-angle logs; Delete removes the chosen ones.
+class DriftLogs : public FileList {
     Q_OBJECT
 
 public:
@@ -25,14 +24,11 @@ public:
 
     void refresh();
     void removeChosen();
-    QSize sizeHint() const override;
 
 protected:
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    void dragMoveEvent(QDragMoveEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
+    void take(const QStringList& files) override;
+    QString hint() const override;
     void keyPressEvent(QKeyEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
 
 private:
     Document& document_;

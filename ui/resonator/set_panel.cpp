@@ -1,20 +1,16 @@
 #include "ui/resonator/set_panel.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/panels/recording_facts.h"
 #include "ui/resonator/conditions_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMimeData>
-#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -54,46 +50,16 @@ QString setName(const Document& document, const RecordingSet& set) {
 }
 
 SetMembers::SetMembers(Document& document, QWidget* parent)
-    : QListWidget(parent), document_(document) {
-    setAcceptDrops(true);
-    setTextElideMode(Qt::ElideMiddle);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    : FileList(6, parent), document_(document) {}
+
+void SetMembers::take(const QStringList& files) {
+    document_.sets().openIntoCurrent(files);
 }
 
-QSize SetMembers::sizeHint() const {
-    const int rows = std::clamp(count(), 3, 6);
-    return {200, rows * (fontMetrics().height() + 4) + 2 * frameWidth()};
-}
-
-void SetMembers::dragEnterEvent(QDragEnterEvent* event) {
-    const QMimeData& dragged = *event->mimeData();
-    if (!localFiles(dragged).isEmpty()) {
-        event->setDropAction(Qt::CopyAction);
-        event->accept();
-    }
-}
-
-void SetMembers::dragMoveEvent(QDragMoveEvent* event) {
-    event->setDropAction(Qt::CopyAction);
-    event->accept();
-}
-
-void SetMembers::dropEvent(QDropEvent* event) {
-    document_.sets().openIntoCurrent(localFiles(*event->mimeData()));
-    event->setDropAction(Qt::CopyAction);
-    event->accept();
-}
-
-void SetMembers::paintEvent(QPaintEvent* event) {
-    QListWidget::paintEvent(event);
-    if (count() == 0) {
-        QPainter painter(viewport());
-        painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(viewport()->rect().adjusted(8, 2, -8, -2),
-                         Qt::AlignCenter | Qt::TextWordWrap,
-                         SetPanel::tr("Drop recordings of one resonator here, best started at "
-                                      "four angles"));
-    }
+QString SetMembers::hint() const {
+    return SetPanel::tr(
+        "Drop recordings of one resonator here, best started at "
+        "four angles");
 }
 
 SetPanel::SetPanel(Document& document, QWidget* parent)

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-
-#include <QListWidget>
+#include "ui/panels/file_list.h"
 
 class QComboBox;
 class QLabel;
@@ -11,20 +10,16 @@ class QToolButton;
 
 namespace vybeg::ui {
 
-// The recordings of a set; accepts drops; Delete removes.
-class SetMembers : public QListWidget {
+// The recordings of a set; Delete removes.
+class SetMembers : public FileList {
     Q_OBJECT
 
 public:
     explicit SetMembers(Document& document, QWidget* parent = nullptr);
 
-    QSize sizeHint() const override;
-
 protected:
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    void dragMoveEvent(QDragMoveEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
+    void take(const QStringList& files) override;
+    QString hint() const override;
 
 private:
     Document& document_;

@@ -104,6 +104,10 @@ public:
     }
 
 private:
+    Error too_many_objects() const {
+        return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
+    }
+
     // The attributes around a group hold for what is in it.
     Status list_group(hid_t group, const std::string& path, Hdf5Attributes around,
                       std::size_t depth) {
@@ -112,6 +116,11 @@ private:
         }
         if (const Hdf5Attributes own = read_attributes(group); own.rate_hz) {
             around.rate_hz = own.rate_hz;
+        }
+        // Before their names are gathered, which takes seconds where they are too many.
+        H5G_info_t links{};
+        if (H5Gget_info(group, &links) >= 0 && links.nlinks > most_objects - objects_) {
+            return too_many_objects();
         }
         std::vector<std::string> names;
         hsize_t index = 0;
@@ -125,7 +134,7 @@ private:
         }
         for (const std::string& name : names) {
             if (++objects_ > most_objects) {
-                return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
+                return too_many_objects();
             }
             // MATLAB's own: the cells of cell arrays, and objects; PyTables' indices.
             if (naming_ == Naming::matlab ? name.starts_with('#') : name.starts_with("_i_")) {
@@ -214,7 +223,7 @@ private:
     Status list_fields(hid_t type, const FileVariable& table, const Dataset& dataset) {
         for (Hdf5Field& field : number_fields(type)) {
             if (++objects_ > most_objects) {
-                return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
+                return too_many_objects();
             }
             FileVariable entry = table;
             entry.name += (naming_ == Naming::matlab ? "." : "/") + field.name;

@@ -400,6 +400,18 @@ void bring_to_unit_of(const LogColumn& other, LogColumn& column) {
     }
 }
 
+std::pair<double, double> range_of(const LogColumn& column) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const double value : column.values) {
+        if (std::isfinite(value)) {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+    }
+    return {least, most};
+}
+
 Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
                             double told) {
     const std::string name = normal_name(column.name);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -64,6 +65,9 @@ Status keep_times(const std::filesystem::path& path, double from_s, double to_s,
 // Brings values to the unit of another column ("mV" to "V"); where one of the two is unknown, they
 // stay as they are.
 void bring_to_unit_of(const LogColumn& other, LogColumn& column);
+
+// Least and largest value of a column that are not missing; infinity and -infinity where all are.
+std::pair<double, double> range_of(const LogColumn& column);
 
 // Factor from a column of angles to theta_A in rad: by `told` (rad per unit, 0: not told), else by
 // its unit; a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown.

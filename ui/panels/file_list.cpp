@@ -1,0 +1,52 @@
+#include "ui/panels/file_list.h"
+
+#include "ui/panels/recording_facts.h"
+
+#include <QDropEvent>
+#include <QMimeData>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+FileList::FileList(int most_rows, QWidget* parent) : QListWidget(parent), most_rows_(most_rows) {
+    setAcceptDrops(true);
+    setTextElideMode(Qt::ElideMiddle);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+QSize FileList::sizeHint() const {
+    const int rows = std::clamp(count(), 3, most_rows_);
+    return {200, rows * (fontMetrics().height() + 4) + 2 * frameWidth()};
+}
+
+void FileList::dragEnterEvent(QDragEnterEvent* event) {
+    if (!localFiles(*event->mimeData()).isEmpty()) {
+        event->setDropAction(Qt::CopyAction);
+        event->accept();
+    }
+}
+
+void FileList::dragMoveEvent(QDragMoveEvent* event) {
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
+}
+
+void FileList::dropEvent(QDropEvent* event) {
+    take(localFiles(*event->mimeData()));
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
+}
+
+void FileList::paintEvent(QPaintEvent* event) {
+    QListWidget::paintEvent(event);
+    if (count() == 0) {
+        QPainter painter(viewport());
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(viewport()->rect().adjusted(8, 2, -8, -2),
+                         Qt::AlignCenter | Qt::TextWordWrap, hint());
+    }
+}
+
+}  // namespace vybeg::ui
