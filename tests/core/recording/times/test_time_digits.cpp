@@ -122,11 +122,21 @@ void TestTimeDigits::rounded_times_are_even_at_any_rate_length_start_and_number_
     QTest::addColumn<double>("rate_hz");
     QTest::addColumn<double>("seconds");
     QTest::addColumn<double>("start_s");
+    // Sanitizers look at the reading, whose paths a few of the rows take.
+#ifdef __SANITIZE_ADDRESS__
+    constexpr int every = 7;
+#else
+    constexpr int every = 1;
+#endif
+    int rows = 0;
     for (const char* format : {"%.5g", "%.6g", "%.7g", "%.8g", "%.9g", "%.6f", "%.6e", "%.17g"}) {
         for (const bool single : {false, true}) {
             for (const auto& [rate_hz, seconds] :
                  {std::pair(1e3, 1.0), {1e3, 20.0}, {33e3, 0.5}, {33333.3, 1.0}, {2e5, 0.2}}) {
                 for (const double start_s : {0.0, 9.7, 123.0}) {
+                    if (++rows % every != 0) {
+                        continue;
+                    }
                     QTest::addRow("%s%s, %g Hz, %g s from %g s", format, single ? " single" : "",
                                   rate_hz, seconds, start_s)
                         << QByteArray(format) << single << rate_hz << seconds << start_s;
