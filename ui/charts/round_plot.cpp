@@ -1,6 +1,6 @@
 #include "ui/charts/round_plot.h"
 
-#include "ui/plots/plot_stack.h"
+#include "ui/plots/time_stack.h"
 #include "ui/words/number_label.h"
 #include "ui/words/rich_text.h"
 

@@ -59,8 +59,8 @@ void drawFigure(const FigureColumns& columns, const FigureOptions& options, QCPP
     Stacks stacks;
     ZoomState zoom{commonTime(columns), {}};
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        stacks.push_back(
-            std::make_unique<PlotStack>(plot, static_cast<int>(i), PlotStack::Head::title));
+        stacks.push_back(std::make_unique<PlotStack>(plot, static_cast<int>(i), PlotHead::line));
+        stacks.back()->setTitle(columns[i].title);
         PlotContent content;
         content.analyses = {columns[i].shown};
         // A column has one analysis, so no legend is needed.
@@ -71,7 +71,6 @@ void drawFigure(const FigureColumns& columns, const FigureOptions& options, QCPP
         content.units = options.units;
         content.zoom = zoom;
         stacks.back()->setContent(content);
-        stacks.back()->setTitle(columns[i].title);
         stacks.back()->prepare(column_size);
     }
     if (options.common_value_axes) {

@@ -11,7 +11,7 @@ Drawing plotsDrawing(const PlotContent& content) {
     return [paper](QCPPainter& painter, QSize size) {
         QCustomPlot plot;
         preparePlot(plot, paper.theme);
-        PlotStack stack(plot, 0, PlotStack::Head::analysis_names);
+        PlotStack stack(plot, 0, PlotHead::line);
         // Twice, because the room for the names is known after the first layout.
         stack.setContent(paper);
         stack.prepare(size);

@@ -57,7 +57,11 @@ void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& 
 
 }  // namespace
 
-PlotStrip::PlotStrip(QCustomPlot* plot, int height) : QCPLayoutElement(plot) {
+PlotStrip::PlotStrip(QCustomPlot* plot, int height) : QCPLayoutElement(plot), full_height_(height) {
+    setHeight(height);
+}
+
+void PlotStrip::setHeight(int height) {
     setMinimumSize(10, height);
     setMaximumSize(QWIDGETSIZE_MAX, height);
 }

@@ -29,6 +29,8 @@ public:
     // Free space at both ends and above the text.
     void setInset(int left, int right, int above);
     int height() const { return maximumSize().height(); }
+    // One that is not shown leaves a gap.
+    void setShown(bool shown) { setHeight(shown ? full_height_ : gap); }
     // Entries in as many rows as they need at a width without being shortened; one wider than that
     // has a row of its own.
     static std::vector<std::vector<StripEntry>> rows(const std::vector<StripEntry>& entries,
@@ -38,9 +40,13 @@ protected:
     void draw(QCPPainter* painter) override;
 
 private:
+    static constexpr int gap = 4;
+
+    void setHeight(int height);
     // Fills shown_: the entries with their names shortened to fit.
     void shorten(double available);
 
+    int full_height_;
     std::vector<StripEntry> entries_;
     std::vector<StripEntry> shown_;
     Qt::Alignment alignment_ = Qt::AlignLeft;

@@ -5,7 +5,6 @@
 #include "ui/plots/plot_stack.h"
 
 #include <QEvent>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -33,24 +32,16 @@ bool hasOtherRecording(const std::vector<ShownAnalysis>& analyses,
 }  // namespace
 
 TrackView::TrackView(QWidget* parent)
-    : QWidget(parent),
+    : TimeGestures(parent),
       zoom_([this](ZoomState state) {
           return clipped(std::move(state), content_.analyses, recorded_);
       }),
-      plot_(new QCustomPlot(this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(plot_);
-    // The view handles the mouse itself, not QCustomPlot.
-    plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    plot_->setFocusPolicy(Qt::NoFocus);
-    setMouseTracking(true);
+      stack_(std::make_unique<PlotStack>(plot(), 0, PlotHead::margin)),
+      overlay_(new PlotOverlay(&plot(), *stack_, *this)) {
+    setPlots(*stack_, *overlay_);
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));
-    preparePlot(*plot_, content_.theme);
-    stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::none);
-    overlay_ = new PlotOverlay(plot_, stack_.get());
-    connect(plot_, &QCustomPlot::afterLayout, this, &TrackView::followLayout);
+    connect(&plot(), &QCustomPlot::afterLayout, this, &TrackView::followLayout);
     connect(&zoom_, &ZoomNavigator::moved, this, [this] {
         redraw();
         emit timeRangeChanged(timeRange().lower, timeRange().upper);
@@ -60,8 +51,7 @@ TrackView::TrackView(QWidget* parent)
 }
 
 TrackView::~TrackView() {
-    // First the plot, because it uses the stack while it is drawn.
-    delete plot_;
+    removePlot();
 }
 
 void TrackView::setAnalyses(std::vector<ShownAnalysis> analyses, int unlike) {
@@ -107,7 +97,7 @@ void TrackView::setUnits(const DisplayUnits& units) {
 
 void TrackView::setTheme(const Theme& theme) {
     content_.theme = theme;
-    plot_->setBackground(QBrush(theme.plotBackground));
+    plot().setBackground(QBrush(theme.plotBackground));
     rebuild();
 }
 
@@ -115,7 +105,7 @@ void TrackView::setMarks(std::vector<double> times_s) {
     if (times_s != content_.marks_s) {
         content_.marks_s = std::move(times_s);
         stack_->setMarks(content_.marks_s);
-        plot_->replot(QCustomPlot::rpQueuedReplot);
+        plot().replot(QCustomPlot::rpQueuedReplot);
     }
 }
 
@@ -152,7 +142,6 @@ std::optional<AxisRange> TrackView::valueRange(SlowVariable variable) const {
 
 void TrackView::setTracker(std::optional<double> time_s) {
     tracker_ = time_s;
-    overlay_->setTracker(time_s);
     refreshOverlay();
 }
 
@@ -162,7 +151,6 @@ std::optional<double> TrackView::cursor(Cursor which) const {
 
 void TrackView::setCursor(Cursor which, std::optional<double> time_s) {
     cursors_[static_cast<std::size_t>(which)] = time_s;
-    overlay_->setCursors(cursors_);
     refreshOverlay();
 }
 
@@ -179,16 +167,15 @@ QSize TrackView::minimumSizeHint() const {
 void TrackView::rebuild() {
     PlotContent content = content_;
     content.zoom = zoom_.current();
-    stack_->prepare(plot_->size());
+    stack_->prepare(plot().size());
     stack_->setContent(content);
-    overlay_->setTheme(content_.theme);
     overlay_->setHint(coveredTime(content_.analyses)
                           ? QString()
                           : tr("No analysis yet.\nOpen a recording and press Analyse."));
     overlay_->setUnlike(content_.unlike);
     const bool has_analyses = coveredTime(content_.analyses).has_value();
     for (const char* name : {"background", "grid", "main", "axes"}) {
-        plot_->layer(QString::fromLatin1(name))->setVisible(has_analyses);
+        plot().layer(QString::fromLatin1(name))->setVisible(has_analyses);
     }
     focus_.match(content_);
     updateGeometry();
@@ -197,17 +184,11 @@ void TrackView::rebuild() {
 
 void TrackView::redraw() {
     // The number of strips may have changed since the last resize.
-    stack_->prepare(plot_->size());
+    stack_->prepare(plot().size());
     stack_->setZoom(zoom_.current());
     // Other pages zoom, too; what is hidden is drawn when it is shown.
     if (isVisible()) {
-        plot_->replot(QCustomPlot::rpQueuedReplot);
-    }
-}
-
-void TrackView::refreshOverlay() {
-    if (isVisible()) {
-        plot_->layer(QStringLiteral("overlay"))->replot();
+        plot().replot(QCustomPlot::rpQueuedReplot);
     }
 }
 

@@ -2,38 +2,29 @@
 
 #include "ui/plots/plot_content.h"
 #include "ui/plots/plot_focus.h"
-#include "ui/plots/zoom_navigator.h"
+#include "ui/plots/time_gestures.h"
 #include "ui/values/shown_analysis.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
-
-#include <QWidget>
 
 #include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
-class QCustomPlot;
-
 namespace vybeg::ui {
 
 class PlotOverlay;
 class PlotStack;
 
-// The two measuring cursors of the view.
-enum class Cursor { a, b };
-
-// The stacked plots of the slow variables of all visible analyses over one time axis.
+// The stacked plots of the slow variables of all visible analyses over one time axis; owner of the
+// time range, tracker and cursors that other views share.
 //
-// Wheel: time about the mouse; Ctrl+wheel: value axis of the plot under the mouse; drag: pan;
-// Shift+drag: zoom into a rectangle; double click or Home: fit; R or Alt+Left, Alt+Right: zoom
-// history; + and -: zoom time about the tracker or the centre; Left, Right: pan; Ctrl+Plus,
-// Ctrl+Minus, Up, Down: value axis of the focused plot; Tab: next plot; 1 and 2: cursor A and B to
-// the tracker, 0 removes both; cursors can be dragged.
+// Besides the gestures of the time: Ctrl+wheel: value axis of the plot under the mouse; Ctrl+Plus,
+// Ctrl+Minus, Up, Down: value axis of the focused plot; Tab: next plot.
 //
 // Times are seconds from the start of the recording. Setters emit only timeRangeChanged.
-class TrackView : public QWidget {
+class TrackView : public TimeGestures {
     Q_OBJECT
 
 public:
@@ -67,18 +58,13 @@ public:
     void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
     std::optional<AxisRange> valueRange(SlowVariable variable) const;
 
-    // The time range with its history, which other pages share.
-    ZoomNavigator& zoom() { return zoom_; }
-
-    std::optional<double> tracker() const { return tracker_; }
+    ZoomNavigator& zoom() override { return zoom_; }
+    std::optional<double> tracker() const override { return tracker_; }
     void setTracker(std::optional<double> time_s);
-    std::optional<double> cursor(Cursor which) const;
+    std::optional<double> cursor(Cursor which) const override;
     void setCursor(Cursor which, std::optional<double> time_s);
-    // As the mouse and the keyboard do, with signals.
-    void moveTracker(std::optional<double> time_s);
-    void moveCursor(Cursor which, std::optional<double> time_s);
-    // Keys of the time axis and the cursors, for other views of it: whether it was one.
-    bool takeTimeKey(QKeyEvent* event);
+    void moveTracker(std::optional<double> time_s) override;
+    void moveCursor(Cursor which, std::optional<double> time_s) override;
     // Instants in rising order, marked by thin lines in all plots: axis crossings, for example.
     void setMarks(std::vector<double> times_s);
     // Fitted curves drawn over the plots, displayed units.
@@ -93,9 +79,7 @@ public:
     QSize minimumSizeHint() const override;
 
 public slots:
-    void fit() { zoom_.visit({fullTimeRange(), {}}, Gesture::none); }
-    void zoomIn() { zoomByKey(ZoomNavigator::notch); }
-    void zoomOut() { zoomByKey(1 / ZoomNavigator::notch); }
+    void fit() override { zoom_.visit({fullTimeRange(), {}}, Gesture::none); }
 
 signals:
     void timeRangeChanged(double from_s, double to_s);
@@ -109,48 +93,36 @@ signals:
     void timeAxisPlaced(int left, int right);
 
 protected:
-    void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
-    void leaveEvent(QEvent* event) override;
 
 private:
-    enum class Drag { none, pan, rubberBand, cursorA, cursorB };
-
-    // The instant and, in the plot with the mouse, the value at a position.
-    double timeAt(const QPointF& position) const;
-    std::optional<Cursor> cursorAt(const QPointF& position) const;
-    void pan(const QPointF& position);
-    void zoomByKey(double factor);
+    bool hasTime() const override { return coveredTime(content_.analyses).has_value(); }
+    void pressedAt(const QPointF& at) override;
+    void panValues(ZoomState& state, const QPointF& moved) override;
+    QRectF bandBetween(const QPointF& from, const QPointF& to) const override;
+    void zoomValuesTo(ZoomState& state, const QRectF& band) override;
+    bool zoomValues(const QPointF& at, double factor) override;
+    void hoverAt(const QPointF& at) override;
+    bool takeKey(QKeyEvent* event) override;
     // Scales the value axis about a fraction of its height from below and shifts it by a fraction.
     void changeValues(SlowVariable variable, double factor, double about, double shift,
                       Gesture gesture);
-    void zoomToBand(const QRectF& band);
-    bool keyMoves(QKeyEvent* event);
 
     void rebuild();
     void redraw();
-    void refreshOverlay();
     void followLayout();
 
     PlotContent content_;
     RecordedTime recorded_;
     ZoomNavigator zoom_;
-    QCustomPlot* plot_ = nullptr;
     std::unique_ptr<PlotStack> stack_;
     PlotOverlay* overlay_ = nullptr;
     PlotFocus focus_{*this};
     std::optional<double> tracker_;
     std::array<std::optional<double>, 2> cursors_;
-    Drag drag_ = Drag::none;
-    QPointF press_;
-    ZoomState press_state_;
+    // Of the plot in which a drag began.
     std::optional<SlowVariable> press_variable_;
     AxisRange press_values_;
 };

@@ -1,8 +1,8 @@
 #include "ui/plots/xy_plot.h"
 
 #include "ui/plots/panel_frame.h"
-#include "ui/plots/plot_stack.h"
 #include "ui/plots/plot_strip.h"
+#include "ui/plots/time_stack.h"
 #include "ui/words/index_text.h"
 
 #include <qcustomplot.h>

@@ -1,6 +1,6 @@
 #include "ui/signals/signal_overlay.h"
 
-#include "ui/plots/hair_line.h"
+#include "ui/plots/time_gestures.h"
 #include "ui/signals/signal_panel.h"
 #include "ui/signals/signal_stack.h"
 #include "ui/words/number_label.h"
@@ -15,48 +15,21 @@ namespace {
 
 // Six digits of the largest value in a plot.
 int decimalsOf(const SignalPanel& panel) {
-    const QCPRange range = panel.valueAxis()->range();
+    const AxisRange range = panel.values();
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
     return std::clamp(5 - static_cast<int>(std::floor(std::log10(largest))), 0, 15);
 }
 
 }  // namespace
 
-SignalOverlay::SignalOverlay(QCustomPlot* plot, const SignalStack& stack, const TrackView& tracks)
-    : QCPLayerable(plot, QStringLiteral("overlay")), stack_(stack), tracks_(tracks) {
-    plot->layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmBuffered);
-}
-
-void SignalOverlay::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(false);
-}
+SignalOverlay::SignalOverlay(QCustomPlot* plot, const SignalStack& stack, const TimeGestures& view)
+    : TimeOverlay(plot, stack, view), stack_(stack) {}
 
 void SignalOverlay::draw(QCPPainter* painter) {
-    const Theme& theme = stack_.content().theme;
-    const QFont& font = stack_.panels().front()->headFont();
-    const auto hair = [&](std::optional<double> time_s, const QColor& color, const char* name) {
-        if (time_s) {
-            drawHair(*painter, stack_.frames(), *time_s,
-                     {color, QLatin1String(name), font, theme.plotBackground});
-        }
-    };
-    hair(tracks_.cursor(Cursor::a), theme.cursorA, "A");
-    hair(tracks_.cursor(Cursor::b), theme.cursorB, "B");
-    hair(tracks_.tracker(), theme.tracker, "");
     for (const SignalPanel* panel : stack_.panels()) {
         drawNote(*painter, *panel);
     }
-    if (part_) {
-        QColor fill = theme.accent;
-        fill.setAlphaF(0.15F);
-        painter->setPen(QPen(theme.accent, 1));
-        painter->setBrush(fill);
-        const QRect top = stack_.panels().front()->rect();
-        const QRect bottom = stack_.panels().back()->rect();
-        painter->drawRect(
-            QRectF(part_->lower, top.top(), part_->span(), bottom.bottom() - top.top()));
-        painter->setBrush(Qt::NoBrush);
-    }
+    TimeOverlay::draw(painter);
 }
 
 // The values at the mouse; without them, what the curves are.
@@ -67,10 +40,11 @@ QString SignalOverlay::note(const SignalPanel& panel) const {
         return {};
     }
     const auto& excerpt = content.excerpt;
-    const double k = tracks_.tracker() && stack_.picture().samples && excerpt
-                         ? std::round(*tracks_.tracker() * excerpt->rate_hz) -
-                               static_cast<double>(excerpt->first)
-                         : -1;
+    const auto tracker = view().tracker();
+    const double k =
+        tracker && stack_.picture().samples && excerpt
+            ? std::round(*tracker * excerpt->rate_hz) - static_cast<double>(excerpt->first)
+            : -1;
     if (!(k >= 0 && k < static_cast<double>(excerpt ? excerpt->size() : 0))) {
         if (residual) {
             return stack_.picture().samples
@@ -108,7 +82,7 @@ void SignalOverlay::drawNote(QCPPainter& painter, const SignalPanel& panel) cons
         return;
     }
     const Theme& theme = stack_.content().theme;
-    painter.setFont(panel.headFont());
+    painter.setFont(panel.font());
     const QRectF area = QRectF(panel.rect()).adjusted(6, 2, -6, -2);
     const QRectF box =
         painter.boundingRect(area, int(Qt::AlignRight | Qt::AlignTop), text).adjusted(-4, 0, 4, 0);

@@ -1,28 +1,18 @@
 #pragma once
 
-#include "ui/plots/track_view.h"
-#include "ui/signals/signal_picture.h"
-
-#include <qcustomplot.h>
+#include "ui/plots/time_overlay.h"
 
 namespace vybeg::ui {
 
 class SignalPanel;
 class SignalStack;
 
-// Items that move with the mouse, on a layer of their own: cursors, the hair line of the tracker
-// with the values of the sample nearest to it, the part of the time to zoom into.
-class SignalOverlay : public QCPLayerable {
-    Q_OBJECT
-
+// Over the signals: the values of the sample nearest to the tracker.
+class SignalOverlay : public TimeOverlay {
 public:
-    SignalOverlay(QCustomPlot* plot, const SignalStack& stack, const TrackView& tracks);
-
-    // Pixels from the left.
-    void setPart(std::optional<AxisRange> part) { part_ = part; }
+    SignalOverlay(QCustomPlot* plot, const SignalStack& stack, const TimeGestures& view);
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
     void draw(QCPPainter* painter) override;
 
 private:
@@ -30,8 +20,6 @@ private:
     void drawNote(QCPPainter& painter, const SignalPanel& panel) const;
 
     const SignalStack& stack_;
-    const TrackView& tracks_;
-    std::optional<AxisRange> part_;
 };
 
 }  // namespace vybeg::ui

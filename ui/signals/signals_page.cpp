@@ -87,7 +87,7 @@ void SignalsPage::setTheme(const Theme& theme) {
 }
 
 void SignalsPage::showCursors() {
-    view_->showCursors();
+    view_->refreshOverlay();
 }
 
 SignalContent SignalsPage::content() const {

@@ -1,0 +1,207 @@
+#include "ui/plots/time_gestures.h"
+
+#include "ui/plots/time_overlay.h"
+#include "ui/plots/time_stack.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vybeg::ui {
+
+TimeGestures::TimeGestures(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(plot_);
+    // The view handles the mouse itself, not QCustomPlot.
+    plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    plot_->setFocusPolicy(Qt::NoFocus);
+    setMouseTracking(true);
+    preparePlot(*plot_, lightTheme());
+}
+
+void TimeGestures::setPlots(const TimeStack& stack, TimeOverlay& overlay) {
+    stack_ = &stack;
+    overlay_ = &overlay;
+}
+
+void TimeGestures::removePlot() {
+    delete plot_;
+}
+
+QPointF TimeGestures::inPlot(const QPointF& position) const {
+    return position - plot_->pos();
+}
+
+double TimeGestures::timeAt(const QPointF& at) const {
+    return stack_->frames().empty() ? 0
+                                    : stack_->frames().front()->timeAxis()->pixelToCoord(at.x());
+}
+
+double TimeGestures::positionOf(double time_s) const {
+    return stack_->frames().front()->timeAxis()->coordToPixel(time_s) + plot_->x();
+}
+
+std::optional<Cursor> TimeGestures::cursorAt(const QPointF& at) const {
+    constexpr double reach = 4;  // pixels
+    // The second is drawn above the first.
+    for (const Cursor which : {Cursor::b, Cursor::a}) {
+        const auto time_s = cursor(which);
+        if (time_s && !stack_->frames().empty() &&
+            std::abs(positionOf(*time_s) - plot_->x() - at.x()) <= reach) {
+            return which;
+        }
+    }
+    return std::nullopt;
+}
+
+// About the tracker where it is visible, else about the centre.
+void TimeGestures::zoomByKey(double factor) {
+    const AxisRange time = zoom().current().time;
+    const bool at_tracker = tracker() && time.contains(*tracker());
+    zoom().zoomTime(factor, at_tracker ? *tracker() : 0.5 * (time.lower + time.upper),
+                    Gesture::key_time);
+}
+
+void TimeGestures::refreshOverlay() {
+    if (isVisible()) {
+        plot_->layer(QStringLiteral("overlay"))->replot();
+    }
+}
+
+void TimeGestures::showBand(std::optional<QRectF> band) {
+    overlay_->setBand(band);
+    refreshOverlay();
+}
+
+// Through all plots.
+QRectF TimeGestures::bandBetween(const QPointF& from, const QPointF& to) const {
+    const QRectF area =
+        QRectF(stack_->frames().front()->rect()).united(stack_->frames().back()->rect());
+    return QRectF(QPointF(from.x(), area.top()), QPointF(to.x(), area.bottom()))
+        .normalized()
+        .intersected(area);
+}
+
+void TimeGestures::mousePressEvent(QMouseEvent* event) {
+    const QPointF at = inPlot(event->position());
+    if (event->button() != Qt::LeftButton || !stack_->contains(at) || !hasTime()) {
+        QWidget::mousePressEvent(event);
+        return;
+    }
+    press_ = at;
+    press_state_ = zoom().current();
+    pressedAt(at);
+    zoom().endGesture();
+    if (const auto which = cursorAt(at); which && event->modifiers() == Qt::NoModifier) {
+        drag_ = *which == Cursor::a ? Drag::cursorA : Drag::cursorB;
+    } else {
+        drag_ = event->modifiers() & Qt::ShiftModifier ? Drag::band : Drag::pan;
+    }
+}
+
+void TimeGestures::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = inPlot(event->position());
+    switch (drag_) {
+        case Drag::none: setCursor(cursorAt(at) ? Qt::SplitHCursor : Qt::ArrowCursor); break;
+        case Drag::pan: {
+            const QPointF moved = at - press_;
+            ZoomState state = press_state_;
+            const double step =
+                moved.x() / std::max(1, stack_->frames().front()->width()) * state.time.span();
+            state.time = {state.time.lower - step, state.time.upper - step};
+            panValues(state, moved);
+            zoom().visit(std::move(state), Gesture::drag);
+            return;  // without readout, which would flicker
+        }
+        case Drag::band: showBand(bandBetween(press_, at)); return;
+        case Drag::cursorA: moveCursor(Cursor::a, timeAt(at)); break;
+        case Drag::cursorB: moveCursor(Cursor::b, timeAt(at)); break;
+    }
+    hoverAt(at);
+    const double time = timeAt(at);
+    const bool inside = stack_->contains(at) && zoom().current().time.contains(time) && hasTime();
+    moveTracker(inside ? std::optional(time) : std::nullopt);
+}
+
+void TimeGestures::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        QWidget::mouseReleaseEvent(event);
+        return;
+    }
+    zoom().endGesture();
+    if (std::exchange(drag_, Drag::none) != Drag::band) {
+        return;
+    }
+    showBand(std::nullopt);
+    const QRectF band = bandBetween(press_, inPlot(event->position()));
+    if (band.width() >= least_band) {
+        ZoomState state = zoom().current();
+        state.time = {timeAt(band.topLeft()), timeAt(band.topRight())};
+        zoomValuesTo(state, band);
+        zoom().visit(std::move(state), Gesture::none);
+    }
+}
+
+void TimeGestures::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        drag_ = Drag::none;
+        fit();
+    }
+}
+
+void TimeGestures::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    moveTracker(std::nullopt);
+}
+
+void TimeGestures::wheelEvent(QWheelEvent* event) {
+    // Alt turns a wheel sideways on some desktops; touch pads report fractions of a notch.
+    const double notches = event->angleDelta().y() / 120.;
+    const QPointF at = inPlot(event->position());
+    if (notches == 0 || !stack_->contains(at) || !hasTime()) {
+        event->ignore();
+        return;
+    }
+    event->accept();
+    const double factor = std::pow(ZoomNavigator::notch, notches);
+    if (!(event->modifiers() & Qt::ControlModifier) || !zoomValues(at, factor)) {
+        zoom().zoomTime(factor, timeAt(at), Gesture::wheel_time);
+    }
+}
+
+bool TimeGestures::takeTimeKey(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Home: fit(); return true;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal: zoomIn(); return true;
+        case Qt::Key_Minus: zoomOut(); return true;
+        case Qt::Key_1:
+        case Qt::Key_2:
+            if (tracker()) {
+                moveCursor(event->key() == Qt::Key_1 ? Cursor::a : Cursor::b, tracker());
+            }
+            return true;
+        case Qt::Key_0:
+            moveCursor(Cursor::a, std::nullopt);
+            moveCursor(Cursor::b, std::nullopt);
+            return true;
+        default: return zoom().takeKey(*event);
+    }
+}
+
+void TimeGestures::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && drag_ == Drag::band) {
+        drag_ = Drag::none;
+        showBand(std::nullopt);
+    } else if (!hasTime() || !takeKey(event)) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace vybeg::ui

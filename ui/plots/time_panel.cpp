@@ -1,0 +1,147 @@
+#include "ui/plots/time_panel.h"
+
+#include "ui/plots/panel_frame.h"
+#include "ui/words/index_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+namespace {
+
+constexpr double margin_edge = 3;  // from the window's edge to a text in the margin
+constexpr double unit_gap = 8;
+
+}  // namespace
+
+QMargins TimePanel::room(PlotHead head) {
+    return head == PlotHead::line ? QMargins(60, 21, 16, 3) : QMargins(56, 0, 8, 4);
+}
+
+// On the screen tick labels leave room for the lines in the margin and the name of the time axis.
+TimePanel::TimePanel(QCustomPlot* plot, PlotHead head)
+    : QCPAxisRect(plot, false),
+      head_(head),
+      time_ticker_(new PanelTicker(Qt::Horizontal)),
+      value_ticker_(new PanelTicker(Qt::Vertical)) {
+    addFrame(*this, time_ticker_, value_ticker_);
+    timeAxis()->setTickLabelPadding(5);
+    valueAxis()->setTickLabelPadding(4);
+    // The labels under the lowest panel have a separate row, so that all panels are equally high.
+    setAutoMargins(QCP::msLeft);
+    const QMargins around = room(head);
+    setMinimumMargins({around.left(), 0, 0, 0});
+    setMargins(around);
+    if (head == PlotHead::line) {
+        return;
+    }
+    value_ticker_->setShared(
+        [this](const AxisTicks& ticks) {
+            std::vector<double> widths;
+            for (const MarginLine& line : marginLines(ticks)) {
+                widths.push_back(line.width + margin_edge);
+            }
+            return widths;
+        },
+        around.left() - 4);
+    time_ticker_->setShared([this](const AxisTicks& ticks) {
+        return std::vector<double>{indexTextWidth(timeAxisName(ticks), font_)};
+    });
+}
+
+void TimePanel::setLook(const Theme& theme, const QFont& font) {
+    theme_ = theme;
+    font_ = font;
+    tick_font_ = tickFont(font);
+    setFrameLook(*this, theme, tick_font_);
+    timeAxis()->grid()->setZeroLinePen(Qt::NoPen);
+}
+
+void TimePanel::setScaleShown(bool shown) {
+    valueAxis()->setTickLabels(shown);
+    valueAxis()->setTicks(shown);
+}
+
+void TimePanel::update(UpdatePhase phase) {
+    if (phase == upPreparation) {
+        value_ticker_->setRoom(expected_.height(), tick_font_);
+        time_ticker_->setRoom(expected_.width(), tick_font_, room(head_).right() - 2);
+    }
+    QCPAxisRect::update(phase);
+}
+
+void TimePanel::draw(QCPPainter* painter) {
+    QCPAxisRect::draw(painter);
+    if (head_ == PlotHead::line) {
+        drawHead(*painter);
+    } else {
+        drawMarginLines(*painter);
+    }
+    if (const QString text = emptyText(); !text.isEmpty()) {
+        painter->setPen(theme_.mutedText);
+        painter->setFont(font_);
+        painter->drawText(QRectF(rect()).adjusted(12, 4, -12, -4),
+                          int(Qt::AlignCenter) | Qt::TextWordWrap, text);
+    }
+}
+
+void TimePanel::drawHead(QCPPainter& painter) const {
+    const AxisTicks& ticks = value_ticker_->ticks();
+    const double base = rect().top() - 7;
+    painter.setPen(theme_.text);
+    const double x = rect().left() + drawIndexText(painter, {double(rect().left()), base},
+                                                   symbol() + offset(ticks), font_);
+    painter.setPen(theme_.mutedText);
+    drawIndexText(painter, {x + unit_gap, base}, unit(ticks), font_);
+    if (!letter_.isEmpty()) {
+        QFont italic(font_);
+        italic.setItalic(true);
+        painter.setFont(italic);
+        painter.setPen(theme_.text);
+        const int head = room(head_).top();
+        painter.drawText(QRectF(rect().left(), rect().top() - head, rect().width(), head - 3),
+                         int(Qt::AlignRight | Qt::AlignVCenter), letter_);
+    }
+}
+
+void TimePanel::drawMarginLines(QCPPainter& painter) const {
+    const QFontMetricsF metrics(tick_font_);
+    double base = rect().top() + metrics.ascent();
+    for (const MarginLine& line : marginLines(value_ticker_->ticks())) {
+        painter.setPen(line.muted ? theme_.mutedText : theme_.text);
+        drawIndexText(painter, {outerRect().left() + margin_edge, base}, line.text,
+                      line.muted ? tick_font_ : font_);
+        base += metrics.height();
+    }
+}
+
+std::vector<TimePanel::MarginLine> TimePanel::marginLines(const AxisTicks& ticks) const {
+    const auto line = [&](const QString& text, bool muted) {
+        return MarginLine{text, muted, indexTextWidth(text, muted ? tick_font_ : font_)};
+    };
+    std::vector<MarginLine> lines{line(symbol(), false)};
+    const QString from = offset(ticks);
+    const QString of = unit(ticks);
+    if (!from.isEmpty()) {
+        lines.push_back(line(from.trimmed(), true));
+    } else if (const MarginLine both = line(symbol() + QStringLiteral(", ") + of, false);
+               !of.isEmpty() && both.width + margin_edge < room(PlotHead::margin).left()) {
+        return {both};
+    }
+    if (!of.isEmpty()) {
+        lines.push_back(line(of, true));
+    }
+    return lines;
+}
+
+int TimePanel::calculateAutoMargin(QCP::MarginSide side) {
+    int margin = QCPAxisRect::calculateAutoMargin(side);
+    if (head_ == PlotHead::margin && side == QCP::msLeft) {
+        for (const MarginLine& line : marginLines(value_ticker_->ticks())) {
+            margin = std::max(margin, static_cast<int>(std::ceil(line.width + 2 * margin_edge)));
+        }
+    }
+    return margin;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "ui/plots/panel_ticker.h"
+#include "ui/values/zoom_stack.h"
+#include "ui/widgets/theme.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// Where symbol and unit of a plot stand: on the screen in the left margin, on paper above it.
+enum class PlotHead { margin, line };
+
+// One of the plots over one time axis, with its symbol and unit.
+class TimePanel : public QCPAxisRect {
+public:
+    TimePanel(QCustomPlot* plot, PlotHead head);
+
+    // Only the lowest panel has labels of the time axis.
+    void setTimeLabels(bool shown) { timeAxis()->setTickLabels(shown); }
+    // A letter at the right end of the line above the plot, for figures.
+    void setLetter(const QString& letter) { letter_ = letter; }
+    // Size of the frame after the next layout, without exact left margin.
+    void setExpectedSize(QSize size) { expected_ = size; }
+    QSize expectedSize() const { return expected_; }
+
+    void setTime(const AxisRange& time) { timeAxis()->setRange(time.lower, time.upper); }
+    void setValues(const AxisRange& values) { valueAxis()->setRange(values.lower, values.upper); }
+    AxisRange time() const { return {timeAxis()->range().lower, timeAxis()->range().upper}; }
+    AxisRange values() const { return {valueAxis()->range().lower, valueAxis()->range().upper}; }
+
+    QCPAxis* timeAxis() const { return axis(QCPAxis::atBottom); }
+    QCPAxis* valueAxis() const { return axis(QCPAxis::atLeft); }
+    const AxisTicks& timeTicks() const { return time_ticker_->ticks(); }
+    const Theme& theme() const { return theme_; }
+    const QFont& font() const { return font_; }
+
+    // Pixels around the frame; left: at least.
+    static QMargins room(PlotHead head);
+
+    void update(UpdatePhase phase) override;
+
+protected:
+    void setLook(const Theme& theme, const QFont& font);
+    // Without values no scale is shown.
+    void setScaleShown(bool shown);
+    PanelTicker& valueTicker() { return *value_ticker_; }
+
+    // An underscore introduces an index.
+    virtual QString symbol() const = 0;
+    // "−5300 Hz" of an axis that counts from an offset; empty without one.
+    virtual QString offset(const AxisTicks& ticks) const { return ticks.offsetText(); }
+    virtual QString unit(const AxisTicks& ticks) const = 0;
+    // What stands in the frame where no curve does.
+    virtual QString emptyText() const = 0;
+
+    void draw(QCPPainter* painter) override;
+    int calculateAutoMargin(QCP::MarginSide side) override;
+
+private:
+    // A line in the left margin: symbol, offset of the axis, unit.
+    struct MarginLine {
+        QString text;
+        bool muted = false;
+        double width = 0;
+    };
+
+    std::vector<MarginLine> marginLines(const AxisTicks& ticks) const;
+    void drawMarginLines(QCPPainter& painter) const;
+    void drawHead(QCPPainter& painter) const;
+
+    PlotHead head_;
+    QSharedPointer<PanelTicker> time_ticker_;
+    QSharedPointer<PanelTicker> value_ticker_;
+    Theme theme_;
+    QFont font_;
+    QFont tick_font_;
+    QString letter_;
+    QSize expected_{400, 100};
+};
+
+}  // namespace vybeg::ui
