@@ -3,15 +3,14 @@
 #include "ui/drift/drift_panel.h"
 #include "ui/drift/drift_text.h"
 #include "ui/plots/xy_plot_view.h"
-#include "ui/resonator/page_parts.h"
 #include "ui/resonator/warning_list.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -29,15 +28,14 @@ constexpr int hint_width = 460;
 }  // namespace
 
 DriftPage::DriftPage(Document& document, QWidget* parent)
-    : FigurePage(parent),
+    : MeasuredPage(parent),
       document_(document),
       panel_(new DriftPanel(document, this)),
       export_(new QPushButton(this)),
-      state_(sentence(this)),
+      state_(sentence(this, "driftState")),
       hint_(new QLabel(this)) {
     setObjectName(QStringLiteral("driftPage"));
     export_->setObjectName(QStringLiteral("driftExport"));
-    state_->setObjectName(QStringLiteral("driftState"));
     hint_->setObjectName(QStringLiteral("driftHint"));
     hint_->setWordWrap(true);
     hint_->setAlignment(Qt::AlignCenter);
@@ -64,7 +62,6 @@ DriftPage::DriftPage(Document& document, QWidget* parent)
     layout->addWidget(content_, 1);
     connect(panel_, &DriftPanel::openWanted, this, &DriftPage::openWanted);
     connect(export_, &QPushButton::clicked, this, &DriftPage::exportResultWanted);
-    connect(plot_, &XYPlotView::exportWanted, this, &DriftPage::exportWanted);
     connect(&document_.drift(), &DriftStore::changed, this, &DriftPage::refresh);
     guardFromWheel(*this);
     retranslate();
@@ -72,18 +69,13 @@ DriftPage::DriftPage(Document& document, QWidget* parent)
 
 QWidget* DriftPage::buildContent() {
     auto* content = new QWidget(this);
-    plot_ = new XYPlotView(content);
-    plot_->setObjectName(QStringLiteral("driftPlot"));
-    plot_->setMinimumSize(260, least_plot_height);
-    plot_->setMaximumHeight(QWIDGETSIZE_MAX);
+    plot_ = addPlot("driftPlot", least_plot_height);
     warnings_ = new WarningList(content);
     warnings_->setObjectName(QStringLiteral("driftWarnings"));
     harmonics_ = table("driftHarmonics");
-    agreement_ = sentence(content);
-    agreement_->setObjectName(QStringLiteral("driftAgreement"));
+    agreement_ = sentence(content, "driftAgreement");
     resonator_ = table("driftResonator");
-    statistical_ = sentence(content);
-    statistical_->setObjectName(QStringLiteral("driftStatistical"));
+    statistical_ = sentence(content, "driftStatistical");
     auto* numbers = new QVBoxLayout;
     numbers->setSpacing(2);
     numbers->addWidget(warnings_);
@@ -107,10 +99,6 @@ QuantityTable* DriftPage::table(const char* name) {
 void DriftPage::setUnits(const DisplayUnits& units) {
     units_ = units;
     showFound();
-}
-
-void DriftPage::setTheme(const Theme& theme) {
-    plot_->setTheme(theme);
 }
 
 FigureSource DriftPage::figures() const {
@@ -159,13 +147,6 @@ void DriftPage::showFound() {
         statistical_->setText(richText(channelsText(pick_offs(shown_->settings.tolerance))));
     }
     emit figuresChanged();
-}
-
-void DriftPage::changeEvent(QEvent* event) {
-    FigurePage::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void DriftPage::retranslate() {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/plots/figure_source.h"
+#include "ui/plots/measured_page.h"
 
 #include <memory>
 
@@ -19,14 +19,13 @@ class XYPlotView;
 // The drift of whole-angle logs: logs and settings at the left, the drift against the angle in the
 // middle, harmonics and resonator at the right. While a newer drift is computed, the one before is
 // shown.
-class DriftPage : public FigurePage {
+class DriftPage : public MeasuredPage {
     Q_OBJECT
 
 public:
     explicit DriftPage(Document& document, QWidget* parent = nullptr);
 
     void setUnits(const DisplayUnits& units) override;
-    void setTheme(const Theme& theme) override;
 
     FigureSource figures() const override;
 
@@ -34,16 +33,13 @@ signals:
     void openWanted();
     void exportResultWanted();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QWidget* buildContent();
     QuantityTable* table(const char* name);
     void refresh();
     void showFound();
     QString stateText() const;
-    void retranslate();
+    void retranslate() override;
 
     Document& document_;
     DisplayUnits units_;

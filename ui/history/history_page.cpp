@@ -6,11 +6,11 @@
 #include "ui/history/history_text.h"
 #include "ui/history/stored_set.h"
 #include "ui/plots/xy_plot_view.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
-#include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
@@ -31,28 +31,22 @@ const QString path_key = QStringLiteral("history/database");
 }  // namespace
 
 HistoryPage::HistoryPage(Document& document, QWidget* parent)
-    : FigurePage(parent),
+    : MeasuredPage(parent),
       document_(document),
       adder_(document),
-      theme_(lightTheme()),
       database_(new QLabel(this)),
       open_(new QPushButton(this)),
       new_(new QPushButton(this)),
       add_(new QPushButton(this)),
       export_(new QPushButton(this)),
-      state_(new QLabel(this)) {
+      state_(sentence(this, "historyState", QMargins())) {
     setObjectName(QStringLiteral("history"));
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addLayout(buildHead());
-    scroll->setWidget(buildContent());
-    content_ = scroll;
-    column->addWidget(scroll, 1);
+    content_ = scrolled(buildContent());
+    column->addWidget(content_, 1);
     column->addStretch();  // below the sentence where there is nothing to show
     connectWidgets();
     retranslate();
@@ -83,7 +77,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
 
 // The database is read when the page is first seen: it may lie on a slow share.
 void HistoryPage::showEvent(QShowEvent* event) {
-    FigurePage::showEvent(event);
+    MeasuredPage::showEvent(event);
     if (!seen_) {
         seen_ = true;
         path_ = QSettings().value(path_key).toString();
@@ -217,7 +211,7 @@ void HistoryPage::refresh() {
         richTip(hint.isEmpty() ? tr("The identified resonator of the current set into the database")
                                : hint));
     const QString state = stateText();
-    state_->setText(state);
+    state_->setText(state.toHtmlEscaped());
     state_->setVisible(!state.isEmpty());
     choices_->setVisible(history_.has_value());
     export_->setEnabled(history_ && !history_->points.empty());
@@ -305,23 +299,9 @@ FigureSource HistoryPage::figures() const {
         gyro ? QStringLiteral("%1: %2").arg(QString::fromStdString(*gyro), parameter) : parameter);
 }
 
-void HistoryPage::setTheme(const Theme& theme) {
-    theme_ = theme;
-    for (XYPlotView* plot : {values_, ranges_, average_, distribution_}) {
-        plot->setTheme(theme);
-    }
-}
-
 void HistoryPage::setUnits(const DisplayUnits& units) {
     units_ = units;
     showHistory();
-}
-
-void HistoryPage::changeEvent(QEvent* event) {
-    FigurePage::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 }  // namespace vybeg::ui

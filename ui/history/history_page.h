@@ -3,7 +3,7 @@
 #include "ui/document/background_jobs.h"
 #include "ui/history/history_export.h"
 #include "ui/history/result_adder.h"
-#include "ui/plots/figure_source.h"
+#include "ui/plots/measured_page.h"
 
 #include <memory>
 
@@ -19,7 +19,7 @@ class XYPlotView;
 
 // The history of a gyro's parameters in a laboratory's database of results: values, control charts,
 // distribution. Read in the background; the database's path is kept between sessions.
-class HistoryPage : public FigurePage {
+class HistoryPage : public MeasuredPage {
     Q_OBJECT
 
 public:
@@ -27,7 +27,6 @@ public:
 
     // Takes another database; `make`: also one that is still to come.
     void openDatabase(const QString& path, bool make);
-    void setTheme(const Theme& theme) override;
     void setUnits(const DisplayUnits& units) override;
     const QString& path() const { return path_; }
     // What is shown; null without a database.
@@ -44,7 +43,6 @@ signals:
     void setOpened();
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
@@ -53,9 +51,8 @@ private:
     QLayout* buildHead();
     QWidget* buildContent();
     void placeSmallPlots(bool side_by_side);
-    XYPlotView* addPlot(const char* name, int height);
     void connectWidgets();
-    void retranslate();
+    void retranslate() override;
 
     void read();
     void take(Result<StoredHistory> history);
@@ -84,7 +81,6 @@ private:
     std::optional<StoredHistory> history_;
     HistoryCharts charts_;
     std::optional<std::size_t> chosen_;
-    Theme theme_;
     DisplayUnits units_;
     QLabel* database_;
     QPushButton* open_;

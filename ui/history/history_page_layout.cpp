@@ -2,6 +2,7 @@
 #include "ui/history/history_choices.h"
 #include "ui/history/history_page.h"
 #include "ui/plots/xy_plot_view.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QGridLayout>
@@ -15,14 +16,6 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int plot_height = 240;
-
-void makeSentence(QLabel* label, const char* name) {
-    label->setObjectName(QLatin1String(name));
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    label->setFocusPolicy(Qt::ClickFocus);
-}
-
 }  // namespace
 
 QLayout* HistoryPage::buildHead() {
@@ -32,7 +25,6 @@ QLayout* HistoryPage::buildHead() {
     new_->setObjectName(QStringLiteral("historyNew"));
     add_->setObjectName(QStringLiteral("historyAdd"));
     export_->setObjectName(QStringLiteral("historyExport"));
-    makeSentence(state_, "historyState");
     auto* first = new QHBoxLayout;
     first->addWidget(database_, 1);
     first->addWidget(open_);
@@ -70,10 +62,8 @@ void HistoryPage::resizeEvent(QResizeEvent* event) {
 
 QWidget* HistoryPage::buildContent() {
     auto* content = new QWidget(this);
-    verdict_ = new QLabel(content);
-    makeSentence(verdict_, "historyVerdict");
-    point_ = new QLabel(content);
-    makeSentence(point_, "historyPoint");
+    verdict_ = sentence(content, "historyVerdict", QMargins());
+    point_ = sentence(content, "historyPoint", QMargins());
     recordings_ = new QPushButton(content);
     recordings_->setObjectName(QStringLiteral("historyRecordings"));
     values_ = addPlot("historyValues", plot_height + 20);
@@ -98,17 +88,6 @@ QWidget* HistoryPage::buildContent() {
     return content;
 }
 
-XYPlotView* HistoryPage::addPlot(const char* name, int height) {
-    auto* plot = new XYPlotView(this);
-    plot->setObjectName(QLatin1String(name));
-    plot->setMinimumHeight(height);
-    plot->setMaximumHeight(QWIDGETSIZE_MAX);
-    plot->setMinimumWidth(180);
-    connect(plot, &XYPlotView::exportWanted, this, &HistoryPage::exportWanted);
-    connect(plot, &XYPlotView::stepWanted, this, &HistoryPage::step);
-    return plot;
-}
-
 void HistoryPage::connectWidgets() {
     connect(open_, &QPushButton::clicked, this, &HistoryPage::openWanted);
     connect(new_, &QPushButton::clicked, this, &HistoryPage::newWanted);
@@ -126,6 +105,9 @@ void HistoryPage::connectWidgets() {
     connect(choices_, &HistoryChoices::dataWanted, this, &HistoryPage::read);
     connect(choices_, &HistoryChoices::axisChanged, this, &HistoryPage::showHistory);
     connect(choices_, &HistoryChoices::limitsChanged, this, &HistoryPage::compute);
+    for (XYPlotView* plot : {values_, ranges_, average_, distribution_}) {
+        connect(plot, &XYPlotView::stepWanted, this, &HistoryPage::step);
+    }
     for (const auto& [plot, shown] :
          {std::pair{values_, &shown_values_}, std::pair{ranges_, &shown_ranges_},
           std::pair{average_, &shown_average_}}) {

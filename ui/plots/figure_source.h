@@ -1,11 +1,8 @@
 #pragma once
 
 #include "ui/plots/plot_file.h"
-#include "ui/widgets/theme.h"
-#include "ui/words/display_units.h"
 
 #include <QStringList>
-#include <QWidget>
 
 #include <functional>
 #include <utility>
@@ -25,22 +22,6 @@ struct FigureSource {
 // Figures with their names, from which some are chosen; one below the other.
 FigureSource sourceOf(const std::vector<std::pair<QString, Figure>>& figures, const QString& name,
                       const QString& title);
-
-// A page with plots of its own.
-class FigurePage : public QWidget {
-    Q_OBJECT
-
-public:
-    using QWidget::QWidget;
-
-    virtual FigureSource figures() const = 0;
-    virtual void setTheme(const Theme& theme) = 0;
-    virtual void setUnits(const DisplayUnits& /*units*/) {}
-
-signals:
-    void exportWanted(const Figure& figure);
-    void figuresChanged();  // figures() are others, or there are some now
-};
 
 // Figures one below the other, of the width of the widest.
 Figure stacked(const std::vector<Figure>& figures, const QString& name);

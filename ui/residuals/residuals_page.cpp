@@ -6,13 +6,13 @@
 #include "ui/residuals/residual_plots.h"
 #include "ui/residuals/residual_text.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -31,25 +31,17 @@ constexpr int job_key = 1;
 constexpr int least_spectrum_height = 172;
 constexpr int least_plot_height = 166;
 
-QLabel* sentence(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setWordWrap(true);
-    label->setContentsMargins(6, 0, 6, 0);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    label->setFocusPolicy(Qt::ClickFocus);
-    return label;
-}
+constexpr QMargins beside{6, 0, 6, 0};  // of a sentence
 
 }  // namespace
 
 ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
-    : FigurePage(parent),
+    : MeasuredPage(parent),
       document_(document),
       range_(new QComboBox(this)),
       range_label_(new QLabel(this)),
       time_(new NumberField(this)),
-      state_(sentence(this)),
-      theme_(lightTheme()) {
+      state_(sentence(this, "residualState", beside)) {
     setObjectName(QStringLiteral("residuals"));
     range_->setObjectName(QStringLiteral("residualRange"));
     range_->addItems({QString(), QString(), QString()});
@@ -57,24 +49,18 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
     time_->hide();
     range_label_->setBuddy(range_);
     time_->setLimits(0, 1e9);
-    state_->setObjectName(QStringLiteral("residualState"));
     auto* head = new QHBoxLayout;
     head->setContentsMargins(6, 4, 6, 0);
     head->addWidget(range_label_);
     head->addWidget(range_);
     head->addWidget(time_);
     head->addStretch(1);
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(buildContent());
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addLayout(head);
     column->addWidget(state_);
-    column->addWidget(scroll, 1);
+    column->addWidget(scrolled(buildContent()), 1);
 
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
@@ -89,18 +75,16 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
 
 QWidget* ResidualsPage::buildContent() {
     auto* content = new QWidget(this);
-    spectrum_ = addPlot("spectrum");
-    spectrum_->setMinimumHeight(least_spectrum_height);
+    spectrum_ = addPlot("spectrum", least_spectrum_height);
     lines_ = new QComboBox(content);
     lines_->setObjectName(QStringLiteral("residualLines"));
     lines_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     lines_->setMinimumContentsLength(16);
     filter_ = new QPushButton(content);
     filter_->setObjectName(QStringLiteral("residualFilter"));
-    sentence_ = sentence(content);
-    sentence_->setObjectName(QStringLiteral("residualLine"));
-    histogram_ = addPlot("histogram");
-    correlation_ = addPlot("correlation");
+    sentence_ = sentence(content, "residualLine", beside);
+    histogram_ = addPlot("histogram", least_plot_height);
+    correlation_ = addPlot("correlation", least_plot_height);
     numbers_ = new QuantityTable(content);
     numbers_->setObjectName(QStringLiteral("residualNumbers"));
     auto* choice = new QHBoxLayout;
@@ -133,16 +117,6 @@ QWidget* ResidualsPage::buildContent() {
     return content;
 }
 
-XYPlotView* ResidualsPage::addPlot(const char* name) {
-    auto* plot = new XYPlotView(this);
-    plot->setObjectName(QLatin1String(name));
-    plot->setMinimumHeight(least_plot_height);
-    plot->setMaximumHeight(QWIDGETSIZE_MAX);
-    plot->setMinimumWidth(180);
-    connect(plot, &XYPlotView::exportWanted, this, &ResidualsPage::exportWanted);
-    return plot;
-}
-
 FigureSource ResidualsPage::figures() const {
     const QString title = entry() ? entry()->shown.recording : QString();
     return figuresOf({spectrum_, histogram_, correlation_}, QStringLiteral("residuals"), title);
@@ -172,10 +146,7 @@ void ResidualsPage::setCursor(double time_s) {
 }
 
 void ResidualsPage::setTheme(const Theme& theme) {
-    theme_ = theme;
-    for (XYPlotView* plot : {spectrum_, histogram_, correlation_}) {
-        plot->setTheme(theme);
-    }
+    MeasuredPage::setTheme(theme);
     showFound();
 }
 
@@ -292,7 +263,7 @@ void ResidualsPage::showFound() {
     numbers_->setVisible(any);
     if (any) {
         numbers_->setContent({QStringLiteral("C"), QStringLiteral("D")},
-                             residualRows(*found_, unit(), theme_.warning));
+                             residualRows(*found_, unit(), theme().warning));
     }
     showPlots();
     chooseLine(chosen_);
@@ -326,7 +297,7 @@ void ResidualsPage::showLine() {
         return;
     }
     const ResidualLine& line = found_->lines[*chosen_];
-    sentence_->setText(lineSentence(line, *found_, unit()));
+    sentence_->setText(lineSentence(line, *found_, unit()).toHtmlEscaped());
     if (line.filter) {
         filter_->setText(tr("Filter %1").arg(bandText(*line.filter)));
         filter_->setVisible(true);
@@ -344,24 +315,17 @@ void ResidualsPage::putFilter() {
 }
 
 void ResidualsPage::showEvent(QShowEvent* event) {
-    FigurePage::showEvent(event);
+    MeasuredPage::showEvent(event);
     refresh();
 }
 
 // A computation under way is asked for again when the page is shown.
 void ResidualsPage::hideEvent(QHideEvent* event) {
-    FigurePage::hideEvent(event);
+    MeasuredPage::hideEvent(event);
     pause_.stop();
     job_.forget(job_key);
     if (computing_) {
         asked_.reset();
-    }
-}
-
-void ResidualsPage::changeEvent(QEvent* event) {
-    FigurePage::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/residuals/residuals.h"
 #include "ui/document/background_jobs.h"
-#include "ui/plots/figure_source.h"
+#include "ui/plots/measured_page.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/values/ids.h"
 
@@ -26,7 +26,7 @@ struct AnalysisEntry;
 // The residual of the chosen analysis: its spectrum with the lines above the noise, its
 // distribution and its autocorrelation, of the window at the cursor, the visible part or the whole.
 // Computed in the background while the page is shown; a newer request replaces the one before.
-class ResidualsPage : public FigurePage {
+class ResidualsPage : public MeasuredPage {
     Q_OBJECT
 
 public:
@@ -46,7 +46,6 @@ public:
     FigureSource figures() const override;
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
@@ -60,7 +59,6 @@ private:
     };
 
     QWidget* buildContent();
-    XYPlotView* addPlot(const char* name);
     Range range() const;
     const AnalysisEntry* entry() const;
     std::optional<Request> wanted() const;
@@ -75,7 +73,7 @@ private:
     void chooseLine(std::optional<std::size_t> line);
     void showLine();
     void putFilter();
-    void retranslate();
+    void retranslate() override;
 
     Document& document_;
     BackgroundJobs job_;
@@ -91,7 +89,6 @@ private:
     XYPlotView* histogram_ = nullptr;
     XYPlotView* correlation_ = nullptr;
     QuantityTable* numbers_ = nullptr;
-    Theme theme_;
     AnalysisId analysis_id_ = AnalysisId::none;
     AxisRange visible_;
     double cursor_s_ = 0;

@@ -2,9 +2,9 @@
 
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/difference_text.h"
-#include "ui/resonator/page_parts.h"
 #include "ui/resonator/resonator_plots.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
 #include "ui/words/error_text.h"
@@ -23,14 +23,13 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       theme_(lightTheme()),
-      passport_(sentence(this)),
-      other_gyro_(sentence(this)),
+      passport_(sentence(this, "passport")),
+      other_gyro_(sentence(this, "otherGyro")),
       differences_(new QuantityTable(this)),
-      incomparable_(sentence(this)),
+      incomparable_(sentence(this, "incomparable")),
       track_choice_(new QComboBox(this)),
       tracks_(new XYPlotView(this)),
       close_(new QPushButton(this)) {
-    other_gyro_->setObjectName(QStringLiteral("otherGyro"));
     differences_->setObjectName(QStringLiteral("differences"));
     tracks_->setObjectName(QStringLiteral("tracks"));
     auto* limit = new QWidget(this);

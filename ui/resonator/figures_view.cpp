@@ -2,9 +2,9 @@
 
 #include "ui/charts/round_view.h"
 #include "ui/plots/xy_plot_view.h"
-#include "ui/resonator/page_parts.h"
 #include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
@@ -18,11 +18,10 @@
 
 namespace vybeg::ui {
 
-FiguresView::FiguresView(QWidget* parent) : QWidget(parent), hint_(sentence(this)) {
+FiguresView::FiguresView(QWidget* parent) : QWidget(parent), hint_(sentence(this, "hint")) {
     plots_ = buildPlots();
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMinimumHeight(120);
-    hint_->setObjectName(QStringLiteral("hint"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
@@ -42,7 +41,7 @@ QWidget* FiguresView::buildPlots() {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(2);
     for (QLabel** name : {&rim_name_, &drift_name_, &balance_name_}) {
-        *name = sentence(plots);
+        *name = sentence(plots, "");
     }
     rim_ = new RoundView(true, plots);
     rim_->setObjectName(QStringLiteral("rim"));

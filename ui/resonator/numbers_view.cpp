@@ -1,8 +1,8 @@
 #include "ui/resonator/numbers_view.h"
 
-#include "ui/resonator/page_parts.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/warning_list.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
 
@@ -36,7 +36,7 @@ NumbersView::NumbersView(QWidget* parent)
       theme_(lightTheme()),
       findings_(new WarningList(this)),
       warnings_(new WarningList(this)),
-      statistical_(sentence(this)),
+      statistical_(sentence(this, "statistical")),
       waves_(table("waves")),
       resonator_(table("resonator")),
       sensitivities_(table("sensitivities")),
@@ -44,7 +44,6 @@ NumbersView::NumbersView(QWidget* parent)
       runs_(table("runs")) {
     findings_->setObjectName(QStringLiteral("findings"));
     warnings_->setObjectName(QStringLiteral("warnings"));
-    statistical_->setObjectName(QStringLiteral("statistical"));
     statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(statistical_, &QLabel::linkActivated, this,
             [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });

@@ -5,12 +5,11 @@
 #include "ui/resonator/comparison_view.h"
 #include "ui/resonator/figures_view.h"
 #include "ui/resonator/numbers_view.h"
-#include "ui/resonator/page_parts.h"
 #include "ui/resonator/set_panel.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QJsonDocument>
 #include <QLabel>
@@ -20,15 +19,13 @@
 namespace vybeg::ui {
 
 ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
-    : FigurePage(parent),
+    : MeasuredPage(parent),
       document_(document),
-      theme_(lightTheme()),
       set_(new SetPanel(document, this)),
-      state_(sentence(this)),
+      state_(sentence(this, "state")),
       numbers_(new NumbersView(this)),
       figures_(new FiguresView(this)),
       comparison_(new ComparisonView(document, this)) {
-    state_->setObjectName(QStringLiteral("state"));
     auto* numbers = new QVBoxLayout;
     numbers->addWidget(numbers_);
     numbers->addStretch(1);
@@ -70,7 +67,7 @@ void ResonatorPage::setUnits(const DisplayUnits& units) {
 }
 
 void ResonatorPage::setTheme(const Theme& theme) {
-    theme_ = theme;
+    MeasuredPage::setTheme(theme);
     numbers_->setTheme(theme);
     figures_->setTheme(theme);
     comparison_->setTheme(theme);
@@ -133,7 +130,7 @@ void ResonatorPage::showState(const RecordingSet* set) {
                                     : !kept_json_.isEmpty() && !set->kept.up_to_date;
     if (out_of_date) {
         text = QStringLiteral("<b style=\"color:%1\">⚠ %2</b> %3")
-                   .arg(readable(theme_.warning, theme_).name(), tr("Out of date."),
+                   .arg(readable(theme().warning, theme()).name(), tr("Out of date."),
                         tr("The set or its settings have changed since: identify again.")) +
                QStringLiteral("<br>") + text;
     }
@@ -174,13 +171,6 @@ QString ResonatorPage::stateText(const RecordingSet* set) const {
 
 QString ResonatorPage::modelText(ResonatorModel model) {
     return model == ResonatorModel::structured ? tr("Structured model") : tr("Free model");
-}
-
-void ResonatorPage::changeEvent(QEvent* event) {
-    FigurePage::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        refresh();
-    }
 }
 
 }  // namespace vybeg::ui

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/plots/figure_source.h"
+#include "ui/plots/measured_page.h"
 
 class QLabel;
 
@@ -14,7 +14,7 @@ class SetPanel;
 
 // The resonator of the current set: recordings and numbers at the left, figures and the comparison
 // with a passport at the right.
-class ResonatorPage : public FigurePage {
+class ResonatorPage : public MeasuredPage {
     Q_OBJECT
 
 public:
@@ -27,11 +27,9 @@ public:
 
     FigureSource figures() const override;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void refresh();
+    void retranslate() override { refresh(); }
     void rebuild();
     void calibrate(const Estimate& kappa);
     void showState(const RecordingSet* set);
@@ -39,7 +37,6 @@ private:
     static QString modelText(ResonatorModel model);
 
     Document& document_;
-    Theme theme_;
     std::shared_ptr<const ResonatorOutcome> shown_;
     // The session's result, shown where nothing is identified here, and what it was read from.
     Result<SetResult> kept_ = SetResult{};

@@ -1,6 +1,6 @@
 #include "ui/resonator/warning_list.h"
 
-#include "ui/resonator/page_parts.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 
 #include <algorithm>

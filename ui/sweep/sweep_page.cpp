@@ -5,6 +5,7 @@
 #include "ui/residuals/residual_text.h"
 #include "ui/sweep/length_field.h"
 #include "ui/sweep/sweep_text.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
@@ -12,7 +13,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -30,7 +30,7 @@ constexpr int job_key = 1;
 }  // namespace
 
 SweepPage::SweepPage(Document& document, QWidget* parent)
-    : FigurePage(parent),
+    : MeasuredPage(parent),
       document_(document),
       recording_(new QLabel(this)),
       algorithm_label_(new QLabel(this)),
@@ -41,21 +41,15 @@ SweepPage::SweepPage(Document& document, QWidget* parent)
       compute_(new QPushButton(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QPushButton(this)),
-      state_(new QLabel(this)),
-      theme_(lightTheme()) {
+      state_(sentence(this, "sweepState", QMargins())) {
     setObjectName(QStringLiteral("sweep"));
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* head = buildHead();
     content_ = buildContent();
-    scroll->setWidget(content_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addLayout(head);
-    column->addWidget(scroll, 1);
+    column->addWidget(scrolled(content_), 1);
     connectWidgets();
     followSettings();
     retranslate();
@@ -237,7 +231,7 @@ void SweepPage::refresh() {
     progress_->setVisible(running());
     cancel_->setVisible(running());
     const QString state = stateText();
-    state_->setText(state);
+    state_->setText(state.toHtmlEscaped());
     state_->setVisible(!state.isEmpty());
 }
 
@@ -273,22 +267,9 @@ void SweepPage::showFound() {
     table_->setContent(sweepHeaders(*shown, view), sweepRows(*shown, view));
 }
 
-void SweepPage::setTheme(const Theme& theme) {
-    theme_ = theme;
-    scatter_->setTheme(theme);
-    residual_->setTheme(theme);
-}
-
 void SweepPage::setUnits(const DisplayUnits& units) {
     units_ = units;
     retranslate();
-}
-
-void SweepPage::changeEvent(QEvent* event) {
-    FigurePage::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 }  // namespace vybeg::ui

@@ -2,7 +2,7 @@
 
 #include "core/sweep/window_sweep.h"
 #include "ui/document/background_jobs.h"
-#include "ui/plots/figure_source.h"
+#include "ui/plots/measured_page.h"
 #include "ui/sweep/sweep_plots.h"
 #include "ui/values/ids.h"
 
@@ -28,22 +28,18 @@ struct RecordingEntry;
 // The current recording in windows of many lengths: scatter, bound, leakage and residual against
 // the length, and the window that the recording deserves. Computed in the background on demand; a
 // result is kept for each recording until the recording is closed or opened anew.
-class SweepPage : public FigurePage {
+class SweepPage : public MeasuredPage {
     Q_OBJECT
 
 public:
     explicit SweepPage(Document& document, QWidget* parent = nullptr);
 
-    void setTheme(const Theme& theme) override;
     void setUnits(const DisplayUnits& units) override;
     // What is shown; null without a result.
     const WindowSweep* sweep() const;
     bool running() const { return running_ != RecordingId::none; }
 
     FigureSource figures() const override;
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     // A result, with the settings it was asked for.
@@ -55,7 +51,6 @@ private:
 
     QWidget* buildContent();
     QLayout* buildHead();
-    XYPlotView* addPlot(const char* name);
     void connectWidgets();
     const RecordingEntry* current() const;
     const Found* found() const;
@@ -75,7 +70,7 @@ private:
     QString missing() const;
     void refresh();
     void showFound();
-    void retranslate();
+    void retranslate() override;
 
     Document& document_;
     BackgroundJobs job_;
@@ -99,7 +94,6 @@ private:
     QPushButton* use_ = nullptr;
     QLabel* point_ = nullptr;
     QuantityTable* table_ = nullptr;
-    Theme theme_;
     DisplayUnits units_;
     std::optional<Algorithm> followed_;  // of the panel
     bool followed_snap_ = false;

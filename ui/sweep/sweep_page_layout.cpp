@@ -3,6 +3,7 @@
 #include "ui/sweep/length_field.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/sweep/sweep_text.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/index_text.h"
@@ -28,14 +29,6 @@ namespace {
 
 constexpr int least_plot_height = 250;
 constexpr int progress_steps = 1000;
-
-void makeSentence(QLabel* label, const char* name) {
-    label->setObjectName(QLatin1String(name));
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    label->setFocusPolicy(Qt::ClickFocus);
-}
-
 }  // namespace
 
 QLayout* SweepPage::buildHead() {
@@ -51,7 +44,6 @@ QLayout* SweepPage::buildHead() {
     lengths_label_->setBuddy(lengths_);
     compute_->setObjectName(QStringLiteral("computeSweep"));
     cancel_->setObjectName(QStringLiteral("sweepCancel"));
-    makeSentence(state_, "sweepState");
     progress_->setRange(0, progress_steps);
     progress_->setMaximumHeight(compute_->sizeHint().height());
     auto* first = new QHBoxLayout;
@@ -87,12 +79,10 @@ QWidget* SweepPage::buildContent() {
     variable_label_->setBuddy(variable_);
     copy_ = new QPushButton(content);
     copy_->setObjectName(QStringLiteral("sweepCopy"));
-    scatter_ = addPlot("sweepScatter");
-    residual_ = addPlot("sweepResidual");
-    advice_ = new QLabel(content);
-    makeSentence(advice_, "sweepAdvice");
-    point_ = new QLabel(content);
-    makeSentence(point_, "sweepPoint");
+    scatter_ = addPlot("sweepScatter", least_plot_height);
+    residual_ = addPlot("sweepResidual", least_plot_height);
+    advice_ = sentence(content, "sweepAdvice", QMargins());
+    point_ = sentence(content, "sweepPoint", QMargins());
     use_ = new QPushButton(content);
     use_->setObjectName(QStringLiteral("sweepUse"));
     table_ = new QuantityTable(content);
@@ -120,25 +110,6 @@ QWidget* SweepPage::buildContent() {
     return content;
 }
 
-XYPlotView* SweepPage::addPlot(const char* name) {
-    auto* plot = new XYPlotView(this);
-    plot->setObjectName(QLatin1String(name));
-    plot->setMinimumHeight(least_plot_height);
-    plot->setMaximumHeight(QWIDGETSIZE_MAX);
-    plot->setMinimumWidth(180);
-    connect(plot, &XYPlotView::exportWanted, this, &SweepPage::exportWanted);
-    connect(plot, &XYPlotView::pointClicked, this,
-            [this](int point) { choose(static_cast<std::size_t>(point)); });
-    connect(plot, &XYPlotView::stepWanted, this, [this](int by) {
-        if (const WindowSweep* shown = sweep()) {
-            const int count = static_cast<int>(shown->lengths.size());
-            const int from = static_cast<int>(offered().value_or(0));
-            choose(static_cast<std::size_t>(std::clamp(from + by, 0, count - 1)));
-        }
-    });
-    return plot;
-}
-
 void SweepPage::connectWidgets() {
     connect(compute_, &QPushButton::clicked, this, &SweepPage::compute);
     connect(cancel_, &QPushButton::clicked, this, &SweepPage::cancel);
@@ -153,6 +124,17 @@ void SweepPage::connectWidgets() {
             QGuiApplication::clipboard()->setText(sweepTable(*sweep(), view()));
         }
     });
+    for (XYPlotView* plot : {scatter_, residual_}) {
+        connect(plot, &XYPlotView::pointClicked, this,
+                [this](int point) { choose(static_cast<std::size_t>(point)); });
+        connect(plot, &XYPlotView::stepWanted, this, [this](int by) {
+            if (const WindowSweep* shown = sweep()) {
+                const int count = static_cast<int>(shown->lengths.size());
+                const int from = static_cast<int>(offered().value_or(0));
+                choose(static_cast<std::size_t>(std::clamp(from + by, 0, count - 1)));
+            }
+        });
+    }
     connect(&job_, &BackgroundJobs::analysisProgress, this, [this](int, double fraction) {
         progress_->setValue(static_cast<int>(progress_steps * fraction));
     });

@@ -108,7 +108,7 @@ void MainWindow::buildPages() {
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_);
     pages_->add(signals_);
-    std::ranges::for_each(figure_pages_, [this](FigurePage* page) { pages_->add(page); });
+    std::ranges::for_each(figure_pages_, [this](MeasuredPage* page) { pages_->add(page); });
     settings_ = new SettingsPanel(document_, this);
     overview_ = new Overview(document_, *tracks_, this);
     wave_ = new WavePanel(document_, this);
@@ -240,9 +240,9 @@ void MainWindow::connectPanels() {
         sidebar_wanted_ = true;
         showPanels();
     });
-    for (const FigurePage* page : figure_pages_) {
-        connect(page, &FigurePage::figuresChanged, commands_, &Commands::refresh);
-        connect(page, &FigurePage::exportWanted, files_, &FileCommands::exportPlot);
+    for (const MeasuredPage* page : figure_pages_) {
+        connect(page, &MeasuredPage::figuresChanged, commands_, &Commands::refresh);
+        connect(page, &MeasuredPage::exportWanted, files_, &FileCommands::exportPlot);
     }
     connect(drift_, &DriftPage::exportResultWanted, files_, &FileCommands::askWhereToPutDrift);
     connect(drift_, &DriftPage::openWanted, files_, &FileCommands::askForWholeAngleLogs);
@@ -352,7 +352,7 @@ void MainWindow::goToEvent(double time_s, double seconds) {
 void MainWindow::setUnits(const DisplayUnits& units) {
     tracks_->setUnits(units);
     ledger_->setUnits(units);
-    std::ranges::for_each(figure_pages_, [&units](FigurePage* page) { page->setUnits(units); });
+    std::ranges::for_each(figure_pages_, [&units](MeasuredPage* page) { page->setUnits(units); });
     batch_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/plots/figure_source.h"
+#include "ui/plots/measured_page.h"
 #include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/commands.h"
@@ -121,7 +121,7 @@ private:
     SweepPage* sweep_ = nullptr;
     DriftPage* drift_ = nullptr;
     HistoryPage* history_ = nullptr;
-    std::vector<FigurePage*> figure_pages_;  // as Page, from residuals on
+    std::vector<MeasuredPage*> figure_pages_;  // as Page, from residuals on
     SettingsPanel* settings_ = nullptr;
     Overview* overview_ = nullptr;
     Ledger* ledger_ = nullptr;

@@ -139,7 +139,7 @@ void MainWindow::applyLook() {
     tracks_page_->setTheme(theme_);
     overview_->setTheme(theme_);
     signals_->setTheme(theme_);
-    std::ranges::for_each(figure_pages_, [this](FigurePage* page) { page->setTheme(theme_); });
+    std::ranges::for_each(figure_pages_, [this](MeasuredPage* page) { page->setTheme(theme_); });
     wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
 }

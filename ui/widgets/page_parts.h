@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QMargins>
 #include <QString>
 #include <QStringList>
 
@@ -14,10 +15,11 @@ namespace vybeg::ui {
 
 class Section;
 
-// Parts of the page of the resonator.
+// Parts of pages.
 
-// A label of whole sentences.
-QLabel* sentence(QWidget* parent);
+// A label of whole sentences, rich text.
+constexpr QMargins around_sentence{6, 2, 6, 2};
+QLabel* sentence(QWidget* parent, const char* name, const QMargins& around = around_sentence);
 void makeSentence(QLabel& label);
 // Each text a paragraph, in the form of `form`, whose %1 it takes.
 QString paragraphs(const QStringList& texts, const QString& form);
@@ -25,5 +27,6 @@ QString paragraphs(const QStringList& texts, const QString& form);
 Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts);
 // A column that scrolls up and down.
 QScrollArea* scrolled(QVBoxLayout* column);
+QScrollArea* scrolled(QWidget* content);
 
 }  // namespace vybeg::ui

@@ -1,4 +1,4 @@
-#include "ui/resonator/page_parts.h"
+#include "ui/widgets/page_parts.h"
 
 #include "ui/widgets/section.h"
 #include "ui/words/rich_text.h"
@@ -9,17 +9,19 @@
 
 namespace vybeg::ui {
 
-QLabel* sentence(QWidget* parent) {
+QLabel* sentence(QWidget* parent, const char* name, const QMargins& around) {
     auto* label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
     makeSentence(*label);
+    label->setContentsMargins(around);
     return label;
 }
 
 void makeSentence(QLabel& label) {
     label.setWordWrap(true);
     label.setTextFormat(Qt::RichText);
-    label.setTextInteractionFlags(Qt::TextSelectableByMouse);
-    label.setContentsMargins(6, 2, 6, 2);
+    label.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label.setContentsMargins(around_sentence);
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
 }
 
@@ -44,11 +46,14 @@ Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts) 
     return section;
 }
 
-// A column that scrolls up and down.
 QScrollArea* scrolled(QVBoxLayout* column) {
     auto* content = new QWidget;
     column->setContentsMargins(0, 0, 0, 0);
     content->setLayout(column);
+    return scrolled(content);
+}
+
+QScrollArea* scrolled(QWidget* content) {
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);

@@ -1,0 +1,34 @@
+#include "ui/plots/measured_page.h"
+
+#include "ui/plots/xy_plot_view.h"
+
+#include <QEvent>
+
+namespace vybeg::ui {
+
+void MeasuredPage::setTheme(const Theme& theme) {
+    theme_ = theme;
+    for (XYPlotView* plot : plots_) {
+        plot->setTheme(theme);
+    }
+}
+
+XYPlotView* MeasuredPage::addPlot(const char* name, int least_height) {
+    constexpr int least_width = 180;
+    auto* plot = new XYPlotView(this);
+    plot->setObjectName(QLatin1String(name));
+    plot->setMinimumSize(least_width, least_height);
+    plot->setMaximumHeight(QWIDGETSIZE_MAX);
+    connect(plot, &XYPlotView::exportWanted, this, &MeasuredPage::exportWanted);
+    plots_.push_back(plot);
+    return plot;
+}
+
+void MeasuredPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ui/plots/figure_source.h"
+#include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+class XYPlotView;
+
+// A page of numbers with plots of its own.
+class MeasuredPage : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+    virtual FigureSource figures() const = 0;
+    virtual void setTheme(const Theme& theme);
+    virtual void setUnits(const DisplayUnits& /*units*/) {}
+
+signals:
+    void exportWanted(const Figure& figure);
+    void figuresChanged();  // figures() are others, or there are some now
+
+protected:
+    const Theme& theme() const { return theme_; }
+    // A plot of at least that height, pixels, in the page's theme; its export is exportWanted().
+    XYPlotView* addPlot(const char* name, int least_height);
+    // The texts of the page in the language of the window.
+    virtual void retranslate() = 0;
+    void changeEvent(QEvent* event) override;
+
+private:
+    Theme theme_ = lightTheme();
+    std::vector<XYPlotView*> plots_;
+};
+
+}  // namespace vybeg::ui
