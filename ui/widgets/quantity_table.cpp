@@ -195,6 +195,14 @@ void QuantityTable::resizeEvent(QResizeEvent* event) {
     QTableWidget::resizeEvent(event);
     if (event->size().width() != event->oldSize().width()) {
         layOut();
+        // Once more when the layouts around, which are at work now, have taken the new height.
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                layOut();
+                updateGeometry();
+            },
+            Qt::QueuedConnection);
     }
 }
 
