@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QLayout>
 #include <QResizeEvent>
 #include <QScrollBar>
 
@@ -195,14 +196,20 @@ void QuantityTable::resizeEvent(QResizeEvent* event) {
     QTableWidget::resizeEvent(event);
     if (event->size().width() != event->oldSize().width()) {
         layOut();
-        // Once more when the layouts around, which are at work now, have taken the new height.
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                layOut();
-                updateGeometry();
-            },
-            Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &QuantityTable::layOutAround, Qt::QueuedConnection);
+    }
+}
+
+// A page that was hidden while its table changed keeps the height it had then: the layouts around
+// the table, from the inmost, measure again.
+void QuantityTable::layOutAround() {
+    layOut();
+    for (QWidget* around = parentWidget(); around != nullptr && !around->isWindow();
+         around = around->parentWidget()) {
+        if (QLayout* layout = around->layout()) {
+            layout->invalidate();
+            layout->activate();
+        }
     }
 }
 

@@ -45,6 +45,7 @@ protected:
 
 private:
     void layOut();
+    void layOutAround();
     int leastWidth(int column) const;
     int headerHeight() const;
     void narrow(std::vector<int>& widths, int excess) const;
