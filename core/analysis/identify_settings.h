@@ -35,13 +35,13 @@ enum class PhasorFrame {
 const char* frame_name(PhasorFrame frame);
 
 // How a lock-in or a phasemeter has made its phasors. No data show the sign of Y or whether
-// amplitudes are peak values: both have to be told.
+// amplitudes are peak values: the user says both.
 struct PhasorChoice {
     PhasorFrame frame = PhasorFrame::none;
     double f_ref_hz = 0;       // 0: by the file
-    int y_sign = 0;            // 1: X + iY turns as the carrier does, -1: against it; 0: not told
-    double peak_per_unit = 0;  // 1, or sqrt(2) of rms values; 0: not told
-    LockIn filter;             // order 0: not told
+    int y_sign = 0;            // 1: X + iY turns as the carrier does, -1: against it; 0: not given
+    double peak_per_unit = 0;  // 1, or sqrt(2) of rms values; 0: not given
+    LockIn filter;             // order 0: not given
 
     friend bool operator==(const PhasorChoice&, const PhasorChoice&) = default;
 };

@@ -51,19 +51,19 @@ public:
         : path_(path), options_(options), job_(job), look_(look) {}
 
     Status look() {
-        const bool told = look_.choice.given();
-        if (!told && is_nameless()) {
+        const bool given = look_.choice.given();
+        if (!given && is_nameless()) {
             return {};
         }
         const std::string names = look_.choice.names;
         if (look_.choice.phasors.frame == PhasorFrame::none) {
             TRY(look_for_powers(names));
         }
-        // A log without a phase that was told has its problem.
-        if (!found_ && (!told || look_.choice.phasors.frame != PhasorFrame::none)) {
+        // Columns given for a log without a phase: their problem is the log's.
+        if (!found_ && (!given || look_.choice.phasors.frame != PhasorFrame::none)) {
             TRY(look_for_phasors(names));
         }
-        if (!found_ && (told || !is_missing_column(*look_.problem))) {
+        if (!found_ && (given || !is_missing_column(*look_.problem))) {
             return {};
         }
         if (!found_) {
@@ -124,9 +124,9 @@ private:
     }
 
     Status look_for_phasors(const std::string& names) {
-        const PhasorFrame told = look_.choice.phasors.frame;
+        const PhasorFrame given = look_.choice.phasors.frame;
         // Of all frames this one needs the fewest columns.
-        const PhasorFrame wanted = told == PhasorFrame::none ? PhasorFrame::fixed : told;
+        const PhasorFrame wanted = given == PhasorFrame::none ? PhasorFrame::fixed : given;
         const auto of_both = TRY(see(names, roles_of_both(wanted)));
         if (of_both) {
             describe_phasors(*of_both, {"Pc", "Pd"});
@@ -147,7 +147,7 @@ private:
     void describe_phasors(const SeenColumns& columns, const std::vector<const char*>& own) {
         PhasorChoice& how = look_.choice.phasors;
         const LogColumn* const frequency = columns.find("F");
-        // In a table of one channel, P is its own unless it is told otherwise.
+        // In a table of one channel, P is its own where no frame is given.
         const LogColumn* const phase = columns.find("P");
         const bool has_own = std::ranges::all_of(
             own, [&](const char* role) { return columns.find(role) != nullptr; });
@@ -211,9 +211,9 @@ private:
 }  // namespace
 
 Result<LogLook> look_at_log(const std::filesystem::path& path, const OpenOptions& options,
-                            const LogChoice& told, const JobControl& job) {
+                            const LogChoice& given, const JobControl& job) {
     LogLook look;
-    look.choice = told;
+    look.choice = given;
     OpenOptions alone = options;
     alone.channel_d_file.clear();
     auto preview = TRY(preview_recording(path, alone, job));

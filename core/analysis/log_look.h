@@ -12,11 +12,11 @@
 
 namespace vybeg {
 
-// What a file tells of the log in it, and what it leaves to be told.
+// What a file says of the log in it, and what it leaves open.
 struct LogLook {
     RecordingPreview preview;  // its first lines; of files that are no text there are none
-    LogChoice choice;          // what was told, and what the file tells besides; not given() where
-                               // its columns are not known by their names
+    LogChoice choice;          // the settings given, completed by the file; not given() where its
+                               // columns are not known by their names
     bool one_channel = false;  // phasors of one channel: the other has a file of its own
     bool needs_rate = false;   // neither times nor the clock of its ticks
     bool needs_angle_unit = false;
@@ -27,10 +27,10 @@ struct LogLook {
 // Looks at a file by the columns that the readers of logs know (phasor_log.h, power_log.h). What it
 // is and in which frame follows from the columns that are there: phases of both channels, or the
 // frequency or phase of an oscillator, which is fixed where its frequency does not move. The sign
-// of Y and peak or rms are told by no data; those of LabOne are the ones of its manual (X + iY
-// turns as the carrier does, rms). Where something is told in `told` it counts. Errors: those of
-// preview_recording(), interrupted.
+// of Y and peak or rms follow from no data; those of LabOne are the ones of its manual (X + iY
+// turns as the carrier does, rms). What `given` sets stays. Errors: those of preview_recording(),
+// interrupted.
 Result<LogLook> look_at_log(const std::filesystem::path& path, const OpenOptions& options,
-                            const LogChoice& told, const JobControl& job);
+                            const LogChoice& given, const JobControl& job);
 
 }  // namespace vybeg

@@ -79,8 +79,9 @@ void share_unit(const LogColumn& x_of_c, std::initializer_list<LogColumn*> other
     }
 }
 
-// What the choice does not tell, or tells otherwise than the file.
-Error not_told(const PhasorChoice& choice, const char* what, std::vector<MessageArg> args = {}) {
+// What the choice leaves open, or sets against the file.
+Error wrong_choice(const PhasorChoice& choice, const char* what,
+                   std::vector<MessageArg> args = {}) {
     return {ErrorCode::setting_invalid,
             "",
             {"--phasors", frame_name(choice.frame), words(what, std::move(args))}};
@@ -117,25 +118,26 @@ Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const
     }
     // A phase that the loop follows leaves none in X + iY.
     if (10 * own > 9 * phasors.size() && 2 * turned > phasors.size()) {
-        return not_told(how,
-                        VYBEG_MESSAGE("Words",
-                                      "column %1 is the phase of X + iY itself: choose "
-                                      "--phasors fixed"),
-                        {channel.phase->name});
+        return wrong_choice(how,
+                            VYBEG_MESSAGE("Words",
+                                          "column %1 is the phase of X + iY itself: choose "
+                                          "--phasors fixed"),
+                            {channel.phase->name});
     }
     return phasors;
 }
 
 Status check_told(const PhasorChoice& choice) {
     if (choice.y_sign == 0) {
-        return not_told(choice, VYBEG_MESSAGE("Words",
-                                              "no data show the sign of Y: give --y-sign + "
-                                              "or -"));
+        return wrong_choice(choice, VYBEG_MESSAGE("Words",
+                                                  "no data show the sign of Y: give --y-sign + "
+                                                  "or -"));
     }
     if (choice.peak_per_unit == 0) {
-        return not_told(choice, VYBEG_MESSAGE("Words",
-                                              "no data show whether amplitudes are peak values: "
-                                              "give --amplitude peak or rms"));
+        return wrong_choice(choice,
+                            VYBEG_MESSAGE("Words",
+                                          "no data show whether amplitudes are peak values: "
+                                          "give --amplitude peak or rms"));
     }
     return {};
 }
@@ -151,12 +153,13 @@ Result<double> turn_by_frequency(const PhasorChoice& choice, const LogColumn& fr
     double turns = 0;
     for (std::size_t k = 0; k < t.size(); ++k) {
         if (!std::isfinite(f[k]) || (k > 0 && t[k] - t[k - 1] > 1.5 * step_s)) {
-            return not_told(choice,
-                            VYBEG_MESSAGE("Words",
-                                          "the frequency of the oscillator is missing at %1, so "
-                                          "that the phase is lost: cut there with --from or --to, "
-                                          "or name a column P"),
-                            {number_arg(t[k], 7, "s")});
+            return wrong_choice(
+                choice,
+                VYBEG_MESSAGE("Words",
+                              "the frequency of the oscillator is missing at %1, so "
+                              "that the phase is lost: cut there with --from or --to, "
+                              "or name a column P"),
+                {number_arg(t[k], 7, "s")});
         }
         if (k > 0) {
             const double straight = (f[k] + f[k - 1]) / 2;
@@ -198,7 +201,7 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
         const auto [least, most] = range_of(*frequency);
         constexpr double harmless_turns = 0.01;
         if ((most - least) * (rows.time_s.back() - rows.time_s.front()) > harmless_turns) {
-            return not_told(
+            return wrong_choice(
                 how,
                 VYBEG_MESSAGE("Words",
                               "the oscillator's frequency moves from %1 to %2 (column "
@@ -208,9 +211,10 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
         }
     }
     if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
-        return not_told(how, VYBEG_MESSAGE("Words",
-                                           "it needs the column of the oscillator's frequency or "
-                                           "phase: name it F or P in --columns"));
+        return wrong_choice(how,
+                            VYBEG_MESSAGE("Words",
+                                          "it needs the column of the oscillator's frequency or "
+                                          "phase: name it F or P in --columns"));
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
@@ -229,7 +233,7 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
         rows.f_ref_hz = median(frequency->values);
     }
     if (!(rows.f_ref_hz > 0)) {
-        return not_told(
+        return wrong_choice(
             how, VYBEG_MESSAGE("Words",
                                "the frequency of the reference is not in the file: give --f-ref"));
     }
