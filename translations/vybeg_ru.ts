@@ -6974,6 +6974,17 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::PlotView</name>
+    <message>
+        <source>Copy plot</source>
+        <translation>Копировать график</translation>
+    </message>
+    <message>
+        <source>Export plot…</source>
+        <translation>Экспорт графика…</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::QuantityTable</name>
     <message>
         <source>sd</source>
@@ -7259,17 +7270,6 @@
     <message>
         <source>The result of %1 is in %2.</source>
         <translation>Результат %1 записан в %2.</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::RoundView</name>
-    <message>
-        <source>Copy plot</source>
-        <translation>Копировать график</translation>
-    </message>
-    <message>
-        <source>Export plot…</source>
-        <translation>Экспорт графика…</translation>
     </message>
 </context>
 <context>
@@ -8084,17 +8084,6 @@ Open a recording and press Analyse.</source>
     <message>
         <source>Open rece&amp;nt</source>
         <translation>&amp;Недавние</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::XYPlotView</name>
-    <message>
-        <source>Copy plot</source>
-        <translation>Копировать график</translation>
-    </message>
-    <message>
-        <source>Export plot…</source>
-        <translation>Экспорт графика…</translation>
     </message>
 </context>
 </TS>

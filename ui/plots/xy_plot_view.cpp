@@ -1,14 +1,9 @@
 #include "ui/plots/xy_plot_view.h"
 
-#include <QAction>
-#include <QEvent>
-#include <QFocusEvent>
 #include <QHelpEvent>
 #include <QLineF>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <qcustomplot.h>
 
 namespace vybeg::ui {
@@ -19,37 +14,13 @@ constexpr int height_in_panel = 250;
 
 }  // namespace
 
-XYPlotView::XYPlotView(QWidget* parent)
-    : QWidget(parent),
-      plot_(new QCustomPlot(this)),
-      copy_(new QAction(this)),
-      export_(new QAction(this)),
-      theme_(lightTheme()) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(1, 1, 1, 1);
-    layout->addWidget(plot_);
-    // The plot ignores the mouse, so that the wheel scrolls the panel around it.
-    plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    plot_->setFocusPolicy(Qt::NoFocus);
-    setFocusPolicy(Qt::StrongFocus);
+XYPlotView::XYPlotView(QWidget* parent) : PlotView(parent), plot_(new QCustomPlot(this)) {
+    addDrawing(plot_);
     setFixedHeight(height_in_panel);
-    setContextMenuPolicy(Qt::ActionsContextMenu);
-    copy_->setShortcut(QKeySequence::Copy);
-    copy_->setShortcutContext(Qt::WidgetShortcut);
-    addActions({copy_, export_});
-    connect(copy_, &QAction::triggered, this,
-            [this] { copyDrawing(xyDrawing(content_), {xy_paper_size}); });
-    connect(export_, &QAction::triggered, this, [this] { emit exportWanted(figure()); });
-    retranslate();
 }
 
 void XYPlotView::setContent(const XYPlot& content) {
     content_ = content;
-    rebuild();
-}
-
-void XYPlotView::setTheme(const Theme& theme) {
-    theme_ = theme;
     rebuild();
 }
 
@@ -101,7 +72,7 @@ bool XYPlotView::event(QEvent* event) {
             return true;
         }
     }
-    return QWidget::event(event);
+    return PlotView::event(event);
 }
 
 void XYPlotView::mouseMoveEvent(QMouseEvent* event) {
@@ -126,52 +97,14 @@ void XYPlotView::keyPressEvent(QKeyEvent* event) {
     if (pickable_ && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
         emit stepWanted(event->key() == Qt::Key_Left ? -1 : 1);
     } else {
-        QWidget::keyPressEvent(event);
+        PlotView::keyPressEvent(event);
     }
 }
 
 void XYPlotView::rebuild() {
-    layOutXYPlot(*plot_, content_, theme_, plot_->size());
+    layOutXYPlot(*plot_, content_, theme(), plot_->size());
     plot_->replot(QCustomPlot::rpQueuedReplot);
-    copy_->setEnabled(!content_.series.empty());
-    export_->setEnabled(!content_.series.empty());
-}
-
-void XYPlotView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    rebuild();
-}
-
-// The frame shows the keyboard focus.
-void XYPlotView::paintEvent(QPaintEvent* event) {
-    QWidget::paintEvent(event);
-    if (hasFocus()) {
-        QPainter painter(this);
-        painter.setPen(theme_.accent);
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
-}
-
-void XYPlotView::focusInEvent(QFocusEvent* event) {
-    QWidget::focusInEvent(event);
-    update();
-}
-
-void XYPlotView::focusOutEvent(QFocusEvent* event) {
-    QWidget::focusOutEvent(event);
-    update();
-}
-
-void XYPlotView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
-}
-
-void XYPlotView::retranslate() {
-    copy_->setText(tr("Copy plot"));
-    export_->setText(tr("Export plot…"));
+    setDrawn(!content_.series.empty());
 }
 
 FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QString& name,

@@ -1,29 +1,27 @@
 #pragma once
 
 #include "ui/plots/figure_source.h"
+#include "ui/plots/plot_view.h"
 #include "ui/plots/xy_plot.h"
 
 #include <QStringList>
-#include <QWidget>
 
 #include <functional>
 #include <optional>
 #include <utility>
 
-class QAction;
+class QCustomPlot;
 
 namespace vybeg::ui {
 
-// A plot of one quantity against another in a panel. Ctrl+C copies it; its context menu also
-// exports.
-class XYPlotView : public QWidget {
+// A plot of one quantity against another in a panel.
+class XYPlotView : public PlotView {
     Q_OBJECT
 
 public:
     explicit XYPlotView(QWidget* parent = nullptr);
 
     void setContent(const XYPlot& content);
-    void setTheme(const Theme& theme);
     const XYPlot& content() const { return content_; }
     // As high as a panel shows it, unless the minimum height is set to another one.
     QSize sizeHint() const override { return {260, minimumHeight()}; }
@@ -37,22 +35,15 @@ public:
     // Where a point of a series lies in the widget.
     QPointF positionOf(std::size_t series, std::size_t point) const;
 
-    // The plot, under the name of this widget.
-    Figure figure() const;
+    Figure figure() const override;
 
 signals:
-    void exportWanted(const Figure& figure);
     void pointClicked(int point);
     void pointActivated(int point);
     void stepWanted(int by);
 
 protected:
     bool event(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
-    void focusInEvent(QFocusEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -61,14 +52,10 @@ protected:
 private:
     // The pickable point at a position.
     std::optional<std::size_t> pointAt(const QPointF& position) const;
-    void rebuild();
-    void retranslate();
+    void rebuild() override;
 
     QCustomPlot* plot_;
-    QAction* copy_;
-    QAction* export_;
     XYPlot content_;
-    Theme theme_;
     std::optional<std::size_t> pickable_;
     std::function<QString(std::size_t)> tip_;  // empty text: none
 };
