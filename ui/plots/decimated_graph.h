@@ -33,7 +33,6 @@ public:
     void setLook(const QColor& color, const QColor& missing);
 
     const CurveData& data() const { return *data_; }
-    const std::shared_ptr<const CurveData>& sharedData() const { return data_; }
     const DisplayScale& scale() const { return scale_; }
     const QColor& color() const { return color_; }
 

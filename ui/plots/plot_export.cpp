@@ -27,9 +27,4 @@ QSize paperSize(const PlotContent& content) {
     return {width, figureSize(1, options).height()};
 }
 
-PlotContent onePlot(PlotContent content, SlowVariable variable) {
-    content.variables = {variable};
-    return content;
-}
-
 }  // namespace vybeg::ui

@@ -12,7 +12,4 @@ Drawing plotsDrawing(const PlotContent& content);
 // not depend on the window.
 QSize paperSize(const PlotContent& content);
 
-// The content with one plot only.
-PlotContent onePlot(PlotContent content, SlowVariable variable);
-
 }  // namespace vybeg::ui

@@ -135,11 +135,6 @@ void TrackView::setValueRange(SlowVariable variable, std::optional<AxisRange> ra
     zoom_.visit(std::move(state), Gesture::none);
 }
 
-std::optional<AxisRange> TrackView::valueRange(SlowVariable variable) const {
-    const PlotPanel* panel = stack_->panel(variable);
-    return panel ? std::optional(panel->values()) : std::nullopt;
-}
-
 void TrackView::setTracker(std::optional<double> time_s) {
     tracker_ = time_s;
     refreshOverlay();
@@ -152,11 +147,6 @@ std::optional<double> TrackView::cursor(Cursor which) const {
 void TrackView::setCursor(Cursor which, std::optional<double> time_s) {
     cursors_[static_cast<std::size_t>(which)] = time_s;
     refreshOverlay();
-}
-
-std::optional<SlowVariable> TrackView::variableAt(const QPoint& position) const {
-    const PlotPanel* panel = stack_->panelAt(position);
-    return panel ? std::optional(panel->variable()) : std::nullopt;
 }
 
 QSize TrackView::minimumSizeHint() const {

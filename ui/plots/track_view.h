@@ -56,7 +56,6 @@ public:
     void setZoom(ZoomState state) { zoom_.visit(std::move(state), Gesture::none); }
     // A fixed value axis in displayed units, or one that follows the data.
     void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
-    std::optional<AxisRange> valueRange(SlowVariable variable) const;
 
     ZoomNavigator& zoom() override { return zoom_; }
     std::optional<double> tracker() const override { return tracker_; }
@@ -70,8 +69,6 @@ public:
     // Fitted curves drawn over the plots, displayed units.
     void setTrends(std::vector<TrendCurve> trends);
 
-    // The variable whose plot lies at a position of the widget, for context menus.
-    std::optional<SlowVariable> variableAt(const QPoint& position) const;
     // Present content with the time range, input of plot_export.h.
     PlotContent content() const;
 

@@ -15,7 +15,6 @@ public:
 
     void setTitle(const QString& title);
     void setOpen(bool open);
-    bool isOpen() const { return title_->isChecked(); }
 
 private:
     QToolButton* title_;

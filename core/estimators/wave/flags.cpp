@@ -1,6 +1,7 @@
 #include "core/estimators/wave/flags.h"
 
 #include <array>
+#include <string_view>
 #include <utility>
 
 namespace vybeg {
@@ -39,21 +40,6 @@ std::string flags_text(Flags flags) {
         }
     }
     return text;
-}
-
-Flags flags_from_text(std::string_view text) {
-    Flags flags = 0;
-    while (!text.empty()) {
-        const std::size_t end = text.find(';');
-        const std::string_view word = text.substr(0, end);
-        for (const auto& [flag, name] : flag_names) {
-            if (word == name) {
-                set(flags, flag);
-            }
-        }
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    }
-    return flags;
 }
 
 }  // namespace vybeg

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 namespace vybeg {
 
@@ -42,7 +41,5 @@ inline constexpr void set(Flags& flags, Flag flag) {
 std::string flags_text(Flags flags);
 // Upper limit of the length of such a text.
 inline constexpr std::size_t longest_flags_text = 128;
-// Flags of such a text; unknown words are ignored.
-Flags flags_from_text(std::string_view text);
 
 }  // namespace vybeg

@@ -49,11 +49,6 @@ public:
     // s with Re s >= 0, Im s >= 0 where Re s = 0; the eigenvalues of M are -decay +- s, 1/s.
     std::complex<double> half_difference() const;
 
-    // d(s^2)/d(rate).
-    const std::array<std::complex<double>, rate_count>& square_by_rate() const {
-        return square_by_rate_;
-    }
-
     // exp(M t), t in seconds.
     Eigen::Matrix2cd propagator(double t) const;
 
@@ -72,7 +67,7 @@ private:
     double decay_;
     Eigen::Matrix2cd traceless_;
     std::complex<double> square_;  // s^2
-    std::array<std::complex<double>, rate_count> square_by_rate_;
+    std::array<std::complex<double>, rate_count> square_by_rate_;  // d(s^2)/d(rate)
 };
 
 }  // namespace vybeg

@@ -71,6 +71,11 @@ QString textsOf(const QByteArray& svg) {
     return xml.hasError() ? QString() : all;
 }
 
+PlotContent onePlot(PlotContent content, SlowVariable variable) {
+    content.variables = {variable};
+    return content;
+}
+
 }  // namespace
 
 class TestPlotExport : public QObject {

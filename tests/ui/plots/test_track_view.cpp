@@ -430,16 +430,6 @@ private slots:
             VYBEG_WITHIN(bench.rect(row)->height(), bench.rect(0)->height(), 1);
         }
     }
-
-    void a_variable_is_found_at_a_position() {
-        Bench bench;
-        bench.view.setShownVariables({SlowVariable::f, SlowVariable::rms});
-        bench.settle();
-        QCOMPARE(bench.plot->axisRectCount(), 2);
-        QCOMPARE(bench.view.variableAt(bench.at(1, 0.5, 0.5)), std::optional(SlowVariable::rms));
-        QCOMPARE(bench.view.variableAt({5, bench.view.height() - 5}),
-                 std::optional<SlowVariable>());
-    }
 };
 
 VYBEG_TEST(TestTrackView)
