@@ -141,12 +141,9 @@ void QuantityTable::narrow(std::vector<int>& widths, int excess) const {
     }
 }
 
-// Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
-// the second of two columns takes the rest, several columns take their own width. Where the table
-// is wider than its room, the texts are wrapped.
-void QuantityTable::layOut() {
+// The width that each column takes by itself; sentences are wrapped where `wrapped`.
+std::vector<int> QuantityTable::wishes(bool wrapped) const {
     const int characters = fontMetrics().averageCharWidth();
-    const int room = viewport()->width();
     std::vector<int> widths(static_cast<std::size_t>(columnCount()), 0);
     for (int column = 0; column < columnCount(); ++column) {
         int& width = widths[static_cast<std::size_t>(column)];
@@ -156,9 +153,22 @@ void QuantityTable::layOut() {
         for (int row = 0; row < rowCount(); ++row) {
             const QString text = item(row, column)->text();
             const int wish = WrappingDelegate::widthFor(text, font());
-            const bool sentence = text.size() > 36;
+            const bool sentence = wrapped && text.size() > 36;
             width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
         }
+    }
+    return widths;
+}
+
+// Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
+// the second of two columns takes the rest, several columns take their own width. Where the table
+// is wider than its room, the texts are wrapped.
+void QuantityTable::layOut() {
+    const int characters = fontMetrics().averageCharWidth();
+    const int room = viewport()->width();
+    std::vector<int> widths = wishes(false);
+    if (std::accumulate(widths.begin(), widths.end(), 0) > room) {
+        widths = wishes(true);
     }
     if (!widths.empty()) {
         widths[0] = std::min(widths[0], std::max(room * 2 / 5, leastWidth(0)));
