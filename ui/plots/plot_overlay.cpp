@@ -2,18 +2,18 @@
 
 #include "ui/plots/decimated_graph.h"
 #include "ui/plots/plot_stack.h"
-#include "ui/plots/time_gestures.h"
 #include "ui/values/covered_time.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vybeg::ui {
 
-PlotOverlay::PlotOverlay(QCustomPlot* plot, const PlotStack& stack, const TimeGestures& view)
-    : TimeOverlay(plot, stack, view), stack_(stack) {}
+PlotOverlay::PlotOverlay(const PlotStack& stack, std::function<HairLines()> hairs)
+    : TimeOverlay(stack, std::move(hairs)), stack_(stack) {}
 
 void PlotOverlay::draw(QCPPainter* painter) {
     if (!hint_.isEmpty()) {
@@ -32,7 +32,7 @@ void PlotOverlay::draw(QCPPainter* painter) {
                               "PlotStack", "%n not drawn: other length or unit", nullptr, unlike_));
     }
     TimeOverlay::draw(painter);
-    if (const auto time_s = view().tracker()) {
+    if (const auto time_s = hairs().tracker) {
         for (const PlotPanel* panel : stack_.panels()) {
             drawDots(*painter, *panel, *time_s);
         }

@@ -10,7 +10,7 @@ class PlotStack;
 // Over the slow variables: a dot on each curve at the tracker, and what an empty view says.
 class PlotOverlay : public TimeOverlay {
 public:
-    PlotOverlay(QCustomPlot* plot, const PlotStack& stack, const TimeGestures& view);
+    PlotOverlay(const PlotStack& stack, std::function<HairLines()> hairs);
 
     // Text in the middle of an empty view.
     void setHint(const QString& hint) { hint_ = hint; }

@@ -1,7 +1,6 @@
 #include "ui/plots/time_gestures.h"
 
 #include "ui/plots/time_overlay.h"
-#include "ui/plots/time_stack.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -32,6 +31,10 @@ void TimeGestures::setPlots(const TimeStack& stack, TimeOverlay& overlay) {
 
 void TimeGestures::removePlot() {
     delete plot_;
+}
+
+HairLines TimeGestures::hairs() const {
+    return {cursor(Cursor::a), cursor(Cursor::b), tracker()};
 }
 
 QPointF TimeGestures::inPlot(const QPointF& position) const {

@@ -12,6 +12,7 @@ namespace vybeg::ui {
 
 class TimeOverlay;
 class TimeStack;
+struct HairLines;
 
 // The two measuring cursors.
 enum class Cursor { a, b };
@@ -50,6 +51,8 @@ public slots:
 
 protected:
     QCustomPlot& plot() const { return *plot_; }
+    // For the overlay.
+    HairLines hairs() const;
     // Both belong to the derived class; before the view is shown.
     void setPlots(const TimeStack& stack, TimeOverlay& overlay);
     // First the plot, because it uses the stack while it is drawn.

@@ -1,12 +1,12 @@
 #include "ui/plots/time_overlay.h"
 
-#include "ui/plots/time_gestures.h"
 #include "ui/words/number_label.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vybeg::ui {
 namespace {
@@ -37,9 +37,11 @@ void clearTouched(QCPPainter& painter, const TimePanel& panel, const QRectF& lab
 
 }  // namespace
 
-TimeOverlay::TimeOverlay(QCustomPlot* plot, const TimeStack& stack, const TimeGestures& view)
-    : QCPLayerable(plot, QStringLiteral("overlay")), stack_(stack), view_(view) {
-    plot->layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmBuffered);
+TimeOverlay::TimeOverlay(const TimeStack& stack, std::function<HairLines()> hairs)
+    : QCPLayerable(&stack.plot(), QStringLiteral("overlay")),
+      stack_(stack),
+      hairs_(std::move(hairs)) {
+    stack.plot().layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmBuffered);
 }
 
 void TimeOverlay::applyDefaultAntialiasingHint(QCPPainter* painter) const {
@@ -48,9 +50,10 @@ void TimeOverlay::applyDefaultAntialiasingHint(QCPPainter* painter) const {
 
 void TimeOverlay::draw(QCPPainter* painter) {
     const Theme& theme = stack_.theme();
-    drawHair(*painter, view_.cursor(Cursor::a), theme.cursorA, QStringLiteral("A"));
-    drawHair(*painter, view_.cursor(Cursor::b), theme.cursorB, QStringLiteral("B"));
-    drawHair(*painter, view_.tracker(), theme.tracker, QString());
+    const HairLines shown = hairs();
+    drawHair(*painter, shown.cursor_a, theme.cursorA, QStringLiteral("A"));
+    drawHair(*painter, shown.cursor_b, theme.cursorB, QStringLiteral("B"));
+    drawHair(*painter, shown.tracker, theme.tracker, QString());
     if (band_) {
         QColor fill = theme.accent;
         fill.setAlphaF(0.15F);

@@ -2,22 +2,28 @@
 
 #include "ui/plots/time_stack.h"
 
+#include <functional>
 #include <optional>
 
 namespace vybeg::ui {
 
-class TimeGestures;
+// Instants on the time axis, seconds.
+struct HairLines {
+    std::optional<double> cursor_a;
+    std::optional<double> cursor_b;
+    std::optional<double> tracker;
+};
 
 // Items that move with the mouse, on a separate layer, so that the curves below are not drawn
 // again: the hair lines of the tracker and the two cursors, the rubber band.
 class TimeOverlay : public QCPLayerable {
 public:
-    TimeOverlay(QCustomPlot* plot, const TimeStack& stack, const TimeGestures& view);
+    TimeOverlay(const TimeStack& stack, std::function<HairLines()> hairs);
 
     void setBand(std::optional<QRectF> band) { band_ = band; }
 
 protected:
-    const TimeGestures& view() const { return view_; }
+    HairLines hairs() const { return hairs_(); }
 
     void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
     void draw(QCPPainter* painter) override;
@@ -27,7 +33,7 @@ private:
                   const QString& name) const;
 
     const TimeStack& stack_;
-    const TimeGestures& view_;
+    std::function<HairLines()> hairs_;
     std::optional<QRectF> band_;
 };
 

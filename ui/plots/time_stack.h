@@ -30,8 +30,9 @@ public:
     // the resolution of curves follow. Call it before every layout of another size.
     void prepare(QSize size);
 
-protected:
     QCustomPlot& plot() const { return plot_; }
+
+protected:
     PlotHead head() const { return head_; }
     // Replaces the elements of the column.
     void build(std::vector<TimePanel*> frames);

@@ -37,7 +37,7 @@ TrackView::TrackView(QWidget* parent)
           return clipped(std::move(state), content_.analyses, recorded_);
       }),
       stack_(std::make_unique<PlotStack>(plot(), 0, PlotHead::margin)),
-      overlay_(new PlotOverlay(&plot(), *stack_, *this)) {
+      overlay_(new PlotOverlay(*stack_, [this] { return hairs(); })) {
     setPlots(*stack_, *overlay_);
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));

@@ -1,6 +1,5 @@
 #include "ui/signals/signal_overlay.h"
 
-#include "ui/plots/time_gestures.h"
 #include "ui/signals/signal_panel.h"
 #include "ui/signals/signal_stack.h"
 #include "ui/words/number_label.h"
@@ -9,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vybeg::ui {
 namespace {
@@ -22,8 +22,8 @@ int decimalsOf(const SignalPanel& panel) {
 
 }  // namespace
 
-SignalOverlay::SignalOverlay(QCustomPlot* plot, const SignalStack& stack, const TimeGestures& view)
-    : TimeOverlay(plot, stack, view), stack_(stack) {}
+SignalOverlay::SignalOverlay(const SignalStack& stack, std::function<HairLines()> hairs)
+    : TimeOverlay(stack, std::move(hairs)), stack_(stack) {}
 
 void SignalOverlay::draw(QCPPainter* painter) {
     for (const SignalPanel* panel : stack_.panels()) {
@@ -40,7 +40,7 @@ QString SignalOverlay::note(const SignalPanel& panel) const {
         return {};
     }
     const auto& excerpt = content.excerpt;
-    const auto tracker = view().tracker();
+    const auto tracker = hairs().tracker;
     const double k =
         tracker && stack_.picture().samples && excerpt
             ? std::round(*tracker * excerpt->rate_hz) - static_cast<double>(excerpt->first)

@@ -10,7 +10,7 @@ class SignalStack;
 // Over the signals: the values of the sample nearest to the tracker.
 class SignalOverlay : public TimeOverlay {
 public:
-    SignalOverlay(QCustomPlot* plot, const SignalStack& stack, const TimeGestures& view);
+    SignalOverlay(const SignalStack& stack, std::function<HairLines()> hairs);
 
 protected:
     void draw(QCPPainter* painter) override;

@@ -15,7 +15,7 @@ SignalsView::SignalsView(TrackView& tracks, QWidget* parent)
       tracks_(tracks),
       stack_(std::make_unique<SignalStack>(
           plot(), std::vector(all_signal_parts.begin(), all_signal_parts.end()), PlotHead::margin)),
-      overlay_(new SignalOverlay(&plot(), *stack_, *this)) {
+      overlay_(new SignalOverlay(*stack_, [this] { return hairs(); })) {
     setPlots(*stack_, *overlay_);
     layout()->setContentsMargins(1, 1, 1, 1);  // the frame of the keyboard focus
     setFocusPolicy(Qt::StrongFocus);

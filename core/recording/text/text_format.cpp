@@ -133,7 +133,8 @@ struct Rows {
         const int found = columns_of(line, dialect, fields);
         if (found > 0 || fields.empty() || trimmed(line).empty() ||
             is_comment(line, dialect.delimiter)) {
-            return found == columns || (found > 0 && found < columns && ends_in_words(found));
+            return found == columns || (found > 0 && found < columns && ends_in_words(found)) ||
+                   (found == columns - 1 && ends_empty(line));
         }
         const auto wanted = static_cast<std::size_t>(columns);
         if (fields.size() < wanted && !ends_in_words(std::ssize(fields))) {
@@ -156,6 +157,13 @@ struct Rows {
     }
 
 private:
+    // Whether the last field is missing, as split_fields() leaves it out.
+    bool ends_empty(std::string_view line) const {
+        const auto end = line.find_last_not_of(" \r\n");
+        return dialect.delimiter != ' ' && end != std::string_view::npos &&
+               line[end] == dialect.delimiter;
+    }
+
     bool ends_in_words(std::ptrdiff_t from) const {
         return from >= 2 && std::ssize(words) >= columns - from &&
                words[words.size() - static_cast<std::size_t>(columns - from)] == from;

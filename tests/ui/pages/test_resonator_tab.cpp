@@ -14,7 +14,6 @@
 #include "ui/settings/signal_fields.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/quantity_table.h"
-#include "ui/widgets/section.h"
 #include "ui/window/file_commands.h"
 #include "ui/words/rich_text.h"
 
@@ -23,7 +22,6 @@
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLayout>
 #include <QMimeData>
 #include <QTest>
 
@@ -151,35 +149,6 @@ private slots:
                 !row.toolTip(Ledger::trend).contains("&lt;"));
         ledger.setTrendKind(TrendKind::line);
         ledger.setCursors({}, {});
-    }
-
-    // Theme, language and size may change while another page is shown.
-    void what_changed_while_the_page_was_hidden_is_laid_out_when_it_is_shown() {
-        showIdentified();
-        for (const char* language : {"en", "ru"}) {
-            for (const ThemeMode theme : {ThemeMode::dark, ThemeMode::light}) {
-                window_->action(Command::page_resonator)->trigger();
-                window_->resize(2560, 1440);
-                QTest::qWait(1);
-                window_->action(Command::page_signals)->trigger();
-                window_->setLanguage(QLatin1String(language));
-                window_->setThemeMode(theme);
-                window_->resize(1280, 720);
-                window_->action(Command::page_resonator)->trigger();
-                QTest::qWait(1);
-                for (const Section* section : the<ResonatorPage>().findChildren<Section*>()) {
-                    const QLayout& parts = *section->layout();
-                    const int needed = parts.hasHeightForWidth()
-                                           ? parts.totalHeightForWidth(section->width())
-                                           : parts.totalMinimumSize().height();
-                    if (section->isVisible()) {
-                        VYBEG_AT_LEAST(section->height(), needed);
-                    }
-                }
-            }
-        }
-        window_->setThemeMode(ThemeMode::system);
-        window_->setLanguage(QStringLiteral("en"));
     }
 
     // In the smallest window, in both languages, with nothing to scroll.

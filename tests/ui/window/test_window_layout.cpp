@@ -3,17 +3,21 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
+#include "tests/ui/resonator_runs.h"
 #include "ui/charts/round_view.h"
 #include "ui/panels/ledger.h"
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
+#include "ui/resonator/resonator_page.h"
 #include "ui/settings/settings_panel.h"
+#include "ui/widgets/section.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_menus.h"
 
 #include <QFileInfo>
 #include <QLabel>
+#include <QLayout>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
@@ -96,6 +100,42 @@ private slots:
             QTest::keyClick(&view, Qt::Key_1);
             QVERIFY(view.cursor(Cursor::a).has_value());
         }
+    }
+
+    // Theme, language and size may change while another page is shown.
+    void what_changed_while_a_page_was_hidden_is_laid_out_when_it_is_shown() {
+        window_ = shownWindow();
+        Document& document = window_->document();
+        document.open(resonatorRuns(home_, "laid"));
+        QTRY_VERIFY(!document.busy() && document.sets().canIdentify());
+        window_->action(Command::identify)->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!document.busy() && document.sets().current(), 60000);
+        for (const char* language : {"en", "ru"}) {
+            for (const ThemeMode theme : {ThemeMode::dark, ThemeMode::light}) {
+                window_->action(Command::page_resonator)->trigger();
+                window_->resize(2560, 1440);
+                QTest::qWait(1);
+                window_->action(Command::page_signals)->trigger();
+                window_->setLanguage(QLatin1String(language));
+                window_->setThemeMode(theme);
+                window_->resize(1280, 720);
+                window_->action(Command::page_resonator)->trigger();
+                QTest::qWait(1);
+                int seen = 0;
+                for (const Section* section : the<ResonatorPage>().findChildren<Section*>()) {
+                    const QLayout& parts = *section->layout();
+                    const int needed = parts.hasHeightForWidth()
+                                           ? parts.totalHeightForWidth(section->width())
+                                           : parts.totalMinimumSize().height();
+                    if (section->isVisible()) {
+                        VYBEG_AT_LEAST(section->height(), needed);
+                        ++seen;
+                    }
+                }
+                VYBEG_AT_LEAST(seen, 4);
+            }
+        }
+        window_->setLanguage(QStringLiteral("en"));
     }
 
     void the_overview_stands_over_the_plots() {

@@ -62,6 +62,8 @@ private slots:
     void every_dialect_gives_the_same_samples();
     void missing_samples_are_nan_and_are_counted_data();
     void missing_samples_are_nan_and_are_counted();
+    void what_the_first_row_lacks_is_missing_data();
+    void what_the_first_row_lacks_is_missing();
     void a_header_names_the_channels_data();
     void a_header_names_the_channels();
     void a_last_line_that_was_cut_off_is_left_out();
@@ -166,6 +168,32 @@ void TestTextDialects::missing_samples_are_nan_and_are_counted() {
     QCOMPARE(missing->args, std::vector<MessageArg>{"2"});
     QCOMPARE(missing->first_frame, 2);
     QCOMPARE(missing->count, 2);
+}
+
+void TestTextDialects::what_the_first_row_lacks_is_missing_data() {
+    QTest::addColumn<QString>("first");
+    QTest::newRow("C") << "0,,2";
+    QTest::newRow("D, behind the last delimiter") << "0,1,";
+    QTest::newRow("both") << "0,,";
+}
+
+void TestTextDialects::what_the_first_row_lacks_is_missing() {
+    QFETCH(QString, first);
+    for (const char delimiter : {',', ';', '\t', '|'}) {
+        QString text = "t,S_C,S_D\n" + first + '\n';
+        for (int row = 1; row < 6; ++row) {
+            text += QString("%1,1,2\n").arg(row * 1e-3);
+        }
+        const Folder folder;
+        const Recording recording =
+            opened(folder.write("run", text.replace(',', delimiter).toStdString()));
+        QCOMPARE(recording.frames(), 6);
+        QCOMPARE(recording.channels[1].name, std::string("S_D"));
+        const Samples read = read_all(recording);
+        QCOMPARE(std::isnan(read.c[0]), first.startsWith("0,,"));
+        QCOMPARE(std::isnan(read.d[0]), first.endsWith(','));
+        QCOMPARE(read.d[1], 2.0);
+    }
 }
 
 void TestTextDialects::a_header_names_the_channels_data() {
