@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <fcntl.h>
+#include <mutex>
 #include <new>
 #include <sqlite3.h>
 #include <sys/stat.h>
@@ -180,8 +181,10 @@ Result<ResultsDatabase> ResultsDatabase::open(const std::filesystem::path& path,
 
 void ResultsDatabase::connect() {
     if (access_ == Access::write) {
-        // With the permissions that the user's mask gives, as every output. O_EXCL: closing a
-        // descriptor of an existing file would drop the locks that this process may have on it.
+        // With the permissions that the user's mask gives, as every output. O_EXCL and one thread
+        // at a time: closing a descriptor drops the locks that this process has on its file.
+        static std::mutex making;
+        const std::lock_guard alone(making);
         const int made = ::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (made >= 0) {
             close(made);

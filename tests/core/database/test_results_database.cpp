@@ -178,6 +178,19 @@ private slots:
         QCOMPARE((*gyros)[0].results, std::int64_t{4});
     }
 
+    // One of them makes the file.
+    void threads_open_a_new_database_at_once() {
+        std::atomic<int> failed = 0;
+        for (int round = 0; round < 40; ++round) {
+            const std::string name = path(("new" + std::to_string(round) + ".db").c_str());
+            std::vector<std::jthread> writers;
+            for (int writer = 0; writer < 4; ++writer) {
+                writers.emplace_back([&] { failed += open(name, Access::write, 60) ? 0 : 1; });
+            }
+        }
+        QCOMPARE(failed.load(), 0);
+    }
+
     void several_writers_lose_nothing() {
         std::vector<std::jthread> writers;
         std::atomic<int> failed = 0;
