@@ -52,6 +52,22 @@ Result<Recording> open_channel(const std::filesystem::path& path, const OpenOpti
     return open(path, of_channel(options, channel, variable));
 }
 
+// The same where the file has no rate: by that of the other channel's file.
+Result<Recording> open_timed(const std::filesystem::path& path, const Recording& other,
+                             const OpenOptions& options, int channel, std::size_t variable,
+                             const OpenFile& open) {
+    OpenOptions timed = options;
+    timed.rate_hz = other.rate_hz;
+    auto recording = TRY(open_channel(path, timed, channel, variable, open));
+    recording.rate_from = other.rate_from;
+    recording.rate_relative_sd = other.rate_relative_sd;
+    return recording;
+}
+
+bool is_untimed(const Result<Recording>& recording) {
+    return !recording && recording.error().code == ErrorCode::rate_unknown;
+}
+
 // Pieces one after the other, and what is missing between them.
 class JoinedSource final : public SampleSource {
 public:
@@ -198,9 +214,20 @@ private:
 
 Result<Recording> open_pair(const std::filesystem::path& path, const OpenOptions& options,
                             const OpenFile& open) {
-    auto c = TRY(open_channel(path, options, options.channel_c, 0, open));
-    auto d = TRY(open_channel(options.channel_d_file, options, options.channel_d, 1, open));
-    if (is_same_file(path, options.channel_d_file) && c.channel_c == d.channel_c) {
+    const std::filesystem::path path_d = options.channel_d_file;
+    auto opened_c = open_channel(path, options, options.channel_c, 0, open);
+    if (!opened_c && !is_untimed(opened_c)) {
+        return opened_c.error();
+    }
+    auto opened_d = open_channel(path_d, options, options.channel_d, 1, open);
+    if (is_untimed(opened_c) && opened_d) {
+        opened_c = open_timed(path, *opened_d, options, options.channel_c, 0, open);
+    } else if (is_untimed(opened_d) && opened_c) {
+        opened_d = open_timed(path_d, *opened_c, options, options.channel_d, 1, open);
+    }
+    auto c = TRY(std::move(opened_c));
+    auto d = TRY(std::move(opened_d));
+    if (is_same_file(path, path_d) && c.channel_c == d.channel_c) {
         return Error{ErrorCode::setting_invalid,
                      "",
                      {"--channel-d", options.channel_d_file,

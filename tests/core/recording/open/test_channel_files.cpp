@@ -121,6 +121,23 @@ private slots:
         check_signals(opened(c, options), 0, 0);
     }
 
+    void a_file_without_a_rate_takes_that_of_the_other_channel() {
+        const Folder folder;
+        std::string lines;
+        for (int i = 0; i < 600; ++i) {
+            lines += QString::number(signal_d(i / rate), 'f', 9).toStdString() + "\n";
+        }
+        const auto timed = folder.write("c.csv", table("t,C", 600, 0, {signal_c}));
+        const auto untimed = folder.write("d.txt", lines);
+        const Recording recording = opened(timed, d_in(untimed));
+        QCOMPARE(recording.rate_from, RateOrigin::time_column);
+        check_signals(recording, 0, 0);
+        const Recording exchanged = opened(untimed, d_in(timed));
+        QCOMPARE(exchanged.rate_from, RateOrigin::time_column);
+        QCOMPARE(exchanged.rate_hz, recording.rate_hz);
+        VYBEG_CLOSE(read_all(exchanged).c[1], signal_d(1 / rate), 1e-6);
+    }
+
     void of_files_with_several_channels_the_option_chooses() {
         const Folder folder;
         const auto c = folder.write("c.csv", table("t,Aux,C", 60, 0, {signal_d, signal_c}));
