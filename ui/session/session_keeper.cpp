@@ -164,6 +164,15 @@ void SessionKeeper::keepAbsent(Session& session) {
     const QDir folder = path_.isEmpty() ? QDir::root() : QFileInfo(path_).absoluteDir();
     for (std::size_t place = 0; place < session.recordings.size(); ++place) {
         SessionRecording& recording = session.recordings[place];
+        const auto follow = [&folder](std::string& file) {
+            const QString path = QString::fromStdString(file);
+            if (!file.empty() && !folder.isRoot() && !QFileInfo::exists(path)) {
+                const QString found = foundNear(folder, path, {});
+                file = found.isEmpty() ? file : found.toStdString();
+            }
+        };
+        follow(recording.options.channel_d_file);
+        std::ranges::for_each(recording.options.join, follow);
         if (QFileInfo::exists(recording.path)) {
             continue;
         }

@@ -6,12 +6,15 @@
 #include "ui/window/file_commands.h"
 
 #include <QAbstractButton>
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
 #include <QtTest>
+
+#include <cmath>
 
 namespace test_session_file {
 
@@ -113,6 +116,30 @@ private slots:
         QCOMPARE(document().recordings().size(), std::size_t(1));
         QCOMPARE(document().recordings()[0].path, home_.path("another.wav"));
         QCOMPARE(messages(), QString());
+    }
+
+    void the_file_of_channel_d_and_pieces_move_with_their_session() {
+        QByteArray c("t,C\n");
+        QByteArray d("t,D\n");
+        for (int k = 0; k < 8000; ++k) {
+            const double t_s = k / 8000.0;
+            const QByteArray time = QByteArray::number(t_s, 'f', 6) + ',';
+            c += time + QByteArray::number(std::cos(6283 * t_s), 'f', 6) + '\n';
+            d += time + QByteArray::number(0.4 * std::cos(6283 * t_s), 'f', 6) + '\n';
+        }
+        OpenOptions options;
+        home_.file("pair/c.csv", c);
+        options.channel_d_file = home_.file("pair/d.csv", d).toStdString();
+        document().open({home_.path("pair/c.csv")}, options);
+        QTRY_COMPARE_WITH_TIMEOUT(document().recordings().size(), std::size_t(1), 20000);
+        QTRY_VERIFY(document().recordings()[0].recording.has_value());
+        QVERIFY(savedTo(*window_, home_.path("pair/one.vybeg")));
+        QVERIFY(QDir().rename(home_.path("pair"), home_.path("moved")));
+        window_ = shownWindow();
+        window_->files().open({home_.path("moved/one.vybeg")});
+        QTRY_COMPARE_WITH_TIMEOUT(document().recordings().size(), std::size_t(1), 20000);
+        QTRY_VERIFY2(document().recordings()[0].recording.has_value(), qPrintable(messages()));
+        QCOMPARE(document().recordings()[0].recording->more_files.size(), std::size_t(1));
     }
 
     // Two programs have the same session open; both save it.
