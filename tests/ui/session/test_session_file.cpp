@@ -128,6 +128,7 @@ private slots:
             d += time + QByteArray::number(0.4 * std::cos(6283 * t_s), 'f', 6) + '\n';
         }
         OpenOptions options;
+        QVERIFY(QDir().mkpath(home_.path("pair")));
         home_.file("pair/c.csv", c);
         options.channel_d_file = home_.file("pair/d.csv", d).toStdString();
         document().open({home_.path("pair/c.csv")}, options);
