@@ -66,7 +66,7 @@ public:
 private:
     double decay_;
     Eigen::Matrix2cd traceless_;
-    std::complex<double> square_;  // s^2
+    std::complex<double> square_;                                  // s^2
     std::array<std::complex<double>, rate_count> square_by_rate_;  // d(s^2)/d(rate)
 };
 
