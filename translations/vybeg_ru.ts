@@ -1989,6 +1989,14 @@
         <translation>%1 — журнал, а не запись: в нём %2. Откройте его через «Файл», «Открыть журналы» или укажите в списке измерений, что это (%3); в наборе либо журналы, либо записи. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
     </message>
     <message>
+        <source>%1 is a whole-angle log, no recording: it holds the angle of a standing wave over time. The command drift reads it.</source>
+        <translation>%1 — журнал интегрирующего режима, а не запись: в нём угол стоячей волны по времени. Его читает команда drift.</translation>
+    </message>
+    <message>
+        <source>%1 is a whole-angle log, no recording: it holds the angle of a standing wave over time. The page Drift opens it.</source>
+        <translation>%1 — журнал интегрирующего режима, а не запись: в нём угол стоячей волны по времени. Его открывает страница «Дрейф».</translation>
+    </message>
+    <message>
         <source>%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording does not belong among logs: give it a set of its own.</source>
         <translation>%1 — не журнал: журналы — таблицы в виде текста, NPZ, MAT или HDF5. Записи не место среди журналов: дайте ей отдельный набор.</translation>
     </message>

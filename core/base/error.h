@@ -44,6 +44,7 @@ enum class ErrorCode {
     column_missing,      // args: column asked for, the columns that the file has
     angle_unit_unknown,  // args: column of angles
     holds_log,           // args: what it holds in place of samples, options to read it with
+    holds_angle,         // a whole-angle log in place of samples
     no_log,
     file_changed,  // after it was opened: its size, or the time of its last change
     list_invalid,  // args: line, column, reason. Of a measurement list.

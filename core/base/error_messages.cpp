@@ -206,6 +206,14 @@ MessageRow message_row(ErrorCode code) {
                               "logs, or say in the measurement list what it is (%3); a set has "
                               "logs or recordings, not both. If the columns are samples all the "
                               "same, give them other names.")};
+        case ErrorCode::holds_angle:
+            return {"holds-angle", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 is a whole-angle log, no recording: it holds the angle of a "
+                                  "standing wave over time. The command drift reads it."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1 is a whole-angle log, no recording: it holds the angle of a "
+                                  "standing wave over time. The page Drift opens it.")};
         case ErrorCode::no_log:
             return {"no-log", bad_input,
                     VYBEG_MESSAGE("Message",

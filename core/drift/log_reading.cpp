@@ -2,6 +2,7 @@
 
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/log_columns.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,11 +16,9 @@ namespace {
 const std::vector<ColumnRole>& log_roles() {
     static const std::vector<ColumnRole> roles{
         {"t", {"t", "t_s", "time", "time_s", "время"}, false},
-        {"theta",
-         {"theta", "theta_rad", "theta_deg", "theta_A", "theta_A_rad", "angle", "two_theta_A_rad",
-          "угол"}},
-        {"amplitude", {"amplitude", "amplitude effort", "amplitude_effort"}, false},
-        {"quadrature", {"quadrature", "quadrature effort", "quadrature_effort"}, false}};
+        {"theta", wave_angle_names()},
+        {"amplitude", amplitude_effort_names(), false},
+        {"quadrature", quadrature_effort_names(), false}};
     return roles;
 }
 

@@ -13,9 +13,13 @@ Document::Document(QObject* parent) : QObject(parent) {
                 emit reported(message);
             });
     connect(&recordings_, &RecordingStore::foundLog, this,
-            [this](RecordingId id, const QString& path) {
+            [this](RecordingId id, const QString& path, bool whole_angle) {
                 close(id);
-                emit foundLog(path);
+                if (whole_angle) {
+                    drift_.open({path});
+                } else {
+                    emit foundLog(path);
+                }
             });
     connect(&recordings_, &RecordingStore::currentChanged, this, [this] {
         emit currentRecordingChanged();

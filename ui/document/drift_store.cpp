@@ -48,6 +48,7 @@ void DriftStore::open(const QStringList& paths) {
     if (after.logs.size() > state_.logs.size()) {
         step([] { return tr("open whole-angle logs"); }, std::move(after));
     }
+    emit opened();
 }
 
 void DriftStore::remove(const QStringList& paths) {

@@ -59,6 +59,7 @@ public:
     const std::optional<Error>& failure() const { return failure_; }
 
 signals:
+    void opened();   // logs, by a person
     void changed();  // logs, settings or their drift
     void reported(const Message& message);
     void settled(Topic topic);

@@ -166,8 +166,10 @@ void RecordingStore::whenLookedAt(RecordingId id, const QuickOverview& look) {
 
 void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
     RecordingEntry& loaded = *entry(id);
-    if (!result && result.error().code == ErrorCode::holds_log) {
-        emit foundLog(id, QString(loaded.path));  // its entry goes
+    if (!result && (result.error().code == ErrorCode::holds_log ||
+                    result.error().code == ErrorCode::holds_angle)) {
+        // Its entry goes.
+        emit foundLog(id, QString(loaded.path), result.error().code == ErrorCode::holds_angle);
         return;
     }
     if (!result) {

@@ -83,7 +83,8 @@ signals:
     void carrierChanged();
     void opened(RecordingId id);
     void openFailed(RecordingId id, const Message& message);
-    void foundLog(RecordingId id, const QString& path);  // in place of a recording
+    // A log in place of a recording; `whole_angle`: of an angle under control.
+    void foundLog(RecordingId id, const QString& path, bool whole_angle);
     void reported(const Message& message);
 
 private:

@@ -184,6 +184,8 @@ void MainWindow::connectDocument() {
         pages_->showPage(Page::resonator);
         resonator_->setFocus();  // no field, whose undo would hide that of the set
     });
+    connect(&document_.drift(), &DriftStore::opened, this,
+            [this] { pages_->showPage(Page::drift); });
     connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
         if (document_.sets().passport()) {
             pages_->showPage(Page::resonator);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The words that files use for columns, units and rates: one table of names, one of units, and one
 // spelling in which names are compared.
@@ -44,6 +45,11 @@ std::string_view without_brackets(std::string_view text);
 
 // The name and unit in one field of a header: "S_C [V]", "C (V)", "Time, s", "CH1 in V", "C/V".
 Channel name_and_unit(std::string_view field);
+
+// Columns of whole-angle logs: the angle of the wave, and the efforts of its control.
+const std::vector<const char*>& wave_angle_names();
+const std::vector<const char*>& amplitude_effort_names();
+const std::vector<const char*>& quadrature_effort_names();
 
 // Part after the last '.' or '/' of a path: "C" of "run.C" or "/run/C".
 std::string_view last_name(std::string_view path);

@@ -245,6 +245,28 @@ constexpr const char* phasors = VYBEG_MESSAGE("Words", "phasors of a phasemeter 
 constexpr const char* phasor_options =
     "--phasors fixed|common|pll --y-sign +|- --amplitude peak|rms";
 
+// Whether every column beside the time is known of whole-angle logs, an angle among them.
+bool is_whole_angle(const TextFormat& format) {
+    bool angle = false;
+    for (int column = 0; column < std::ssize(format.names); ++column) {
+        const std::string name = normal_name(format.names[static_cast<std::size_t>(column)]);
+        const auto is_one_of = [&name](const std::vector<const char*>& known) {
+            return std::ranges::any_of(known,
+                                       [&](const char* each) { return normal_name(each) == name; });
+        };
+        if (column == format.time_column || is_time_name(name)) {
+            continue;
+        }
+        const bool is_angle = is_one_of(wave_angle_names());
+        if (!is_angle && !is_one_of(amplitude_effort_names()) &&
+            !is_one_of(quadrature_effort_names())) {
+            return false;
+        }
+        angle = angle || is_angle;
+    }
+    return angle;
+}
+
 // Tracks, whose columns are known, too, open: their values are numbers over time.
 Status check_holds_samples(const FileBytes& file, const TextHead& head, const TextFormat& format) {
     const std::array<LogKind, 2> kinds{{{{"Xc", "Yc", "Xd", "Yd"}, phasors, phasor_options},
@@ -258,6 +280,9 @@ Status check_holds_samples(const FileBytes& file, const TextHead& head, const Te
         if (std::ranges::all_of(kind.columns, is_there)) {
             return file.error(ErrorCode::holds_log, {words(kind.holds), kind.read_with});
         }
+    }
+    if (is_whole_angle(format)) {
+        return file.error(ErrorCode::holds_angle);
     }
     return is_of_phasemeter(head)
                ? Status(file.error(ErrorCode::holds_log, {words(phasors), phasor_options}))

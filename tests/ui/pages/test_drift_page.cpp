@@ -144,6 +144,19 @@ private slots:
         window_.reset();
     }
 
+    // As a person drops them on the window, which takes them for recordings.
+    void logs_opened_as_recordings_are_on_the_page() {
+        const QStringList logs{written("dropped_1.csv", loop(0.05, 1)),
+                               written("dropped_2.csv", loop(-0.05, 2))};
+        window_->files().openTogether(logs);
+        QTRY_COMPARE(drift().logs().size(), std::size_t(2));
+        QTRY_VERIFY(page().isVisible());
+        wait();
+        QVERIFY(document().recordings().empty());
+        QCOMPARE(messages(), QString());
+        QVERIFY(drift().outcome());
+    }
+
     // Ctrl+6 without anything open.
     void an_empty_page_says_what_to_open() {
         QTest::keyClick(window_.get(), Qt::Key_6, Qt::ControlModifier);

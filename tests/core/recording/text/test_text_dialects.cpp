@@ -64,6 +64,7 @@ private slots:
     void missing_samples_are_nan_and_are_counted();
     void what_the_first_row_lacks_is_missing_data();
     void what_the_first_row_lacks_is_missing();
+    void the_angle_of_a_wave_alone_is_a_whole_angle_log();
     void a_header_names_the_channels_data();
     void a_header_names_the_channels();
     void a_last_line_that_was_cut_off_is_left_out();
@@ -193,6 +194,25 @@ void TestTextDialects::what_the_first_row_lacks_is_missing() {
         QCOMPARE(std::isnan(read.c[0]), first.startsWith("0,,"));
         QCOMPARE(std::isnan(read.d[0]), first.endsWith(','));
         QCOMPARE(read.d[1], 2.0);
+    }
+}
+
+void TestTextDialects::the_angle_of_a_wave_alone_is_a_whole_angle_log() {
+    const Folder folder;
+    const auto table = [&](const std::string& names) {
+        std::string text = names + "\n";
+        for (int row = 0; row < 20; ++row) {
+            text += std::to_string(row * 1e-3) + ",1.5,2\n";
+        }
+        return open(folder.write("run", text));
+    };
+    for (const char* names : {"t,theta,amplitude", "t_s,theta_rad,quadrature_effort",
+                              "time (s),Theta (deg),Amplitude effort", "t,amplitude,angle"}) {
+        const auto refused = table(names);
+        QVERIFY2(!refused && refused.error().code == ErrorCode::holds_angle, names);
+    }
+    for (const char* names : {"t,C,D", "t,C,angle", "t,a_A,theta", "t,amplitude,quadrature"}) {
+        QVERIFY2(table(names), names);
     }
 }
 
