@@ -107,10 +107,10 @@ void DriftStore::compute() {
         [paths = std::move(paths), settings = state_.settings](const JobControl& job) {
             return driftOf(paths, settings, job);
         },
-        [this](Result<DriftOutcome> result) { take(std::move(result)); });
+        [this](Result<DriftOutcome>&& result) { take(std::move(result)); });
 }
 
-void DriftStore::take(Result<DriftOutcome> result) {
+void DriftStore::take(Result<DriftOutcome>&& result) {
     computing_ = false;
     if (result) {
         for (std::size_t k = 0; k < state_.logs.size(); ++k) {

@@ -72,7 +72,7 @@ private:
     void step(UndoSteps::Words words, State after);
     void restore(State state);
     void compute();
-    void take(Result<DriftOutcome> result);
+    void take(Result<DriftOutcome>&& result);
 
     BackgroundJobs& job_;
     IdCounter& ids_;
