@@ -80,10 +80,7 @@ PlotPanel* PlotStack::panel(SlowVariable variable) const {
 }
 
 PlotPanel* PlotStack::panelAt(const QPointF& position) const {
-    const auto found = std::ranges::find_if(panels_, [&](const PlotPanel* panel) {
-        return panel->outerRect().contains(position.toPoint());
-    });
-    return found == panels_.end() ? nullptr : *found;
+    return static_cast<PlotPanel*>(frameAt(position));  // its frames are its panels
 }
 
 }  // namespace vybeg::ui

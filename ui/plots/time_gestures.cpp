@@ -93,7 +93,7 @@ QRectF TimeGestures::bandBetween(const QPointF& from, const QPointF& to) const {
 
 void TimeGestures::mousePressEvent(QMouseEvent* event) {
     const QPointF at = inPlot(event->position());
-    if (event->button() != Qt::LeftButton || !stack_->contains(at) || !hasTime()) {
+    if (event->button() != Qt::LeftButton || !stack_->frameAt(at) || !hasTime()) {
         QWidget::mousePressEvent(event);
         return;
     }
@@ -128,7 +128,7 @@ void TimeGestures::mouseMoveEvent(QMouseEvent* event) {
     }
     hoverAt(at);
     const double time = timeAt(at);
-    const bool inside = stack_->contains(at) && zoom().current().time.contains(time) && hasTime();
+    const bool inside = stack_->frameAt(at) && zoom().current().time.contains(time) && hasTime();
     moveTracker(inside ? std::optional(time) : std::nullopt);
 }
 
@@ -167,7 +167,7 @@ void TimeGestures::wheelEvent(QWheelEvent* event) {
     // Alt turns a wheel sideways on some desktops; touch pads report fractions of a notch.
     const double notches = event->angleDelta().y() / 120.;
     const QPointF at = inPlot(event->position());
-    if (notches == 0 || !stack_->contains(at) || !hasTime()) {
+    if (notches == 0 || !stack_->frameAt(at) || !hasTime()) {
         event->ignore();
         return;
     }

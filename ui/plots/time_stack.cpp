@@ -70,10 +70,11 @@ void TimeStack::setLook(const Theme& theme) {
     head_strip_->setLook(font, theme.text);
 }
 
-bool TimeStack::contains(const QPointF& position) const {
-    return std::ranges::any_of(frames_, [&](const TimePanel* frame) {
+TimePanel* TimeStack::frameAt(const QPointF& position) const {
+    const auto found = std::ranges::find_if(frames_, [&](const TimePanel* frame) {
         return frame->outerRect().contains(position.toPoint());
     });
+    return found == frames_.end() ? nullptr : *found;
 }
 
 int TimeStack::frameWidth(int width) const {

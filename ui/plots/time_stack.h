@@ -22,8 +22,8 @@ public:
     // From above.
     const std::vector<TimePanel*>& frames() const { return frames_; }
     const Theme& theme() const { return theme_; }
-    // Whether a position of the plot lies in one of them, its head included.
-    bool contains(const QPointF& position) const;
+    // The one at a position of the plot, its head included; null beside them.
+    TimePanel* frameAt(const QPointF& position) const;
     // Width of the frames in a plot of that width.
     int frameWidth(int width) const;
     // Size of this column (device-independent pixels) in the next layout, from which tick steps and

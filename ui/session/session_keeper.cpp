@@ -162,24 +162,22 @@ void SessionKeeper::begin(Session session) {
 
 void SessionKeeper::keepAbsent(Session& session) {
     const QDir folder = path_.isEmpty() ? QDir::root() : QFileInfo(path_).absoluteDir();
+    // Where a file is that may have moved with the session.
+    const auto present = [&folder](const QString& path, const QString& sha256) {
+        const QString found = folder.isRoot() || QFileInfo::exists(path)
+                                  ? QString()
+                                  : foundNear(folder, path, sha256);
+        return found.isEmpty() ? path : found;
+    };
+    const auto follow = [&present](std::string& file) {
+        file = file.empty() ? file : present(QString::fromStdString(file), {}).toStdString();
+    };
     for (std::size_t place = 0; place < session.recordings.size(); ++place) {
         SessionRecording& recording = session.recordings[place];
-        const auto follow = [&folder](std::string& file) {
-            const QString path = QString::fromStdString(file);
-            if (!file.empty() && !folder.isRoot() && !QFileInfo::exists(path)) {
-                const QString found = foundNear(folder, path, {});
-                file = found.isEmpty() ? file : found.toStdString();
-            }
-        };
         follow(recording.options.channel_d_file);
         std::ranges::for_each(recording.options.join, follow);
+        recording.path = present(recording.path, recording.sha256);
         if (QFileInfo::exists(recording.path)) {
-            continue;
-        }
-        if (const QString found =
-                folder.isRoot() ? QString() : foundNear(folder, recording.path, recording.sha256);
-            !found.isEmpty()) {
-            recording.path = found;
             continue;
         }
         const std::size_t absent = absent_.size();
@@ -197,10 +195,7 @@ void SessionKeeper::keepAbsent(Session& session) {
         recording.path.clear();
     }
     for (DriftLog& log : session.drift.logs) {
-        const QString found = folder.isRoot() || QFileInfo::exists(log.path)
-                                  ? QString()
-                                  : foundNear(folder, log.path, log.sha256);
-        log.path = found.isEmpty() ? log.path : found;
+        log.path = present(log.path, log.sha256);
     }
 }
 

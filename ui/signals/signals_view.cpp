@@ -72,14 +72,4 @@ void SignalsView::paintEvent(QPaintEvent* event) {
     }
 }
 
-void SignalsView::focusInEvent(QFocusEvent* event) {
-    QWidget::focusInEvent(event);
-    update();
-}
-
-void SignalsView::focusOutEvent(QFocusEvent* event) {
-    QWidget::focusOutEvent(event);
-    update();
-}
-
 }  // namespace vybeg::ui

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -141,34 +142,31 @@ void QuantityTable::narrow(std::vector<int>& widths, int excess) const {
     }
 }
 
-// The width that each column takes by itself; sentences are wrapped where `wrapped`.
-std::vector<int> QuantityTable::wishes(bool wrapped) const {
-    const int characters = fontMetrics().averageCharWidth();
-    std::vector<int> widths(static_cast<std::size_t>(columnCount()), 0);
-    for (int column = 0; column < columnCount(); ++column) {
-        int& width = widths[static_cast<std::size_t>(column)];
-        if (!headers_.isEmpty() && column > 0) {
-            width = fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin;
-        }
-        for (int row = 0; row < rowCount(); ++row) {
-            const QString text = item(row, column)->text();
-            const int wish = WrappingDelegate::widthFor(text, font());
-            const bool sentence = wrapped && text.size() > 36;
-            width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
-        }
-    }
-    return widths;
-}
-
 // Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
 // the second of two columns takes the rest, several columns take their own width. Where the table
 // is wider than its room, the texts are wrapped.
 void QuantityTable::layOut() {
     const int characters = fontMetrics().averageCharWidth();
     const int room = viewport()->width();
-    std::vector<int> widths = wishes(false);
+    std::vector<int> widths(static_cast<std::size_t>(columnCount()), 0);
+    std::vector<int> wrapped = widths;  // with sentences in several lines
+    for (int column = 0; column < columnCount(); ++column) {
+        int& width = widths[static_cast<std::size_t>(column)];
+        int& narrower = wrapped[static_cast<std::size_t>(column)];
+        if (!headers_.isEmpty() && column > 0) {
+            width = fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin;
+            narrower = width;
+        }
+        for (int row = 0; row < rowCount(); ++row) {
+            const QString text = item(row, column)->text();
+            const int wish = WrappingDelegate::widthFor(text, font());
+            const bool sentence = text.size() > 36;
+            width = std::max(width, wish);
+            narrower = std::max(narrower, sentence ? std::min(wish, 26 * characters) : wish);
+        }
+    }
     if (std::accumulate(widths.begin(), widths.end(), 0) > room) {
-        widths = wishes(true);
+        widths = std::move(wrapped);
     }
     if (!widths.empty()) {
         widths[0] = std::min(widths[0], std::max(room * 2 / 5, leastWidth(0)));
@@ -213,7 +211,6 @@ void QuantityTable::resizeEvent(QResizeEvent* event) {
 // A page that was hidden while its table changed keeps the height it had then: the layouts around
 // the table, from the inmost, measure again.
 void QuantityTable::layOutAround() {
-    layOut();
     for (QWidget* around = parentWidget(); around != nullptr && !around->isWindow();
          around = around->parentWidget()) {
         if (QLayout* layout = around->layout()) {

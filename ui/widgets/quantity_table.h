@@ -46,7 +46,6 @@ protected:
 private:
     void layOut();
     void layOutAround();
-    std::vector<int> wishes(bool wrapped) const;
     int leastWidth(int column) const;
     int headerHeight() const;
     void narrow(std::vector<int>& widths, int excess) const;
