@@ -258,7 +258,8 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return faulty.has_value(); }));
         QVERIFY(!*faulty);
         QCOMPARE(faulty->error().code, ErrorCode::program_fault);
-        QVERIFY2(faulty->error().args.at(0).text.starts_with("vector::_M_range_check"),
+        QVERIFY2(faulty->error().args.at(0).text.starts_with(
+                     "std::out_of_range: vector::_M_range_check"),
                  faulty->error().args.at(0).text.c_str());
         jobs.run<int>(
             1, [](const JobControl&) -> Result<int> { return 7; },
