@@ -15,6 +15,8 @@ namespace vybeg {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double axis_needs = 5;                               // deviations of its pair
+constexpr double any_axis_rad = pi / 4 / std::numbers::sqrt3;  // sd of any angle within 90 degrees
 
 // A pair (x cos 4 axis, x sin 4 axis) with the covariance of its noise and that for u.
 struct Pair {
@@ -26,17 +28,23 @@ struct Pair {
     double sd_size() const { return sd_along(value / size(), covariance); }
     double u_size() const { return sd_along(value / size(), wide); }
     double sd_axis() const { return sd_along(across(), covariance) / (4 * size()); }
-    double u_axis() const { return sd_along(across(), wide) / (4 * size()); }
-    double largest_sd() const {
+    // Errors as large as the pair leave any axis.
+    double u_axis() const {
+        return size() > axis_needs * largest_u() ? sd_along(across(), wide) / (4 * size())
+                                                 : std::hypot(sd_axis(), any_axis_rad);
+    }
+    double largest_sd() const { return largest(covariance); }
+    double largest_u() const { return largest(wide); }
+    // Sizes and axes as in the fit of a resonator: three and five deviations.
+    bool has_size() const { return size() > 3 * largest_sd(); }
+    bool has_axis() const { return size() > axis_needs * largest_sd(); }
+
+private:
+    static double largest(const Eigen::Matrix2d& covariance) {
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(covariance,
                                                                    Eigen::EigenvaluesOnly);
         return std::sqrt(eigen.eigenvalues()[1]);
     }
-    // Sizes and axes as in the fit of a resonator: three and five deviations.
-    bool has_size() const { return size() > 3 * largest_sd(); }
-    bool has_axis() const { return size() > 5 * largest_sd(); }
-
-private:
     Eigen::Vector2d across() const { return Eigen::Vector2d(-value[1], value[0]) / size(); }
     static double sd_along(const Eigen::Vector2d& direction, const Eigen::Matrix2d& covariance) {
         return std::sqrt(direction.dot(covariance * direction));
@@ -50,7 +58,7 @@ Pair turned(const Pair& pair, const Eigen::Matrix2d& by) {
 
 Reason within(const Pair& pair, const char* unit) {
     return {ReasonCode::within_noise,
-            {number_arg(pair.size() + 2 * pair.largest_sd(), 3), unit_arg(unit)}};
+            {number_arg(pair.size() + 2 * pair.largest_u(), 3), unit_arg(unit)}};
 }
 
 void take(const Pair& pair, const char* unit, Estimate& size, Estimate& axis) {

@@ -44,30 +44,56 @@ struct Mean {
     double deviations() const { return freedom > 0 ? chi2_deviations(chi2, freedom) : 0; }
 };
 
+// What a small error of the channels makes of a drift with these coefficients, per unit of it. The
+// angle is seen at theta + e f(theta): f is sin 4 theta/4 of the gain ratio, (1 + cos 4 theta)/4 of
+// the skew, and the rate seen there has g f' - g' f more.
+Eigen::VectorXd seen_of(const Eigen::VectorXd& drift, Eigen::Index error) {
+    constexpr int samples = 16;  // of a product up to the eighth harmonic
+    constexpr double pi = std::numbers::pi;
+    Eigen::VectorXd seen = Eigen::VectorXd::Zero(log_terms);
+    for (int k = 0; k < samples; ++k) {
+        const double theta = k * pi / samples;
+        const double shift = error == 0 ? std::sin(4 * theta) / 4 : (1 + std::cos(4 * theta)) / 4;
+        const double stretch = error == 0 ? std::cos(4 * theta) : -std::sin(4 * theta);
+        const Eigen::VectorXd terms = harmonic_terms(log_harmonics, theta);
+        Eigen::VectorXd slopes = Eigen::VectorXd::Zero(log_terms);
+        for (std::size_t i = 0; i < log_harmonics.size(); ++i) {
+            const auto at = static_cast<Eigen::Index>(2 * i);
+            slopes[at + 1] = -log_harmonics[i] * terms[at + 2];
+            slopes[at + 2] = log_harmonics[i] * terms[at + 1];
+        }
+        const double more = stretch * drift.dot(terms) - shift * drift.dot(slopes);
+        seen += 2.0 / samples * more * terms;
+    }
+    seen[0] /= 2;
+    return seen;
+}
+
 // Errors of the channels make a fourth harmonic of the turn m: m (gain cos 4 theta - skew sin 4
 // theta). They are unknowns of all logs with a prior of their tolerance, and logs that turn
 // differently tell them from the drift. Solved for the drift at the mean turn: the turn of a log
-// alone takes nothing from its digits.
+// alone takes nothing from its digits. What they make of the drift itself is alike in all logs, and
+// that of the second harmonic, 3/4 of the gain's error of it, is in no other number.
 class MeanOfLogs {
 public:
     MeanOfLogs(const std::vector<const LogDrift*>& logs, const ChannelTolerance& channels,
                Eigen::Index first, Eigen::Index count)
         : logs_(logs), first_(first), count_(count) {
-        const bool holds_fourth = first + count == log_terms;
-        const std::array tolerances{channels.kappa, channels.skew_rad};
-        for (Eigen::Index k = 0; holds_fourth && k < 2; ++k) {
-            const double sd = tolerances[static_cast<std::size_t>(k)];
-            if (sd > 0) {
-                errors_.emplace_back(fourth + k - first, 1 / (sd * sd));
-            }
-        }
         double weights = 0;
         for (const LogDrift* log : logs) {
             const double weight = 1 / log->covariance(log_terms - 1, log_terms - 1);
-            mean_turn_ += weight * log->coefficients[0];
+            mean_ += weight * log->coefficients;
             weights += weight;
         }
-        mean_turn_ /= weights;
+        mean_ /= weights;
+        const std::array tolerances{channels.kappa, channels.skew_rad};
+        for (Eigen::Index k = 0; k < 2; ++k) {
+            const double sd = tolerances[static_cast<std::size_t>(k)];
+            if (sd > 0) {
+                errors_.push_back(
+                    {k, 1 / (sd * sd), seen_of(Eigen::VectorXd::Unit(log_terms, 0), k)});
+            }
+        }
     }
 
     Mean mean() const {
@@ -83,20 +109,26 @@ public:
         Eigen::MatrixXd information = of_noise;
         for (std::size_t k = 0; k < errors_.size(); ++k) {
             const Eigen::Index at = count_ + static_cast<Eigen::Index>(k);
-            information(at, at) += errors_[k].second;
+            information(at, at) += errors_[k].weight;
         }
         const Eigen::MatrixXd inverse = inverse_of(information);
         const Eigen::VectorXd solved = inverse * moment;
-        Eigen::MatrixXd to_drift = Eigen::MatrixXd::Identity(count_, size);
         Mean mean;
+        double squares = 0;
         for (std::size_t k = 0; k < errors_.size(); ++k) {
             const Eigen::Index at = count_ + static_cast<Eigen::Index>(k);
-            to_drift(errors_[k].first, at) = -mean_turn_;
-            mean.chi2 += solved[at] * solved[at] * errors_[k].second;
+            mean.chi2 += solved[at] * solved[at] * errors_[k].weight;
+            squares += solved[at] * solved[at] + inverse(at, at);
         }
+        const Eigen::MatrixXd to_drift = drift_in(solved);
         mean.value = to_drift * solved;
         mean.covariance = to_drift * inverse * of_noise * inverse * to_drift.transpose();
         mean.with_channels = to_drift * inverse * to_drift.transpose();
+        if (first_ == 0) {
+            // The turn seen is m (1 + (gain^2 + skew^2)/2): rms of that of normal errors.
+            const double second = std::sqrt(3.0) / 2 * squares * mean_[0];
+            mean.with_channels(0, 0) += second * second;
+        }
         for (const LogDrift* log : logs_) {
             const Eigen::VectorXd off =
                 log->coefficients.segment(first_, count_) - terms_of(*log) * solved;
@@ -115,17 +147,37 @@ private:
         const auto size = count_ + static_cast<Eigen::Index>(errors_.size());
         Eigen::MatrixXd terms = Eigen::MatrixXd::Identity(count_, size);
         for (std::size_t k = 0; k < errors_.size(); ++k) {
-            terms(errors_[k].first, count_ + static_cast<Eigen::Index>(k)) =
-                log.coefficients[0] - mean_turn_;
+            terms.col(count_ + static_cast<Eigen::Index>(k)) =
+                (log.coefficients[0] - mean_[0]) * errors_[k].of_turn.segment(first_, count_);
         }
         return terms;
     }
 
+    // From what is solved for to the drift: without what the errors make of it.
+    Eigen::MatrixXd drift_in(const Eigen::VectorXd& solved) const {
+        Eigen::MatrixXd to_drift = Eigen::MatrixXd::Identity(count_, solved.size());
+        Eigen::VectorXd drift = mean_;
+        for (int pass = 0; pass < 2; ++pass) {  // the mean holds the errors of the turn, too
+            for (std::size_t k = 0; k < errors_.size(); ++k) {
+                to_drift.col(count_ + static_cast<Eigen::Index>(k)) =
+                    -seen_of(drift, errors_[k].error).segment(first_, count_);
+            }
+            drift.segment(first_, count_) = to_drift * solved;
+        }
+        return to_drift;
+    }
+
+    struct SeenError {
+        Eigen::Index error;       // as of seen_of()
+        double weight;            // of its prior
+        Eigen::VectorXd of_turn;  // what it makes of a turn of 1: a fourth harmonic
+    };
+
     const std::vector<const LogDrift*>& logs_;
     Eigen::Index first_;
     Eigen::Index count_;
-    std::vector<std::pair<Eigen::Index, double>> errors_;  // their term, and weight of the prior
-    double mean_turn_ = 0;
+    Eigen::VectorXd mean_ = Eigen::VectorXd::Zero(log_terms);
+    std::vector<SeenError> errors_;
 };
 
 std::vector<LogAgreement> agreement_of(const std::vector<const LogDrift*>& logs,

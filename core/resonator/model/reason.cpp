@@ -130,7 +130,7 @@ ReasonRow reason_row(ReasonCode code) {
                                   "frequency.")};
         case ReasonCode::logs_differ:
             return {"logs-differ",
-                    VYBEG_MESSAGE("Reason", "The logs differ in it: each has its own value.")};
+                    VYBEG_MESSAGE("Reason", "The logs differ in it, or in what it is found from.")};
         case ReasonCode::effort_missing:
             return {"effort-missing",
                     VYBEG_MESSAGE("Reason", "No log holds the effort of the controller for it.")};

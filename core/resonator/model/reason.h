@@ -37,7 +37,7 @@ enum class ReasonCode {
     frequencies_apart,   // args: ppm. Those of the recordings.
     not_converged,       // the fit stopped early
     phase_lost,          // E, R, S, Q have no frequency
-    logs_differ,         // whole-angle logs differ in it
+    logs_differ,         // whole-angle logs differ in it, or in what it is found from
     effort_missing,      // of a whole-angle log: no column of it
     effort_negative,     // its mean takes energy from the wave
     effort_unseen,       // its fourth harmonic, or that of the drift, is within its noise

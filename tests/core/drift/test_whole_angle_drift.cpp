@@ -280,18 +280,18 @@ private slots:
                 const WholeAngleLog back = simulated_log(loop, "back");
                 const WholeAngleDrift alone = drift_of({forth}, usual_pick_offs());
                 const WholeAngleDrift both = drift_of({forth, back}, usual_pick_offs());
-                const std::array<double, 5> truth = truth_of(loop);
-                for (std::size_t term = 3; term < 5; ++term) {
+                std::array<double, 5> truth = truth_of(loop);
+                for (std::size_t term = 1; term < 5; ++term) {
                     const Estimate& one = alone.harmonics[term];
                     VYBEG_LESS(std::abs(one.value - truth[term]) / one.u, 3.0);
-                    VYBEG_MORE(one.u, 0.05 * 1e-3);
+                    VYBEG_MORE(one.u, term < 3 ? one.sd : 0.05 * 1e-3);
                     const Estimate& two = both.harmonics[term];
-                    // Of second order are errors by drift and by errors.
-                    const double second = (3e-4 + 0.05 * std::abs(kappa - 1));
-                    VYBEG_LESS(std::abs(two.value - truth[term]),
-                               4.5 * two.sd + second * std::abs(kappa - 1));
+                    VYBEG_LESS(std::abs(two.value - truth[term]), 4.5 * two.u);
                     VYBEG_LESS(two.u, 3 * two.sd);
                 }
+                truth[0] = 0.05;
+                VYBEG_LESS(std::abs(alone.harmonics[0].value - truth[0]) / alone.harmonics[0].u,
+                           3.0);
                 QCOMPARE(alone.warnings.size(), std::size_t{1});
                 QCOMPARE(alone.warnings[0].kind, DiagnosticKind::turn_one_way);
                 QVERIFY(both.warnings.empty());
@@ -299,6 +299,53 @@ private slots:
                 const double true_g = 4 * std::hypot(loop.c4, loop.s4);
                 VYBEG_LESS(std::abs(g.value - true_g) / g.u, 3.0);
             }
+        }
+    }
+
+    // The turn and the second harmonic had the deviation of their noise alone: 28 and 55 of them
+    // off.
+    void one_log_with_the_gain_one_tolerance_off_is_within_u() {
+        for (const double turn : {0.5, -0.5, 2.0}) {
+            for (const double kappa : {0.99, 1.01}) {
+                HeldLoop loop = loop_of();
+                loop.rate_hz = 50;
+                loop.turn = turn;
+                loop.c2 = 2e-2;
+                loop.s2 = -1e-2;
+                loop.kappa = kappa;
+                loop.skew = 1e-3;
+                const WholeAngleDrift found = drift_of({simulated_log(loop)}, usual_pick_offs());
+                const std::array<double, 5> truth = truth_of(loop);
+                double worst = 0;
+                for (std::size_t term = 0; term < truth.size(); ++term) {
+                    const Estimate& each = found.harmonics[term];
+                    VYBEG_LESS(std::abs(each.value - truth[term]) / each.u, 2.0);
+                    worst = std::max(worst,
+                                     term < 3 ? std::abs(each.value - truth[term]) / each.sd : 0);
+                }
+                VYBEG_MORE(worst, 20.0);
+            }
+        }
+    }
+
+    // 4600 times too small was the bound, by the noise alone, and u of the axis 67 of its periods.
+    void the_bound_of_a_damping_that_channels_hide_holds_it() {
+        HeldLoop loop = loop_of();
+        loop.turn = 2;
+        loop.rate_hz = 50;
+        loop.kappa = 1.01;
+        loop.c4 = -loop.turn * 0.01;  // as much as the gain makes: none is seen
+        loop.s4 = 0;
+        const HeldResonator found = drift_of({simulated_log(loop)}, usual_pick_offs()).resonator;
+        const double truth = 4 * std::abs(loop.c4);
+        const Estimate& g = found.damping_anisotropy_per_s;
+        if (g.given()) {
+            VYBEG_LESS(std::abs(g.value - truth) / g.u, 2.0);
+        } else {
+            VYBEG_MORE(std::stod(g.reason.args.at(0).text), truth);
+        }
+        if (found.theta_tau_rad.given()) {
+            VYBEG_LESS(found.theta_tau_rad.u, pi / 4);
         }
     }
 
