@@ -100,7 +100,8 @@ int run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
     }
     log.warnings(drift->warnings);
     const bool whole = file_ending(request.output) == ".json";
-    const std::string json = request.json || whole ? drift_json(program, logs, *drift) : "";
+    const std::string json =
+        request.json || whole ? drift_json(program, logs, request.settings, *drift) : "";
     if (request.output != "-") {
         const Status said = write_text(request.json ? json : drift_text(*drift), silent_job(stop));
         if (!said) {
@@ -108,7 +109,8 @@ int run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
         }
     }
     if (output) {
-        Status written = output->write(whole ? json : drift_csv(program, logs, *drift));
+        Status written =
+            output->write(whole ? json : drift_csv(program, logs, request.settings, *drift));
         if (written) {
             written = output->commit();
         }

@@ -386,17 +386,6 @@ Status first_fault(const Rows<S>& rows, const S& settings) {
     return {};
 }
 
-template <class S>
-std::vector<NamedValue> listed(const Rows<S>& rows, const S& settings) {
-    std::vector<NamedValue> list;
-    for (const SettingRow<S>& row : rows) {
-        if (row.has_part) {
-            list.emplace_back(row.name, row.text(settings));
-        }
-    }
-    return list;
-}
-
 // The value of a row that all recordings share, or those of each.
 std::string in_one(const std::vector<std::vector<NamedValue>>& each, std::size_t row) {
     const std::string& first = each.front()[row].second;

@@ -34,9 +34,6 @@ Status validate(const SignalSettings& settings);
 Status validate(const Settings& settings);
 Status validate(const IdentifySettings& settings);
 
-// Name and value as the command line takes them.
-using NamedValue = std::pair<std::string, std::string>;
-
 // Every setting that has a part in the result; those of logs where they are given. Settings of
 // single recordings stand with "; " between them where they differ.
 std::vector<NamedValue> settings_list(const Settings& settings);

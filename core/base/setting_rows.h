@@ -55,6 +55,21 @@ struct SettingRow {
     }
 };
 
+// Name and value as the command line takes them.
+using NamedValue = std::pair<std::string, std::string>;
+
+// Those of the rows that have a part in a result.
+template <class S>
+std::vector<NamedValue> listed(const std::vector<SettingRow<S>>& rows, const S& settings) {
+    std::vector<NamedValue> list;
+    for (const SettingRow<S>& row : rows) {
+        if (row.has_part) {
+            list.emplace_back(row.name, row.text(settings));
+        }
+    }
+    return list;
+}
+
 // Kinds of rows. `access` returns a reference to the field: [](auto& s) -> auto& { return s.f; }.
 
 inline const std::string not_set = "none";

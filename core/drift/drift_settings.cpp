@@ -85,6 +85,15 @@ const std::vector<SettingRow<DriftSettings>>& drift_settings() {
     return rows;
 }
 
+std::vector<NamedValue> settings_list(const DriftSettings& settings) {
+    DriftSettings in_use = settings;
+    const ChannelTolerance usual = usual_pick_offs();
+    in_use.tolerance.kappa = in_use.tolerance.kappa.value_or(usual.kappa);
+    in_use.tolerance.skew_deg =
+        in_use.tolerance.skew_deg.value_or(usual.skew_rad * 180 / std::numbers::pi);
+    return listed(drift_settings(), in_use);
+}
+
 ChannelTolerance pick_offs(const Tolerance& tolerance) {
     ChannelTolerance channels = usual_pick_offs();
     channels.kappa = tolerance.kappa.value_or(channels.kappa);

@@ -21,6 +21,9 @@ struct DriftSettings {
 // option that is not given is empty, of the tolerance "none".
 const std::vector<SettingRow<DriftSettings>>& drift_settings();
 
+// Names and texts as on the command line, with the tolerances in use.
+std::vector<NamedValue> settings_list(const DriftSettings& settings);
+
 // Gain ratio and skew with their tolerances, in place of those that are not told the usual ones.
 ChannelTolerance pick_offs(const Tolerance& tolerance);
 

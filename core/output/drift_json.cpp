@@ -94,7 +94,11 @@ Estimate degrees_per_hour(Estimate rad_per_s) {
 }
 
 std::string drift_json(const std::string& program, std::span<const WholeAngleLog> logs,
-                       const WholeAngleDrift& drift) {
+                       const DriftSettings& settings, const WholeAngleDrift& drift) {
+    Json given = Json::object();
+    for (const auto& [name, value] : settings_list(settings)) {
+        given[name] = value;
+    }
     Json inputs = Json::array();
     for (std::size_t k = 0; k < logs.size(); ++k) {
         inputs.push_back(log_json(logs[k], drift.logs[k], drift.left_out == k));
@@ -126,6 +130,7 @@ std::string drift_json(const std::string& program, std::span<const WholeAngleLog
                         {"seconds", number_json(bin.seconds)}});
     }
     return json_text({{"program", program},
+                      {"settings", given},
                       {"warnings", warnings},
                       {"harmonics", harmonics},
                       {"covariance_deg_h2", covariance_json(drift.covariance)},
@@ -136,10 +141,13 @@ std::string drift_json(const std::string& program, std::span<const WholeAngleLog
 }
 
 std::string drift_csv(const std::string& program, std::span<const WholeAngleLog> logs,
-                      const WholeAngleDrift& drift) {
+                      const DriftSettings& settings, const WholeAngleDrift& drift) {
     std::string text = "# " + program + "\n# drift of whole-angle logs, less the turn of each\n";
     for (const WholeAngleLog& log : logs) {
         text += "# input: " + plain_text(log.name) + ", sha256 " + log.sha256 + "\n";
+    }
+    for (const auto& [name, value] : settings_list(settings)) {
+        text += "# " + name + ": " + plain_text(value) + "\n";
     }
     for (const Diagnostic& warning : drift.warnings) {
         text += "# warning: " + english(warning) + "\n";

@@ -135,6 +135,13 @@ private slots:
         QCOMPARE(summary.status, 0);
         QVERIFY(summary.out.contains("drift, d theta_A/dt"));
         QVERIFY(QFile::exists(json));
+        // With what the numbers were found, in both files.
+        const Outcome told = run_cli(
+            {"drift", log, "--json", "--tolerance", "skew=0.2", "--rate", "7"}, folder.path());
+        const QJsonObject settings = json_of(told)["settings"].toObject();
+        QCOMPARE(settings["tolerance"].toString(), QString("kappa=0.01,skew=0.2"));
+        QCOMPARE(settings["rate"].toString(), QString("7"));
+        QVERIFY2(table.out.contains("\n# tolerance: kappa=0.01,skew=0.1\n"), table.out);
     }
 };
 
