@@ -194,18 +194,20 @@ std::string text_of(const Estimate& estimate, const std::string& unit) {
         return "- " + english(estimate.reason);
     }
     const QuantityText text = quantity_text(estimate.value, estimate.sd, estimate.u);
-    const std::string power = text.exponent != 0 ? "e" + std::to_string(text.exponent) : "";
+    const auto power = [](int exponent) {
+        return exponent != 0 ? "e" + std::to_string(exponent) : std::string();
+    };
     std::string numbers = text.value;
     if (!text.sd.empty()) {
         numbers += " ± " + text.sd;
     }
-    if (!power.empty()) {
-        numbers = "(" + numbers + ")" + power;
+    if (text.exponent != 0) {
+        numbers = "(" + numbers + ")" + power(text.exponent);
     }
     if (!unit.empty()) {
         numbers += " " + unit;
     }
-    return text.u.empty() ? numbers : numbers + ", u " + text.u + power;
+    return text.u.empty() ? numbers : numbers + ", u " + text.u + power(text.u_exponent);
 }
 
 std::string text_in_degrees(const Estimate& estimate) {

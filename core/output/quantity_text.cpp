@@ -10,6 +10,10 @@ namespace vybeg {
 
 namespace {
 
+// Of numbers without an exponent.
+constexpr double least = 1e-4;
+constexpr double most = 1e7;
+
 // Place of the last digit worth printing, as a power of ten: -5 for a deviation of 0.00005.
 int last_place(double sd) {
     const int leading = static_cast<int>(std::floor(std::log10(sd)));
@@ -44,7 +48,7 @@ QuantityText quantity_text(double value, double sd) {
     }
     const bool has_sd = std::isfinite(sd) && sd > 0;
     const double size = has_sd ? std::max(std::abs(value), sd) : std::abs(value);
-    const bool ordinary = size == 0 || (size >= 1e-4 && size < 1e7);
+    const bool ordinary = size == 0 || (size >= least && size < most);
     const int exponent = ordinary ? 0 : static_cast<int>(std::floor(std::log10(size)));
     const double scale = std::pow(10.0, -exponent);
     if (!has_sd) {
@@ -59,11 +63,15 @@ QuantityText quantity_text(double value, double sd, double u) {
     if (statistical.sd.empty() || !std::isfinite(u) || u <= sd) {
         return statistical;
     }
-    const double scale = std::pow(10.0, -statistical.exponent);
-    const std::string text = rounded_text(u * scale, last_place(u * scale));
     QuantityText both = statistical;
-    both.u = text == statistical.sd ? "" : text;
-    return both;
+    if (u * std::pow(10.0, -statistical.exponent) < most) {
+        both.u_exponent = statistical.exponent;
+    } else if (u < least || u >= most) {
+        both.u_exponent = static_cast<int>(std::floor(std::log10(u)));
+    }
+    const double scale = std::pow(10.0, -both.u_exponent);
+    both.u = rounded_text(u * scale, last_place(u * scale));
+    return both.u == statistical.sd && both.u_exponent == statistical.exponent ? statistical : both;
 }
 
 }  // namespace vybeg

@@ -48,11 +48,15 @@ std::vector<StripEntry> withDistinctNames(std::vector<StripEntry> entries, bool 
 }
 
 // Draws a sample of a curve as a legend shows it.
-void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& color,
-                Qt::PenStyle dash) {
+void drawSample(QCPPainter& painter, QPointF from, const StripEntry& entry) {
     painter.setAntialiasing(true);
-    painter.setPen(QPen(color, 2, dash, Qt::FlatCap));
-    painter.drawLine(QLineF(from, from + QPointF(length, 0)));
+    if (!entry.points.isNone()) {
+        entry.points.applyTo(&painter, QPen(entry.color));
+        entry.points.drawShape(&painter, from + QPointF(legend_sample_length / 2, 0));
+        return;
+    }
+    painter.setPen(QPen(entry.color, 2, entry.dash, Qt::FlatCap));
+    painter.drawLine(QLineF(from, from + QPointF(legend_sample_length, 0)));
 }
 
 }  // namespace
@@ -151,8 +155,7 @@ void PlotStrip::draw(QCPPainter* painter) {
     const double base = area.top() + 0.5 * (area.height() + metrics.ascent() - metrics.descent());
     for (const StripEntry& entry : shown_) {
         if (entry.line) {
-            drawSample(*painter, {x, base - 0.33 * metrics.ascent()}, legend_sample_length,
-                       entry.color, entry.dash);
+            drawSample(*painter, {x, base - 0.33 * metrics.ascent()}, entry);
             x += legend_sample_length + legend_sample_gap;
         }
         painter->setPen(text_);

@@ -13,6 +13,7 @@ struct StripEntry {
     bool line = false;
     QColor color;
     Qt::PenStyle dash = Qt::SolidLine;
+    QCPScatterStyle points = {};  // if not none, in place of the line
 };
 
 // A row of texts of fixed height among the plots: the names of the analyses, the title of a column,

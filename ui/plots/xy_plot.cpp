@@ -163,22 +163,26 @@ QPen penOf(const XYSeries& series, const Theme& theme) {
     return {inkColor(series.ink, series.style, theme, series.shades), series.thin ? 1 : 1.6, dash};
 }
 
-void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
-    // Shapes in addition to colours, for colour-blind users.
+// Shapes in addition to colours, for colour-blind users.
+QCPScatterStyle shapeOf(const XYSeries& series, const QPen& pen) {
     static constexpr std::array<QCPScatterStyle::ScatterShape, 6> shapes{
         QCPScatterStyle::ssCircle,           QCPScatterStyle::ssSquare,
         QCPScatterStyle::ssTriangle,         QCPScatterStyle::ssDiamond,
         QCPScatterStyle::ssTriangleInverted, QCPScatterStyle::ssCross};
+    const auto shape = static_cast<std::size_t>(series.style) % shapes.size();
+    return {shapes[shape], QPen(pen.color(), 1.2), QBrush(pen.color()), 5};
+}
+
+void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
     QCPGraph* graph = plot.addGraph(panel.axis(QCPAxis::atBottom), panel.axis(QCPAxis::atLeft));
     graph->setData(vectorOf(series.x), vectorOf(series.y));
     graph->setLineStyle(QCPGraph::lsNone);
-    const auto shape = static_cast<std::size_t>(series.style) % shapes.size();
     // Thousands of shapes hide each other, and take half a second to draw.
     const bool many = series.x.size() > most_shapes;
     graph->setAntialiasedScatters(!many);
     graph->setScatterStyle(
         many ? QCPScatterStyle(QCPScatterStyle::ssDot, QPen(pen.color(), 2), Qt::NoBrush, 2)
-             : QCPScatterStyle(shapes[shape], QPen(pen.color(), 1.2), QBrush(pen.color()), 5));
+             : shapeOf(series, pen));
     if (!series.sd.empty()) {
         auto* bars = new QCPErrorBars(graph->keyAxis(), graph->valueAxis());
         bars->setDataPlottable(graph);
@@ -221,7 +225,8 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
     for (const XYSeries& series : content.series) {
         if (!series.name.isEmpty()) {
             const QPen pen = penOf(series, theme);
-            legend.push_back({series.name, true, true, pen.color(), pen.style()});
+            legend.push_back({series.name, true, true, pen.color(), pen.style(),
+                              series.points ? shapeOf(series, pen) : QCPScatterStyle()});
         }
     }
     // A single curve needs no legend.

@@ -30,14 +30,16 @@ QString textOf(const QuantityText& quantity) {
     if (!quantity.sd.empty()) {
         text += QStringLiteral(" ± ") + localised(quantity.sd);
     }
-    const QString power =
-        quantity.exponent == 0 ? QString() : QStringLiteral("·") + powerOfTen(quantity.exponent);
-    if (!power.isEmpty()) {
-        text = (quantity.sd.empty() ? text : QStringLiteral("(%1)").arg(text)) + power;
+    const auto power = [](int exponent) {
+        return exponent == 0 ? QString() : QStringLiteral("·") + powerOfTen(exponent);
+    };
+    if (quantity.exponent != 0) {
+        text = (quantity.sd.empty() ? text : QStringLiteral("(%1)").arg(text)) +
+               power(quantity.exponent);
     }
-    return quantity.u.empty()
-               ? text
-               : QStringLiteral("%1 (u %2)").arg(text, localised(quantity.u) + power);
+    return quantity.u.empty() ? text
+                              : QStringLiteral("%1 (u %2)")
+                                    .arg(text, localised(quantity.u) + power(quantity.u_exponent));
 }
 
 }  // namespace

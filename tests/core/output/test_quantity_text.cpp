@@ -71,6 +71,13 @@ private slots:
         QCOMPARE(both.sd, std::string("0.00005"));
         QCOMPARE(both.u, std::string("0.0003"));
         QCOMPARE(quantity_text(3.21e-7, 1e-8, 1.5e-8).u, std::string("0.15"));
+        QCOMPARE(quantity_text(3.21e-7, 1e-8, 1.5e-8).u_exponent, -7);
+        // 100 000 000 000 000·10^-12 was such a u.
+        const QuantityText apart = quantity_text(-6e-12, 3e-12, 100);
+        QCOMPARE(apart.exponent, -12);
+        QCOMPARE(apart.u, std::string("100"));
+        QCOMPARE(apart.u_exponent, 0);
+        QCOMPARE(quantity_text(-6e-12, 3e-12, 4e-5).u_exponent, -5);
         const double nan = std::numeric_limits<double>::quiet_NaN();
         for (const double same : {nan, 5e-5, 5.1e-5, 1e-5}) {
             QCOMPARE(quantity_text(1.0003412, 5e-5, same), quantity_text(1.0003412, 5e-5));
