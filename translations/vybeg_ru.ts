@@ -2172,8 +2172,8 @@
         <translation>Оба канала показывают одну и ту же проекцию движения: видны моды, но не направления.</translation>
     </message>
     <message>
-        <source>The logs differ in it: each has its own value.</source>
-        <translation>Журналы в этом расходятся: у каждого своё значение.</translation>
+        <source>The logs differ in it, or in what it is found from.</source>
+        <translation>Журналы расходятся в этом или в том, из чего это найдено.</translation>
     </message>
     <message>
         <source>No log holds the effort of the controller for it.</source>
@@ -6671,10 +6671,6 @@
 <context>
     <name>vybeg::ui::LogDialog</name>
     <message>
-        <source>Looking at the file…</source>
-        <translation>Файл просматривается…</translation>
-    </message>
-    <message>
         <source>Its columns are not known by their names: choose what they are.</source>
         <translation>По именам столбцы не распознаны: выберите, что в них.</translation>
     </message>
@@ -6717,14 +6713,6 @@
     <message>
         <source>Open logs</source>
         <translation>Открыть журналы</translation>
-    </message>
-    <message>
-        <source>What %1 holds</source>
-        <translation>Что содержит %1</translation>
-    </message>
-    <message>
-        <source>What %1 holds, and, made alike, %2: logs of one resonator</source>
-        <translation>Что содержит %1 и полученные так же %2: журналы одного резонатора</translation>
     </message>
     <message>
         <source>choose…</source>
@@ -6881,6 +6869,53 @@
     <message>
         <source>Cancel</source>
         <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Looking at the files…</source>
+        <translation>Файлы просматриваются…</translation>
+    </message>
+    <message>
+        <source>There is no log: drop some into the list.</source>
+        <translation>Журналов нет: перетащите их в список.</translation>
+    </message>
+    <message>
+        <source>%1 Delete takes it out of the list of logs.</source>
+        <translation>%1 Delete убирает его из списка журналов.</translation>
+    </message>
+    <message>
+        <source>Each file has one channel: choose the one of channel D.</source>
+        <translation>В каждом файле один канал: выберите, в каком канал D.</translation>
+    </message>
+    <message>
+        <source>%1 is no file: choose the file of channel D.</source>
+        <translation>%1 — не файл: выберите файл канала D.</translation>
+    </message>
+    <message>
+        <source>Logs</source>
+        <translation>Журналы</translation>
+    </message>
+    <message>
+        <source>Logs of one resonator, made alike. Delete takes the chosen ones out</source>
+        <translation>Журналы одного резонатора, записанные одинаково. Delete убирает выбранные</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::LogFiles</name>
+    <message>
+        <source>Drop logs of one resonator here</source>
+        <translation>Перетащите сюда журналы одного резонатора</translation>
+    </message>
+    <message>
+        <source>%1 — cannot be opened so</source>
+        <translation>%1 — так не открыть</translation>
+    </message>
+    <message>
+        <source>%1 — channel C</source>
+        <translation>%1 — канал C</translation>
+    </message>
+    <message>
+        <source>%1 — channel D of %2</source>
+        <translation>%1 — канал D к %2</translation>
     </message>
 </context>
 <context>
@@ -7267,6 +7302,10 @@
     <message>
         <source>⚠ Without these recordings of the measurement list: %1.</source>
         <translation>⚠ Без этих записей списка измерений: %1.</translation>
+    </message>
+    <message>
+        <source>Being identified…</source>
+        <translation>Идентифицируется…</translation>
     </message>
 </context>
 <context>

@@ -35,6 +35,7 @@ struct Rows {
     std::vector<double> time_s;
     std::vector<Complex> c;
     std::vector<Complex> d;
+    std::vector<Diagnostic> warnings;
 };
 
 double step_of(const Rows& rows) {
@@ -292,6 +293,15 @@ Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOpt
     rows.d = std::move(d);
     rows.c.resize(count);
     rows.d.resize(count);
+    if (t.size() != other.size()) {
+        const auto name = [](const std::filesystem::path& file) {
+            return file.filename().string();
+        };
+        rows.warnings.push_back(
+            {DiagnosticKind::channels_unequal,
+             {name(path), count_arg(static_cast<std::int64_t>(t.size())),
+              name(options.channel_d_file), count_arg(static_cast<std::int64_t>(other.size()))}});
+    }
     TRY(refer(of_c.find("F"), of_c.find("P"), path, choice, rows));
     return rows;
 }
@@ -313,7 +323,7 @@ void drop_missing(Rows& rows) {
 
 // Both channels hold the same two modes: only with a sign of Y of their own, or with the reference
 // just between modes each of which is in one channel, do they turn against each other.
-std::vector<Diagnostic> mirror_of(double step_s, const Rows& rows) {
+void look_for_mirror(double step_s, Rows& rows) {
     constexpr double alike = 0.25;
     constexpr double certain = 10;
     std::array<double, 2> rates{};
@@ -330,15 +340,14 @@ std::vector<Diagnostic> mirror_of(double step_s, const Rows& rows) {
         }
         const double angle = std::arg(sum);
         if (std::abs(angle) < certain * std::sqrt(across) / std::norm(sum)) {
-            return {};
+            return;
         }
         rates[channel] = angle / (2 * pi * step_s);
     }
-    if (std::abs(rates[0] + rates[1]) >= alike * std::abs(rates[0] - rates[1])) {
-        return {};
+    if (std::abs(rates[0] + rates[1]) < alike * std::abs(rates[0] - rates[1])) {
+        rows.warnings.push_back({DiagnosticKind::phasors_mirrored,
+                                 {number_arg(rates[0], 3, "Hz"), number_arg(rates[1], 3, "Hz")}});
     }
-    return {{DiagnosticKind::phasors_mirrored,
-             {number_arg(rates[0], 3, "Hz"), number_arg(rates[1], 3, "Hz")}}};
 }
 
 // Brings the reference to the mean frequency: a mean over rows that turn is smaller than they are.
@@ -536,7 +545,8 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
         t -= filter.delay_s();
     }
     PhasorLog log;
-    log.warnings = mirror_of(step_s, rows);
+    look_for_mirror(step_s, rows);
+    log.warnings = std::move(rows.warnings);
     centre(step_s, rows);
     if (choice.phasors.frame == PhasorFrame::fixed) {
         const Complex response = filter.response(rows.f_ref_hz - told_hz);

@@ -1,5 +1,10 @@
 #include "ui/document/document.h"
 
+#include "core/analysis/measurement_list.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
 #include <utility>
 
 namespace vybeg::ui {
@@ -14,10 +19,11 @@ Document::Document(QObject* parent) : QObject(parent) {
             });
     connect(&recordings_, &RecordingStore::foundLog, this,
             [this](RecordingId id, const QString& path, bool whole_angle) {
-                close(id);
                 if (whole_angle) {
-                    drift_.open({path});
-                } else {
+                    angle_logs_[recordings_.find(id)->together][id] = path;
+                }
+                close(id);
+                if (!whole_angle) {
                     emit foundLog(path);
                 }
             });
@@ -122,6 +128,8 @@ void Document::closeRecording(RecordingId id) {
 }
 
 void Document::close(RecordingId id) {
+    const RecordingEntry* closed = recordings_.find(id);
+    const int together = closed ? closed->together : 0;
     restored_.erase(id);
     for (const int key : queue_.keysOfRecording(id)) {
         queue_.forget(key);
@@ -129,9 +137,66 @@ void Document::close(RecordingId id) {
     sets_.removeFromAll(id);
     analyses_.removeOf(id);
     recordings_.close(id);
+    takeArrived();
+    openAngleLogs(together);
+}
+
+void Document::openAngleLogs(int together) {
+    const auto opening = [together](const RecordingEntry& entry) {
+        return entry.together == together && !entry.recording;
+    };
+    if (std::ranges::any_of(recordings(), opening)) {
+        return;
+    }
+    if (const auto found = angle_logs_.extract(together)) {
+        QStringList paths;
+        for (const auto& [id, path] : found.mapped()) {
+            paths << path;
+        }
+        drift_.open(paths);
+    }
+}
+
+void Document::openIntoSet(const QStringList& paths) {
+    arriving_into_ = sets_.current() ? sets_.current()->id : SetId::none;
+    for (const QString& path : paths) {
+        if (is_measurement_list(path.toStdU16String())) {
+            sets_.openList(path, {});
+            continue;
+        }
+        const RecordingEntry* open = recordings_.findPath(QFileInfo(path).absoluteFilePath());
+        if (!open) {
+            recordings_.open({path}, {});
+            open = &recordings_.all().back();
+        }
+        arriving_.push_back(open->id);
+    }
+    takeArrived();
+}
+
+void Document::takeArrived() {
+    const auto opening = [this](RecordingId id) {
+        const RecordingEntry* entry = recordings_.find(id);
+        return entry && !entry->recording;
+    };
+    if (std::ranges::any_of(arriving_, opening)) {
+        return;
+    }
+    std::vector<RecordingId> ids = std::exchange(arriving_, {});
+    std::erase_if(ids, [this](RecordingId id) { return !recordings_.find(id); });
+    if (ids.empty()) {
+        return;
+    }
+    if (const RecordingSet* into = sets_.find(arriving_into_); into && !isOfLogs(*into)) {
+        sets_.addTo(into->id, ids);
+    } else {
+        sets_.add(ids);
+    }
 }
 
 void Document::whenOpened(RecordingId id) {
+    takeArrived();
+    openAngleLogs(recordings_.find(id)->together);
     emit opened(recordings_.find(id)->path);
     if (const auto restored = restored_.extract(id)) {
         recordings_.searchCarrier(id);

@@ -92,6 +92,9 @@ public:
     DossierModel& dossier() { return dossier_; }
     const DossierModel& dossier() const { return dossier_; }
 
+    // Files from outside into the current set, once they are open: one that is no recording leaves
+    // the set as it is.
+    void openIntoSet(const QStringList& paths);
     SetStore& sets() { return sets_; }
     const SetStore& sets() const { return sets_; }
 
@@ -133,6 +136,11 @@ private:
     void bringBack(const Closed& closed);
     void connectStores();
     void close(RecordingId id);
+    // The whole-angle logs among what was opened at once, when all of it is read: one step, in the
+    // order in which it was chosen.
+    void openAngleLogs(int together);
+    // Those of openIntoSet(), in one step, when none of them is still being opened.
+    void takeArrived();
     void whenOpened(RecordingId id);
     void whenSettingsChanged(const Settings& before);
     void restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& analyses);
@@ -152,6 +160,10 @@ private:
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
     DriftStore drift_{job_, ids_, steps_};
     std::map<RecordingId, std::vector<AnalysisWish>> restored_;  // by recording, until it is open
+    std::vector<RecordingId> arriving_;
+    SetId arriving_into_ = SetId::none;
+    // By what was opened at once and by place in that, until all of it is read.
+    std::map<int, std::map<RecordingId, QString>> angle_logs_;
 };
 
 }  // namespace vybeg::ui

@@ -215,25 +215,6 @@ std::vector<SetId> SetStore::holding(RecordingId recording_id) const {
     return ids;
 }
 
-void SetStore::openIntoCurrent(const QStringList& paths) {
-    std::vector<RecordingId> ids;
-    for (const QString& path : paths) {
-        if (is_measurement_list(path.toStdU16String())) {
-            openList(path, {});
-            continue;
-        }
-        const RecordingEntry* open = recordings_.findPath(QFileInfo(path).absoluteFilePath());
-        if (!open) {
-            recordings_.open({path}, {});
-            open = &recordings_.all().back();
-        }
-        ids.push_back(open->id);
-    }
-    if (!ids.empty()) {
-        addToCurrent(ids);
-    }
-}
-
 void SetStore::openList(const QString& path, const OpenOptions& options) {
     ListDefaults defaults{options, {}};
     defaults.settings.signal = settings_.settings();

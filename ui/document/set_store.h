@@ -49,8 +49,6 @@ public:
     // The reverse, for the undo of that.
     void putInto(const std::vector<SetId>& set_ids, RecordingId recording_id);
     std::vector<SetId> holding(RecordingId recording_id) const;
-    // Files from outside into the current set; those that are not open yet are opened.
-    void openIntoCurrent(const QStringList& paths);
     // A measurement list: its recordings, and a set for each of its sets, in one step of undo.
     // `options`: of recordings whose row gives none. Errors are reported.
     void openList(const QString& path, const OpenOptions& options);
@@ -67,6 +65,7 @@ public:
     // Precondition: all its recordings are open.
     void identifySet(SetId id);
     bool canIdentify() const;
+    bool identifying(SetId id) const { return queue_.keyOfSet(id) != 0; }
     // The newest of a set: with its present recordings and settings where there is one.
     std::shared_ptr<const ResonatorOutcome> outcome(const RecordingSet& set) const;
     bool outOfDate(const RecordingSet& set, const ResonatorOutcome& outcome) const;

@@ -8,9 +8,9 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
@@ -37,14 +37,6 @@ int placeIn(const List& list, const Value& value) {
     return found == list.end() ? 0 : static_cast<int>(found - list.begin());
 }
 
-QStringList chosenPaths(const QListWidget& list) {
-    QStringList paths;
-    for (const QListWidgetItem* item : list.selectedItems()) {
-        paths << item->data(Qt::UserRole).toString();
-    }
-    return paths;
-}
-
 }  // namespace
 
 DriftLogs::DriftLogs(Document& document, QWidget* parent)
@@ -54,7 +46,7 @@ DriftLogs::DriftLogs(Document& document, QWidget* parent)
 }
 
 void DriftLogs::refresh() {
-    const QStringList chosen = chosenPaths(*this);
+    const QStringList chosen = chosenPaths();
     const QSignalBlocker quiet(this);
     const auto outcome = document_.drift().outcome();
     const std::vector<DriftLog>& logs = document_.drift().logs();
@@ -73,22 +65,12 @@ void DriftLogs::refresh() {
     updateGeometry();
 }
 
-// The focus does not fall to a field, whose undo would hide that of the logs.
-void DriftLogs::removeChosen() {
-    setFocus();
-    document_.drift().remove(chosenPaths(*this));
-}
-
 void DriftLogs::take(const QStringList& files) {
     document_.drift().open(files);
 }
 
-void DriftLogs::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Delete) {
-        removeChosen();
-    } else {
-        FileList::keyPressEvent(event);
-    }
+void DriftLogs::remove(const QStringList& files) {
+    document_.drift().remove(files);
 }
 
 QString DriftLogs::hint() const {
@@ -104,8 +86,8 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
       columns_(new QLineEdit(this)),
       fault_(new QLabel(this)),
       angle_unit_(new QComboBox(this)),
-      rate_(makeNumber("driftRate")),
       time_unit_(new QComboBox(this)),
+      rate_(makeNumber("driftRate")),
       kappa_(makeNumber("driftKappa")),
       skew_(makeNumber("driftSkew")) {
     open_->setObjectName(QStringLiteral("driftOpen"));
@@ -151,7 +133,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     layout->addLayout(form);
 
     connect(open_, &QPushButton::clicked, this, &DriftPanel::openWanted);
-    connect(remove_, &QPushButton::clicked, logs_, &DriftLogs::removeChosen);
+    connect(remove_, &QPushButton::clicked, logs_, [this] { logs_->removeChosen(); });
     connect(logs_, &QListWidget::itemSelectionChanged, this,
             [this] { remove_->setEnabled(!logs_->selectedItems().isEmpty()); });
     connect(columns_, &QLineEdit::editingFinished, this, &DriftPanel::editColumns);
@@ -224,7 +206,10 @@ void DriftPanel::refresh() {
     remove_->setEnabled(!logs_->selectedItems().isEmpty());
     const DriftSettings& settings = document_.drift().settings();
     const QString columns = QString::fromStdString(settings.reading.columns);
-    if (!columns_->hasFocus() || columns_->text().trimmed() == columns) {
+    // A text that is not in effect stays until the setting becomes another one, as by an undo.
+    if (columns != columns_shown_ || !columns_->hasFocus() ||
+        columns_->text().trimmed() == columns) {
+        columns_shown_ = columns;
         columns_->setText(columns);
         showFault({});
     }

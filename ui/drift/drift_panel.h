@@ -15,7 +15,7 @@ namespace vybeg::ui {
 
 class NumberField;
 
-// The whole-angle logs; Delete removes the chosen ones.
+// The whole-angle logs.
 class DriftLogs : public FileList {
     Q_OBJECT
 
@@ -23,12 +23,11 @@ public:
     explicit DriftLogs(Document& document, QWidget* parent = nullptr);
 
     void refresh();
-    void removeChosen();
 
 protected:
     void take(const QStringList& files) override;
+    void remove(const QStringList& files) override;
     QString hint() const override;
-    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     Document& document_;
@@ -63,13 +62,14 @@ private:
     QPushButton* remove_;
     QLabel* columns_label_ = nullptr;
     QLineEdit* columns_;
+    QString columns_shown_;
     QLabel* fault_;
     QLabel* angle_unit_label_ = nullptr;
     QComboBox* angle_unit_;
     QLabel* rate_label_ = nullptr;
-    NumberField* rate_;
-    QLabel* time_unit_label_ = nullptr;
     QComboBox* time_unit_;
+    QLabel* time_unit_label_ = nullptr;
+    NumberField* rate_;
     QLabel* kappa_label_ = nullptr;
     NumberField* kappa_;
     QLabel* skew_label_ = nullptr;

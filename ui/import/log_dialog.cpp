@@ -6,15 +6,18 @@
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/partner_file.h"
 #include "ui/import/import_preview.h"
+#include "ui/import/log_files.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -38,7 +41,6 @@ namespace {
 // What the columns are, in the order of the list.
 enum class Columns { unknown, powers, waves, fixed, common, pll };
 
-constexpr int look_key = 2;  // previews of recordings have others
 constexpr double degree = std::numbers::pi / 180;
 constexpr int most_stages = 8;
 
@@ -69,25 +71,22 @@ std::optional<double> numberIn(const NumberField& field) {
     return field.isModified() && field.isValid() ? readNumber(field.text()) : field.value();
 }
 
-QString fileName(const std::filesystem::path& path) {
-    return QString::fromStdU16String(path.filename().u16string());
+// Full name of a file that stands beside another one, or is given by its path.
+QString beside(const QString& file, const QString& other) {
+    return QFileInfo(QFileInfo(file).absoluteDir(), other).absoluteFilePath();
 }
 
 }  // namespace
 
 LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent)
     : QDialog(parent),
-      job_(&job),
-      files_(paths),
-      title_(new QLabel(this)),
+      files_(new LogFiles(job, paths, this)),
       form_(new QFormLayout),
       lacking_(new QLabel(this)),
       preview_(new ImportPreview(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
-    files_.sort();
-    title_->setTextFormat(Qt::PlainText);
-    title_->setWordWrap(true);
+    files_->setObjectName(QStringLiteral("logFiles"));
     lacking_->setObjectName(QStringLiteral("lacking"));
     lacking_->setTextFormat(Qt::PlainText);
     lacking_->setWordWrap(true);
@@ -137,6 +136,7 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     auto* choices = new QWidget(this);
     auto* column = new QVBoxLayout(choices);
     column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(files_);
     column->addLayout(form_);
     column->addWidget(lacking_);
     column->addStretch(1);
@@ -145,7 +145,6 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     parts->addWidget(choices);
     parts->addWidget(preview_, 1);
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(title_);
     layout->addLayout(parts, 1);
     layout->addWidget(buttons_);
     connect(buttons_, &QDialogButtonBox::accepted, this, &LogDialog::accept);
@@ -154,10 +153,14 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
         emit filesWanted([field = QPointer(channel_d_)](const QStringList& files) {
             if (field && !files.isEmpty()) {
                 field->setText(files.first());
+                field->setModified(true);
                 emit field->textEdited(files.first());
             }
         });
     });
+    connect(files_, &QListWidget::itemSelectionChanged, this, &LogDialog::showPreview);
+    connect(files_, &LogFiles::looked, this, &LogDialog::take);
+    connect(files_, &LogFiles::changed, this, &LogDialog::changeFiles);
     guardFromWheel(*this);
     retranslate();
     resize(980, 560);
@@ -168,23 +171,7 @@ LogDialog::~LogDialog() {
     for (QWidget* field : fields_) {
         field->disconnect(this);  // no signals of fields to a destroyed object
     }
-    if (job_) {
-        job_->forget(look_key);
-    }
-}
-
-void LogDialog::add(const QStringList& paths) {
-    for (const QString& path : paths) {
-        if (!files_.contains(path)) {
-            files_ << path;
-        }
-    }
-    const QString first = files_.first();
-    files_.sort();
-    retranslate();
-    if (files_.first() != first) {
-        look();
-    }
+    files_->disconnect(this);
 }
 
 bool LogDialog::isOfPhasors() const {
@@ -223,30 +210,34 @@ OpenOptions LogDialog::options() const {
     return told;
 }
 
+// Of two files the field tells which one is of channel D, of more their names.
+QString LogDialog::partnerOf(const QString& file) const {
+    if (files_->files().size() > 2) {
+        const auto partner = partner_of(file.toStdU16String());
+        return partner ? QString::fromStdU16String(partner->u16string()) : QString();
+    }
+    const QString given = channel_d_->text().trimmed();
+    return given.isEmpty() ? given : beside(file, given);
+}
+
 std::vector<RecordingRef> LogDialog::logs() const {
     std::vector<RecordingRef> found;
-    QStringList left = files_;
-    const bool one_channel = look_ && look_->one_channel;
+    QStringList left = files_->files();
+    if (files_->files().size() == 2 &&
+        partnerOf(files_->files().first()) == files_->files().first()) {
+        std::ranges::reverse(left);  // the first one is of channel D
+    }
     while (!left.isEmpty()) {
         const QString file = left.takeFirst();
         RecordingRef log{QFileInfo(file).fileName().toStdString(), file.toStdU16String(),
                          options()};
-        if (one_channel) {
-            QString other = files_.size() == 1 ? channel_d_->text().trimmed() : QString();
-            const auto partner = partner_of(log.path);
-            const QString beside =
-                partner ? QString::fromStdU16String(partner->u16string()) : QString();
-            if (files_.size() > 1) {
-                other = left.contains(beside) ? beside
-                        : files_.size() == 2  ? left.value(0)
-                                              : QString();
-            }
-            if (other.isEmpty()) {
+        if (files_->isOfOneChannel(file)) {
+            const QString other = partnerOf(file);
+            if (other.isEmpty() || other == file ||
+                (files_->files().size() > 1 && !left.removeOne(other))) {
                 return {};
             }
-            left.removeOne(other);
             log.open.channel_d_file = other.toStdString();
-            find_files_from(QFileInfo(file).absolutePath().toStdU16String(), log.open);
         }
         found.push_back(std::move(log));
     }
@@ -257,7 +248,9 @@ MeasurementSet LogDialog::set() const {
     MeasurementSet set;
     set.recordings = logs();
     if (set.recordings.size() == 1) {
-        set.name = QFileInfo(files_.first()).completeBaseName().toStdString();
+        set.name = QFileInfo(QString::fromStdU16String(set.recordings.front().path.u16string()))
+                       .completeBaseName()
+                       .toStdString();
     }
     set.settings.logs = choice();
     set.settings.signal.from_s = numberIn(*from_);
@@ -265,66 +258,72 @@ MeasurementSet LogDialog::set() const {
 }
 
 void LogDialog::look() {
-    look_.reset();
     looked_with_ = known_shown_ ? choice() : LogChoice{};
+    files_->look(options(), looked_with_);
     refresh();
-    job_->run<LogLook>(
-        look_key,
-        [path = std::filesystem::path(files_.first().toStdU16String()), options = options(),
-         told = looked_with_](const JobControl& job) {
-            return look_at_log(path, options, told, job);
-        },
-        [this](const Result<LogLook>& result) { take(result); });
 }
 
-void LogDialog::take(const Result<LogLook>& result) {
-    look_ = result ? *result : LogLook();
-    if (result) {
-        preview_->setPreview(look_->preview);
-    } else {
-        look_->problem = result.error();
-        preview_->setError(result.error());
-    }
-    if (result && !std::exchange(known_shown_, true)) {
+void LogDialog::take() {
+    if (files_->sound() && files_->sound()->readable && !std::exchange(known_shown_, true)) {
         showKnown();
         looked_with_ = choice();
     }
+    // Which one is of channel D stays as it was given.
+    if (!channel_d_->isModified()) {
+        channel_d_->setText(QFileInfo(files_->partner()).fileName());
+    }
     refresh();
+    showPreview();
+}
+
+// What the fields show may be of a file that went.
+void LogDialog::changeFiles() {
+    known_shown_ = known_shown_ && std::ranges::none_of(files_->looks(), [](const auto& looked) {
+                       return looked.look.problem.has_value();
+                   });
+    look();
 }
 
 void LogDialog::showKnown() {
     const QSignalBlocker of_kind(kind_);
     const QSignalBlocker of_sign(y_sign_);
     const QSignalBlocker of_amplitude(amplitude_);
-    const PhasorChoice& how = look_->choice.phasors;
-    kind_->setCurrentIndex(static_cast<int>(columnsOf(look_->choice)));
+    const LogChoice& choice = files_->sound()->look.choice;
+    const PhasorChoice& how = choice.phasors;
+    kind_->setCurrentIndex(static_cast<int>(columnsOf(choice)));
     y_sign_->setCurrentIndex(how.y_sign == 0 ? 0 : how.y_sign > 0 ? 1 : 2);
     amplitude_->setCurrentIndex(how.peak_per_unit == 0 ? 0 : how.peak_per_unit == 1 ? 1 : 2);
-    if (const auto partner = partner_of(files_.first().toStdU16String());
-        partner && look_->one_channel) {
-        channel_d_->setText(fileName(*partner));
+}
+
+void LogDialog::showPreview() {
+    const LogFiles::Looked* shown = files_->chosen();
+    if (shown && shown->readable) {
+        preview_->setPreview(shown->look.preview);
+    } else if (shown) {
+        preview_->setError(*shown->look.problem);
     }
 }
 
 void LogDialog::showRows() {
     const bool phasors = isOfPhasors();
     // Of names that the readers know, none has to be told.
-    const bool nameless = look_ && !look_->preview.columns.empty() &&
-                          std::ranges::all_of(look_->preview.columns, [](const Channel& column) {
+    const LogLook* look = files_->sound() ? &files_->sound()->look : nullptr;
+    const bool nameless = look && !look->preview.columns.empty() &&
+                          std::ranges::all_of(look->preview.columns, [](const Channel& column) {
                               return column.name.empty();
                           });
     const bool asks_for_columns =
-        kind_->currentIndex() > 0 && (nameless || (look_ && look_->problem) ||
+        kind_->currentIndex() > 0 && (nameless || (look && look->problem) ||
                                       !columns_->text().isEmpty() || columns_->hasFocus());
     std::array<bool, row_count> shown{};
     shown[kind] = true;
     shown[columns] = asks_for_columns;
-    shown[channel_d] = look_ && look_->one_channel && files_.size() == 1;
-    shown[angle_unit] = (look_ && look_->needs_angle_unit) || angle_unit_->currentIndex() > 0;
-    shown[f_ref] = phasors && ((look_ && look_->needs_f_ref) || !f_ref_->text().isEmpty());
+    shown[channel_d] = files_->any(&LogLook::one_channel) && files_->files().size() <= 2;
+    shown[angle_unit] = files_->any(&LogLook::needs_angle_unit) || angle_unit_->currentIndex() > 0;
+    shown[f_ref] = phasors && (files_->any(&LogLook::needs_f_ref) || !f_ref_->text().isEmpty());
     shown[y_sign] = shown[amplitude] = shown[order] = phasors;
     shown[bandwidth] = phasors && order_->currentIndex() > 0;
-    shown[rate] = (look_ && look_->needs_rate) || !rate_->text().isEmpty();
+    shown[rate] = files_->any(&LogLook::needs_rate) || !rate_->text().isEmpty();
     shown[from] = kind_->currentIndex() > 0;
     for (std::size_t row = 0; row < shown.size(); ++row) {
         labels_.at(row)->setVisible(shown.at(row));
@@ -335,11 +334,21 @@ void LogDialog::showRows() {
 }
 
 QString LogDialog::lacking() const {
-    if (!look_) {
-        return tr("Looking at the file…");
+    if (files_->files().isEmpty()) {
+        return tr("There is no log: drop some into the list.");
     }
-    if (look_->problem) {
-        return errorText(*look_->problem);
+    if (!files_->sound()) {
+        return tr("Looking at the files…");
+    }
+    const auto problem =
+        std::ranges::find_if(files_->looks(), [this](const LogFiles::Looked& looked) {
+            return looked.look.problem && (kind_->currentIndex() > 0 || !looked.readable);
+        });
+    if (problem != files_->looks().end()) {
+        const QString reason = errorText(*problem->look.problem);
+        return files_->files().size() == 1
+                   ? reason
+                   : tr("%1 Delete takes it out of the list of logs.").arg(reason);
     }
     if (kind_->currentIndex() == 0) {
         return tr("Its columns are not known by their names: choose what they are.");
@@ -350,14 +359,14 @@ QString LogDialog::lacking() const {
         }
     }
     const LogChoice told = choice();
-    if (look_->needs_rate && !options().rate_hz) {
+    if (files_->any(&LogLook::needs_rate) && !options().rate_hz) {
         return tr("The file has no times: give its rows per second.");
     }
-    if (look_->needs_angle_unit && told.rad_per_angle_unit == 0) {
+    if (files_->any(&LogLook::needs_angle_unit) && told.rad_per_angle_unit == 0) {
         return tr("The file does not tell the unit of its angles: choose it.");
     }
     if (isOfPhasors()) {
-        if (look_->needs_f_ref && told.phasors.f_ref_hz == 0) {
+        if (files_->any(&LogLook::needs_f_ref) && told.phasors.f_ref_hz == 0) {
             return tr("The frequency of the reference is not in the file: give it.");
         }
         if (told.phasors.y_sign == 0) {
@@ -370,11 +379,22 @@ QString LogDialog::lacking() const {
             return tr("A filter has a bandwidth: give it, or choose none.");
         }
     }
-    if (logs().empty()) {
-        return files_.size() == 1
+    const std::vector<RecordingRef> found = logs();
+    if (found.empty()) {
+        return files_->files().size() == 1
                    ? tr("The file has one channel: choose the file of channel D.")
-                   : tr("Each file has one channel, and not each has its partner among them by "
-                        "its name: open the two files of one log at a time.");
+               : files_->files().size() == 2
+                   ? tr("Each file has one channel: choose the one of channel D.")
+                   : tr("Each file has one channel, and not each has its partner "
+                        "among them by its name: open the two files of one log at "
+                        "a time.");
+    }
+    for (const RecordingRef& log : found) {
+        const QString other = QString::fromStdString(log.open.channel_d_file);
+        if (!other.isEmpty() && !QFileInfo(other).isFile()) {
+            return tr("%1 is no file: choose the file of channel D.")
+                .arg(QDir::toNativeSeparators(other));
+        }
     }
     return {};
 }
@@ -382,12 +402,13 @@ QString LogDialog::lacking() const {
 // Other columns are looked at anew.
 void LogDialog::refresh() {
     const LogChoice now = choice();
-    if (known_shown_ && look_ && kind_->currentIndex() > 0 &&
+    if (known_shown_ && files_->sound() && kind_->currentIndex() > 0 &&
         (now.names != looked_with_.names || now.phasors.frame != looked_with_.phasors.frame)) {
         look();
         return;
     }
     showRows();
+    files_->show(logs());
     const QString text = lacking();
     lacking_->setText(text);
     buttons_->button(QDialogButtonBox::Open)->setEnabled(text.isEmpty());
@@ -409,15 +430,8 @@ void LogDialog::changeEvent(QEvent* event) {
 
 void LogDialog::retranslate() {
     setWindowTitle(tr("Open logs"));
-    QStringList names;
-    for (const QString& file : files_) {
-        names << QFileInfo(file).fileName();
-    }
-    const QString first = names.takeFirst();
-    title_->setText(names.isEmpty()
-                        ? tr("What %1 holds").arg(first)
-                        : tr("What %1 holds, and, made alike, %2: logs of one resonator")
-                              .arg(first, names.join(QStringLiteral(", "))));
+    files_->setAccessibleName(tr("Logs"));
+    files_->setToolTip(tr("Logs of one resonator, made alike. Delete takes the chosen ones out"));
     const auto name = [this](Row row, const QString& text, const QString& tip) {
         labels_[row]->setText(text);
         fields_[row]->setAccessibleName(text);

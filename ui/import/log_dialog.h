@@ -1,26 +1,24 @@
 #pragma once
 
-#include "core/analysis/log_look.h"
 #include "core/analysis/measurement_list.h"
-#include "ui/document/background_jobs.h"
 #include "ui/import/import_fields.h"
+#include "ui/import/log_files.h"
 
 #include <QDialog>
-#include <QPointer>
 #include <QStringList>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 class QDialogButtonBox;
+class QLabel;
 
 namespace vybeg::ui {
 
 class ImportPreview;
 
-// What logs are that take the place of recordings: it looks at the first of them in the background
-// and asks for what no file tells. Does not block the window.
+// What logs are that take the place of recordings: it looks at them in the background and asks for
+// what no file tells. Does not block the window.
 class LogDialog : public QDialog {
     Q_OBJECT
 
@@ -29,9 +27,9 @@ public:
     LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent = nullptr);
     ~LogDialog() override;
 
-    // Further logs of the same resonator, made as the first one.
-    void add(const QStringList& paths);
-    const QStringList& files() const { return files_; }
+    // Further logs of the same resonator, made alike.
+    void add(const QStringList& paths) { files_->add(paths); }
+    const QStringList& files() const { return files_->files(); }
     // The logs with what is told of them.
     MeasurementSet set() const;
 
@@ -66,23 +64,24 @@ private:
     OpenOptions options() const;
     // Logs of one channel by pairs; empty where one has no partner.
     std::vector<RecordingRef> logs() const;
+    // The file of channel D of a file of channel C; empty where none is known.
+    QString partnerOf(const QString& file) const;
     bool isOfPhasors() const;
     void look();
-    void take(const Result<LogLook>& result);
-    // What the file tells stands in the fields.
+    void take();
+    void changeFiles();
+    // What the files tell stands in the fields.
     void showKnown();
+    void showPreview();
     void showRows();
     // Why the logs cannot be opened yet; empty: they can.
     QString lacking() const;
     void refresh();
     void retranslate();
 
-    QPointer<BackgroundJobs> job_;  // may be destroyed before the dialog when the window closes
-    QStringList files_;
-    std::optional<LogLook> look_;  // of the present choice
+    LogFiles* files_;
     LogChoice looked_with_;
     bool known_shown_ = false;  // what the first look found stands in the fields
-    QLabel* title_;
     QFormLayout* form_;
     std::array<QLabel*, row_count> labels_{};
     std::array<QWidget*, row_count> fields_{};

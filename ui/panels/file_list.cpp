@@ -3,6 +3,7 @@
 #include "ui/panels/recording_facts.h"
 
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QPainter>
 
@@ -21,6 +22,20 @@ QSize FileList::sizeHint() const {
     return {200, rows * (fontMetrics().height() + 4) + 2 * frameWidth()};
 }
 
+QStringList FileList::chosenPaths() const {
+    QStringList paths;
+    for (const QListWidgetItem* item : selectedItems()) {
+        paths << item->data(Qt::UserRole).toString();
+    }
+    return paths;
+}
+
+// The focus does not fall to a field, whose undo would hide that of the files.
+void FileList::removeChosen() {
+    setFocus();
+    remove(chosenPaths());
+}
+
 void FileList::dragEnterEvent(QDragEnterEvent* event) {
     if (!localFiles(*event->mimeData()).isEmpty()) {
         event->setDropAction(Qt::CopyAction);
@@ -37,6 +52,14 @@ void FileList::dropEvent(QDropEvent* event) {
     take(localFiles(*event->mimeData()));
     event->setDropAction(Qt::CopyAction);
     event->accept();
+}
+
+void FileList::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Delete) {
+        removeChosen();
+    } else {
+        QListWidget::keyPressEvent(event);
+    }
 }
 
 void FileList::paintEvent(QPaintEvent* event) {

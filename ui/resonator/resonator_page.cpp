@@ -54,6 +54,8 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     connect(numbers_, &NumbersView::gainRatioChosen, this, &ResonatorPage::calibrate);
     connect(&document_.sets(), &SetStore::changed, this, &ResonatorPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPage::refresh);
+    connect(&document_, &Document::busyChanged, this,
+            [this] { showState(document_.sets().current()); });
     connect(&document_.dossier(), &DossierModel::changed, this,
             [this] { numbers_->setLimits(document_.dossier().dossier().limits); });
     guardFromWheel(*this);
@@ -164,7 +166,8 @@ QString ResonatorPage::stateText(const RecordingSet* set) const {
                  names.join(QStringLiteral(", ")), modelText(fit.model),
                  shortNumberText(fit.chi2_per_dof, 3));
     }
-    return document_.sets().canIdentify()
+    return set && document_.sets().identifying(set->id) ? tr("Being identified…")
+           : document_.sets().canIdentify()
                ? tr("Nothing identified yet.")
                : tr("Open recordings of a free decay to identify the resonator.");
 }

@@ -53,7 +53,15 @@ SetMembers::SetMembers(Document& document, QWidget* parent)
     : FileList(6, parent), document_(document) {}
 
 void SetMembers::take(const QStringList& files) {
-    document_.sets().openIntoCurrent(files);
+    document_.openIntoSet(files);
+}
+
+void SetMembers::remove(const QStringList& /*files*/) {
+    for (QListWidgetItem* item : selectedItems()) {
+        if (item->data(Qt::CheckStateRole).isValid()) {  // logs have none
+            item->setCheckState(Qt::Unchecked);
+        }
+    }
 }
 
 QString SetMembers::hint() const {

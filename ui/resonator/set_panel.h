@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace vybeg::ui {
 
-// The recordings of a set; Delete removes.
+// The open recordings, those of a set checked; Delete unchecks.
 class SetMembers : public FileList {
     Q_OBJECT
 
@@ -19,6 +19,7 @@ public:
 
 protected:
     void take(const QStringList& files) override;
+    void remove(const QStringList& files) override;
     QString hint() const override;
 
 private:

@@ -172,10 +172,13 @@ void SessionKeeper::keepAbsent(Session& session) {
     const auto follow = [&present](std::string& file) {
         file = file.empty() ? file : present(QString::fromStdString(file), {}).toStdString();
     };
+    const auto follow_all = [&follow](OpenOptions& options) {
+        follow(options.channel_d_file);
+        std::ranges::for_each(options.join, follow);
+    };
     for (std::size_t place = 0; place < session.recordings.size(); ++place) {
         SessionRecording& recording = session.recordings[place];
-        follow(recording.options.channel_d_file);
-        std::ranges::for_each(recording.options.join, follow);
+        follow_all(recording.options);
         recording.path = present(recording.path, recording.sha256);
         if (QFileInfo::exists(recording.path)) {
             continue;
@@ -196,6 +199,18 @@ void SessionKeeper::keepAbsent(Session& session) {
     }
     for (DriftLog& log : session.drift.logs) {
         log.path = present(log.path, log.sha256);
+    }
+    for (SessionSet& set : session.sets) {
+        if (!set.listed) {
+            continue;
+        }
+        for (auto& [place, member] : set.listed->members) {
+            RecordingRef& row = member.row;
+            follow_all(row.open);
+            row.path = present(QString::fromStdU16String(row.path.u16string()),
+                               QString::fromStdString(row.sha256))
+                           .toStdU16String();
+        }
     }
 }
 

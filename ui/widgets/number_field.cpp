@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
+#include <QSignalBlocker>
 #include <QToolTip>
 
 #include <algorithm>
@@ -245,6 +246,20 @@ void NumberField::paintEvent(QPaintEvent* event) {
         painter.setPen(QPen(QColor(0xd5, 0x3e, 0x2a), 2));
         painter.setRenderHint(QPainter::Antialiasing);
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);
+    }
+}
+
+void enterTyped(QWidget& window) {
+    if (QWidget* field = window.focusWidget()) {
+        field->clearFocus();
+        field->setFocus();
+    }
+}
+
+void dropTyped(QWidget& window) {
+    if (QWidget* field = window.focusWidget()) {
+        const QSignalBlocker quiet(field);
+        field->clearFocus();
     }
 }
 

@@ -369,9 +369,10 @@ void FileCommands::exportDriftTo(const QString& path) {
     done = done ? check_ending(target, {".csv", ".json"}) : done;
     if (done) {
         const std::string program = programName().toStdString();
-        const std::string text = file_ending(target) == ".json"
-                                     ? drift_json(program, outcome->logs, outcome->drift)
-                                     : drift_csv(program, outcome->logs, outcome->drift);
+        const std::string text =
+            file_ending(target) == ".json"
+                ? drift_json(program, outcome->logs, outcome->settings, outcome->drift)
+                : drift_csv(program, outcome->logs, outcome->settings, outcome->drift);
         done = write_file(target, text, JobControl());
     }
     reportSaved(done, path);

@@ -171,7 +171,6 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::opened, menus_->recentFiles(), &RecentFiles::add);
     connect(&document_, &Document::liveChanged, this, [this] {
         action(Command::live)->setChecked(document_.live());
-        storeLive(document_.live());
         showAnalyses();
     });
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);

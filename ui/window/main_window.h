@@ -49,6 +49,7 @@ class MainWindow : public QMainWindow {
 
 public:
     explicit MainWindow(Document& document, QWidget* parent = nullptr);
+    ~MainWindow() override;
 
     Document& document() { return document_; }
     QAction* action(Command command) const { return commands_->action(command); }
@@ -90,7 +91,6 @@ private:
 
     // main_window_state.cpp
     static ThemeMode storedThemeMode();
-    static void storeLive(bool live);
     void restoreState();
     void saveState();
     void applyLook();

@@ -10,6 +10,7 @@
 #include "ui/session/session_view_json.h"
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
+#include "ui/widgets/number_field.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
@@ -55,10 +56,6 @@ ThemeMode MainWindow::storedThemeMode() {
     return static_cast<ThemeMode>(QSettings().value(theme_key, 0).toInt());
 }
 
-void MainWindow::storeLive(bool live) {
-    QSettings().setValue(live_key, live);
-}
-
 void MainWindow::restoreState() {
     const QSettings settings;
     theme_mode_ = storedThemeMode();
@@ -87,9 +84,15 @@ void MainWindow::saveState() {
     settings.setValue(view_key, QJsonDocument(viewToJson(view)).toJson(QJsonDocument::Compact));
     settings.setValue(geometry_key, saveGeometry());
     settings.setValue(sidebar_key, sidebar_wanted_);
+    settings.setValue(live_key, document_.live());
+}
+
+MainWindow::~MainWindow() {
+    dropTyped(*this);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    enterTyped(*this);
     if (!leaving_ && (session_->isSaving() || session_->isModified())) {
         event->ignore();
         files_->askToSaveAndThen([this] {

@@ -155,6 +155,27 @@ private slots:
         QVERIFY(document().recordings().empty());
         QCOMPARE(messages(), QString());
         QVERIFY(drift().outcome());
+        // One step, in the order chosen, whichever of them was read first.
+        QCOMPARE(document().undoStack().count(), 1);
+        QCOMPARE(drift().logs()[0].name(), QString("dropped_1.csv"));
+        document().undoStack().undo();
+        QVERIFY(drift().logs().empty());
+    }
+
+    // Lost was what stood in a field when the window was closed; destroyed with it, it fell.
+    void a_number_that_is_being_typed_counts_when_the_window_closes() {
+        open({written("typed.csv", loop(0.05, 10))});
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        auto& kappa = the<NumberField>("driftKappa");
+        kappa.setFocus();
+        QTest::keyClicks(&kappa, "0.0002");
+        QVERIFY(!drift().settings().tolerance.kappa);
+        window_->close();
+        QCOMPARE(drift().settings().tolerance.kappa, std::optional(0.0002));
+        QTest::keyClicks(&kappa, "5");
+        window_.reset();
+        window_ = shownWindow();
     }
 
     // Ctrl+6 without anything open.
@@ -209,7 +230,7 @@ private slots:
                 degrees_per_hour(expected.harmonics.at(static_cast<std::size_t>(term)));
             // Each log has a turn of its own.
             QCOMPARE(cell("driftHarmonics", term, 1),
-                     term == 0 ? QString("The logs differ in it: each has its own value.")
+                     term == 0 ? QString("The logs differ in it, or in what it is found from.")
                                : valueText(rate.value, rate.sd, rate.u));
         }
         QCOMPARE(cell("driftHarmonics", 3, 2),
@@ -366,8 +387,9 @@ private slots:
             QVERIFY(file.open(QIODevice::ReadOnly));
             const std::string program = programName().toStdString();
             QCOMPARE(file.readAll().toStdString(),
-                     path.endsWith("json") ? drift_json(program, outcome->logs, outcome->drift)
-                                           : drift_csv(program, outcome->logs, outcome->drift));
+                     path.endsWith("json")
+                         ? drift_json(program, outcome->logs, outcome->settings, outcome->drift)
+                         : drift_csv(program, outcome->logs, outcome->settings, outcome->drift));
         }
         QFile before(log);
         QVERIFY(before.open(QIODevice::ReadOnly));

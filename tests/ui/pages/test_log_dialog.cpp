@@ -19,9 +19,11 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPointer>
 #include <QPushButton>
 #include <QTableWidget>
@@ -88,7 +90,14 @@ class TestLogDialog : public QObject {
     const ResonatorOutcome& outcome() { return *sets().outcome(*sets().current()); }
     QString state() { return childOf<QLabel>(*window_, "state").text(); }
 
+    QByteArray one_channel_ = "t,X,Y\n";
+
 private slots:
+    void initTestCase() {
+        for (int k = 0; k < 200; ++k) {
+            one_channel_ += QByteArray::number(0.01 * k) + ",1,0.5\n";
+        }
+    }
     void init() { window_ = shownWindow(); }
     void cleanup() { window_.reset(); }
 
@@ -268,7 +277,7 @@ private slots:
                  PhasorChoice{PhasorFrame::fixed, 5300.5, -1, std::numbers::sqrt2, {}}));
         // Both files at once are the two channels.
         dialog()->add({of_d});
-        QCOMPARE(dialog()->set().recordings.size(), std::size_t(1));
+        QTRY_COMPARE(dialog()->set().recordings.size(), std::size_t(1));
         dialog()->reject();
         QTRY_VERIFY(!dialog());
 
@@ -301,6 +310,94 @@ private slots:
         waitForOutcome();
         QCOMPARE(outcome().set.recordings.front().conditions.gyro, std::string("G7"));
         VYBEG_CLOSE_RATIO(outcome().identification.runs.front().wave.tau_s.value, 40, 0.2);
+    }
+
+    // Exchanged in silence were the channels of files whose names do not say which one they are.
+    void of_two_files_the_channel_is_told_or_asked_for() {
+        const QString east = home_.file("east.csv", one_channel_);
+        const QString north = home_.file("north.csv", one_channel_ + "2,0.25,0.125\n");
+        window_->files().openLogs({east, north});
+        opened();
+        QTRY_VERIFY(asksFor("channel_d_file"));
+        QCOMPARE(the<QLineEdit>("channel_d_file").text(), QString());
+        the<QComboBox>("y_sign").setCurrentIndex(1);
+        the<QComboBox>("amplitude").setCurrentIndex(1);
+        QTest::keyClicks(&the<NumberField>("f_ref"), "5300,5");
+        QVERIFY2(lacking().contains("choose the one of channel D"), qPrintable(lacking()));
+        QTest::keyClicks(&the<QLineEdit>("channel_d_file"), "east.csv");
+        QVERIFY2(openButton().isEnabled(), qPrintable(lacking()));
+        QCOMPARE(the<QListWidget>("logFiles").item(0)->text(),
+                 QString("east.csv — channel D of north.csv"));
+        QCOMPARE(the<QListWidget>("logFiles").item(1)->text(), QString("north.csv — channel C"));
+        const MeasurementSet set = dialog()->set();
+        QCOMPARE(set.recordings.size(), std::size_t(1));
+        QCOMPARE(set.recordings[0].open.channel_d_file, east.toStdString());
+        QCOMPARE(set.name, std::string("north"));
+        the<QLineEdit>("channel_d_file").clear();
+        QTest::keyClicks(&the<QLineEdit>("channel_d_file"), "west.csv");
+        QVERIFY(!openButton().isEnabled());
+        auto& list = the<QListWidget>("logFiles");
+        list.setCurrentRow(1);
+        QTest::keyClick(&list, Qt::Key_Delete);
+        QTRY_VERIFY2(lacking().contains("west.csv is no file"), qPrintable(lacking()));
+        QVERIFY(!openButton().isEnabled());
+    }
+
+    // The first file alone was looked at: one that is none kept the others from being opened.
+    void a_file_that_is_no_such_log_is_named_and_taken_out() {
+        const QString words = home_.file("a words.csv", "these are words\n");
+        window_->files().openLogs({phasors("sound"), words});
+        QTRY_VERIFY(dialog());
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        QVERIFY2(lacking().contains("a words.csv") && lacking().contains("Delete"),
+                 qPrintable(lacking()));
+        QVERIFY(!openButton().isEnabled());
+        auto& list = the<QListWidget>("logFiles");
+        QVERIFY(list.item(0)->text().contains("cannot be opened"));
+        list.setCurrentRow(0);
+        QTest::keyClick(&list, Qt::Key_Delete);
+        QCOMPARE(dialog()->files().size(), 1);
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        QTRY_VERIFY2(lacking().contains("sign of Y") || openButton().isEnabled(),
+                     qPrintable(lacking()));
+        list.setCurrentRow(0);
+        QTest::keyClick(&list, Qt::Key_Delete);
+        QVERIFY2(lacking().contains("no log"), qPrintable(lacking()));
+        QVERIFY(!openButton().isEnabled());
+    }
+
+    // An empty set stayed where the dialog was left, and the logs made one more.
+    void a_log_dropped_on_the_list_of_a_set_leaves_the_set() {
+        document().openIntoSet({phasors("dropped")});
+        opened();
+        QVERIFY(document().recordings().empty());
+        QVERIFY(sets().all().empty());
+        QCOMPARE(document().undoStack().count(), 0);
+        dialog()->reject();
+        document().openIntoSet({home_.recording("sound.wav"), home_.path("absent.wav")});
+        QTRY_COMPARE(sets().all().size(), std::size_t(1));
+        QCOMPARE(sets().all()[0].recordings.size(), std::size_t(1));
+    }
+
+    void both_files_of_a_log_move_with_their_session() {
+        QVERIFY(QDir().mkpath(home_.path("pair")));
+        MeasurementSet set;
+        RecordingRef log{"run_C.csv", home_.file("pair/run_C.csv", one_channel_).toStdU16String()};
+        log.open.channel_d_file = home_.file("pair/run_D.csv", one_channel_).toStdString();
+        set.recordings = {log};
+        set.settings.logs.phasors = {PhasorFrame::fixed, 5300.5, 1, 1, {}};
+        sets().openLogs(set);
+        QVERIFY(savedTo(*window_, home_.path("pair/one.vybeg")));
+        QVERIFY(QDir().rename(home_.path("pair"), home_.path("elsewhere")));
+        window_ = shownWindow();
+        window_->files().open({home_.path("elsewhere/one.vybeg")});
+        QTRY_VERIFY(sets().current());
+        const RecordingRef moved = sets().measured(*sets().current()).recordings.at(0);
+        QCOMPARE(QString::fromStdU16String(moved.path.u16string()),
+                 home_.path("elsewhere/run_C.csv"));
+        QCOMPARE(QString::fromStdString(moved.open.channel_d_file),
+                 home_.path("elsewhere/run_D.csv"));
     }
 
     void a_log_that_cannot_be_read_is_told() {

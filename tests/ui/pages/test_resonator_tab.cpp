@@ -456,7 +456,7 @@ private slots:
 
         const QStringList later = resonatorRuns(home_, "later", {.split_hz = 0.02});
         setStore().add();
-        setStore().openIntoCurrent(later);
+        document().openIntoSet(later);
         QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
         identify();
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("≠ changed"));
