@@ -164,6 +164,7 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     guardFromWheel(*this);
     retranslate();
     resize(980, 560);
+    kind_->setFocus();
     look();
 }
 

@@ -14,6 +14,7 @@ namespace vybeg::ui {
 FileList::FileList(int most_rows, QWidget* parent) : QListWidget(parent), most_rows_(most_rows) {
     setAcceptDrops(true);
     setTextElideMode(Qt::ElideMiddle);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // beside which no name is shortened
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
