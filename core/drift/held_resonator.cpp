@@ -30,8 +30,8 @@ struct Pair {
     double sd_axis() const { return sd_along(across(), covariance) / (4 * size()); }
     // Errors as large as the pair leave any axis.
     double u_axis() const {
-        return size() > axis_needs * largest_u() ? sd_along(across(), wide) / (4 * size())
-                                                 : std::hypot(sd_axis(), any_axis_rad);
+        return std::min(sd_along(across(), wide) / (4 * size()),
+                        std::hypot(sd_axis(), any_axis_rad));
     }
     double largest_sd() const { return largest(covariance); }
     double largest_u() const { return largest(wide); }

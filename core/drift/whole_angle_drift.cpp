@@ -38,32 +38,36 @@ struct Mean {
     Eigen::VectorXd value;
     Eigen::MatrixXd covariance;  // of the noise
     Eigen::MatrixXd with_channels;
+    Eigen::Vector2d errors = Eigen::Vector2d::Zero();  // of gain ratio and skew
     double chi2 = 0;
     double freedom = 0;
 
     double deviations() const { return freedom > 0 ? chi2_deviations(chi2, freedom) : 0; }
 };
 
-// What a small error of the channels makes of a drift with these coefficients, per unit of it. The
-// angle is seen at theta + e f(theta): f is sin 4 theta/4 of the gain ratio, (1 + cos 4 theta)/4 of
-// the skew, and the rate seen there has g f' - g' f more.
+// What a small error of the channels makes of a drift with these coefficients at an angle, per unit
+// of it. The angle is seen at theta + e f(theta): f is sin 4 theta/4 of the gain ratio,
+// (1 + cos 4 theta)/4 of the skew, and the rate seen there has g f' - g' f more.
+double seen_at(double theta, const Eigen::VectorXd& drift, Eigen::Index error) {
+    const double shift = error == 0 ? std::sin(4 * theta) / 4 : (1 + std::cos(4 * theta)) / 4;
+    const double stretch = error == 0 ? std::cos(4 * theta) : -std::sin(4 * theta);
+    const Eigen::VectorXd terms = harmonic_terms(log_harmonics, theta);
+    Eigen::VectorXd slopes = Eigen::VectorXd::Zero(log_terms);
+    for (std::size_t i = 0; i < log_harmonics.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(2 * i);
+        slopes[at + 1] = -log_harmonics[i] * terms[at + 2];
+        slopes[at + 2] = log_harmonics[i] * terms[at + 1];
+    }
+    return stretch * drift.dot(terms) - shift * drift.dot(slopes);
+}
+
+// The same as coefficients.
 Eigen::VectorXd seen_of(const Eigen::VectorXd& drift, Eigen::Index error) {
     constexpr int samples = 16;  // of a product up to the eighth harmonic
-    constexpr double pi = std::numbers::pi;
     Eigen::VectorXd seen = Eigen::VectorXd::Zero(log_terms);
     for (int k = 0; k < samples; ++k) {
-        const double theta = k * pi / samples;
-        const double shift = error == 0 ? std::sin(4 * theta) / 4 : (1 + std::cos(4 * theta)) / 4;
-        const double stretch = error == 0 ? std::cos(4 * theta) : -std::sin(4 * theta);
-        const Eigen::VectorXd terms = harmonic_terms(log_harmonics, theta);
-        Eigen::VectorXd slopes = Eigen::VectorXd::Zero(log_terms);
-        for (std::size_t i = 0; i < log_harmonics.size(); ++i) {
-            const auto at = static_cast<Eigen::Index>(2 * i);
-            slopes[at + 1] = -log_harmonics[i] * terms[at + 2];
-            slopes[at + 2] = log_harmonics[i] * terms[at + 1];
-        }
-        const double more = stretch * drift.dot(terms) - shift * drift.dot(slopes);
-        seen += 2.0 / samples * more * terms;
+        const double theta = k * std::numbers::pi / samples;
+        seen += 2.0 / samples * seen_at(theta, drift, error) * harmonic_terms(log_harmonics, theta);
     }
     seen[0] /= 2;
     return seen;
@@ -117,6 +121,7 @@ public:
         double squares = 0;
         for (std::size_t k = 0; k < errors_.size(); ++k) {
             const Eigen::Index at = count_ + static_cast<Eigen::Index>(k);
+            mean.errors[errors_[k].error] = solved[at];
             mean.chi2 += solved[at] * solved[at] * errors_[k].weight;
             squares += solved[at] * solved[at] + inverse(at, at);
         }
@@ -273,17 +278,20 @@ void warn_of_one_turn(WholeAngleDrift& found) {
     }
 }
 
-void put_together(const ChannelTolerance& channels, WholeAngleDrift& found) {
+// Returns the errors of the channels that all logs together tell.
+Eigen::Vector2d put_together(const ChannelTolerance& channels, WholeAngleDrift& found) {
     const std::vector<const LogDrift*> used = pointers_to(found.logs, found.left_out);
     const std::vector<LogAgreement> agreement = agreement_of(used, channels);
     Eigen::VectorXd value = Eigen::VectorXd::Zero(log_terms);
     found.covariance = Eigen::MatrixXd::Zero(log_terms, log_terms);
     Eigen::MatrixXd with_channels = found.covariance;
+    Eigen::Vector2d errors = Eigen::Vector2d::Zero();
     const auto take = [&](Eigen::Index first, Eigen::Index count) {
         const Mean mean = MeanOfLogs(used, channels, first, count).mean();
         value.segment(first, count) = mean.value;
         found.covariance.block(first, first, count, count) = mean.covariance;
         with_channels.block(first, first, count, count) = mean.with_channels;
+        errors = mean.errors;  // of the last block, the fourth harmonic
     };
     // A number in which the logs differ would move the others.
     if (harmonics_agree(agreement)) {
@@ -320,13 +328,37 @@ void put_together(const ChannelTolerance& channels, WholeAngleDrift& found) {
             held_resonator(value.tail<2>(), found.covariance.block<2, 2>(fourth, fourth),
                            with_channels.block<2, 2>(fourth, fourth), logs);
         warn_of_one_turn(found);
-        return;
+        return errors;
     }
     for (Estimate* each :
          {&found.resonator.damping_anisotropy_per_s, &found.resonator.theta_tau_rad,
           &found.resonator.tau_s, &found.resonator.split_hz, &found.resonator.theta_w_rad}) {
         each->reason = {ReasonCode::logs_differ, {}};
     }
+    return Eigen::Vector2d::Zero();
+}
+
+// The rates of a log without what the errors of the channels make of its turn and of the drift.
+std::vector<LogBin> without(const Eigen::Vector2d& errors, const LogDrift& log,
+                            const WholeAngleDrift& found, std::vector<LogBin> bins) {
+    Eigen::VectorXd drift = Eigen::VectorXd::Zero(log_terms);
+    drift[0] = log.coefficients[0];
+    for (Eigen::Index term = 1; term < log_terms; ++term) {
+        const Estimate& each = found.harmonics[static_cast<std::size_t>(term)];
+        drift[term] = each.given() ? each.value : 0;
+    }
+    const double half = std::numbers::pi / (2 * static_cast<double>(bins.size()));
+    for (const Eigen::Index error : {0, 1}) {
+        const auto seen = [&](double theta) { return seen_at(theta, drift, error); };
+        const double of_turn = seen_of(drift, error)[0];  // which is taken out
+        for (LogBin& bin : bins) {
+            // The mean over the bin, by Simpson's rule.
+            const double mean =
+                (seen(bin.theta - half) + 4 * seen(bin.theta) + seen(bin.theta + half)) / 6;
+            bin.rate -= errors[error] * (mean - of_turn);
+        }
+    }
+    return bins;
 }
 
 // The weighted mean of the bins of the logs that are used.
@@ -395,7 +427,10 @@ Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
         job.report(static_cast<double>(found.logs.size()) / static_cast<double>(logs.size()));
     }
     examine_logs(channels, found);
-    put_together(channels, found);
+    const Eigen::Vector2d errors = put_together(channels, found);
+    for (std::size_t k = 0; k < bins.size(); ++k) {
+        bins[k] = without(errors, found.logs[k], found, std::move(bins[k]));
+    }
     add_bins(bins, found);
     return found;
 }

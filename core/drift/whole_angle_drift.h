@@ -36,7 +36,7 @@ struct WholeAngleDrift {
     Eigen::MatrixXd covariance;           // NaN of those that differ
     std::vector<LogAgreement> agreement;  // of 0, 2, 4
     std::optional<std::size_t> left_out;  // the log that does not belong to the others
-    std::vector<LogBin> bins;
+    std::vector<LogBin> bins;  // without what logs of unlike turns tell to be of the channels
     HeldResonator resonator;
     std::vector<Diagnostic> warnings;
 
