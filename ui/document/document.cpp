@@ -137,8 +137,14 @@ void Document::close(RecordingId id) {
     sets_.removeFromAll(id);
     analyses_.removeOf(id);
     recordings_.close(id);
-    takeArrived();
-    openAngleLogs(together);
+    // Both make steps of undo, one of which may be what closes here.
+    QMetaObject::invokeMethod(
+        this,
+        [this, together] {
+            takeArrived();
+            openAngleLogs(together);
+        },
+        Qt::QueuedConnection);
 }
 
 void Document::openAngleLogs(int together) {
@@ -158,7 +164,7 @@ void Document::openAngleLogs(int together) {
 }
 
 void Document::openIntoSet(const QStringList& paths) {
-    arriving_into_ = sets_.current() ? sets_.current()->id : SetId::none;
+    Arriving arriving{sets_.current() ? sets_.current()->id : SetId::none, {}};
     for (const QString& path : paths) {
         if (is_measurement_list(path.toStdU16String())) {
             sets_.openList(path, {});
@@ -169,8 +175,11 @@ void Document::openIntoSet(const QStringList& paths) {
             recordings_.open({path}, {});
             open = &recordings_.all().back();
         }
-        arriving_.push_back(open->id);
+        if (std::ranges::find(arriving.ids, open->id) == arriving.ids.end()) {
+            arriving.ids.push_back(open->id);
+        }
     }
+    arriving_.push_back(std::move(arriving));
     takeArrived();
 }
 
@@ -179,18 +188,24 @@ void Document::takeArrived() {
         const RecordingEntry* entry = recordings_.find(id);
         return entry && !entry->recording;
     };
-    if (std::ranges::any_of(arriving_, opening)) {
-        return;
-    }
-    std::vector<RecordingId> ids = std::exchange(arriving_, {});
-    std::erase_if(ids, [this](RecordingId id) { return !recordings_.find(id); });
-    if (ids.empty()) {
-        return;
-    }
-    if (const RecordingSet* into = sets_.find(arriving_into_); into && !isOfLogs(*into)) {
-        sets_.addTo(into->id, ids);
-    } else {
-        sets_.add(ids);
+    const auto waits = [&opening](const Arriving& each) {
+        return std::ranges::any_of(each.ids, opening);
+    };
+    const auto arrived = std::ranges::stable_partition(arriving_, waits);
+    const std::vector<Arriving> all(arrived.begin(), arrived.end());
+    arriving_.erase(arrived.begin(), arrived.end());
+    for (const Arriving& each : all) {
+        std::vector<RecordingId> ids = each.ids;
+        std::erase_if(ids, [this](RecordingId id) { return !recordings_.find(id); });
+        const RecordingSet* into = sets_.find(each.into);
+        if (ids.empty() || (!into && each.into != SetId::none)) {
+            continue;  // no recording, or the set is gone
+        }
+        if (into && !isOfLogs(*into)) {
+            sets_.addTo(into->id, ids);
+        } else {
+            sets_.addToCurrent(ids);
+        }
     }
 }
 

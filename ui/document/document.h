@@ -139,7 +139,7 @@ private:
     // The whole-angle logs among what was opened at once, when all of it is read: one step, in the
     // order in which it was chosen.
     void openAngleLogs(int together);
-    // Those of openIntoSet(), in one step, when none of them is still being opened.
+    // Those of each openIntoSet(), in one step, when none of them is still being opened.
     void takeArrived();
     void whenOpened(RecordingId id);
     void whenSettingsChanged(const Settings& before);
@@ -160,8 +160,11 @@ private:
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
     DriftStore drift_{job_, ids_, steps_};
     std::map<RecordingId, std::vector<AnalysisWish>> restored_;  // by recording, until it is open
-    std::vector<RecordingId> arriving_;
-    SetId arriving_into_ = SetId::none;
+    struct Arriving {
+        SetId into = SetId::none;
+        std::vector<RecordingId> ids;
+    };
+    std::vector<Arriving> arriving_;
     // By what was opened at once and by place in that, until all of it is read.
     std::map<int, std::map<RecordingId, QString>> angle_logs_;
 };

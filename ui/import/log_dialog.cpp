@@ -104,7 +104,10 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
         box->addItems(QStringList(entries));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(20);
-        connect(box, &QComboBox::currentIndexChanged, this, &LogDialog::refresh);
+        connect(box, &QComboBox::currentIndexChanged, this, [this, box] {
+            by_person_.insert(box);
+            refresh();
+        });
         return box;
     };
     const auto number = [this, &put](Row row, const char* name, const Bounds& limits) {
@@ -211,9 +214,10 @@ OpenOptions LogDialog::options() const {
     return told;
 }
 
-// Of two files the field tells which one is of channel D, of more their names.
+// Of one or two files of one channel the field tells which one is of channel D, of more their
+// names.
 QString LogDialog::partnerOf(const QString& file) const {
-    if (files_->files().size() > 2) {
+    if (files_->ofOneChannel() > 2) {
         const auto partner = partner_of(file.toStdU16String());
         return partner ? QString::fromStdU16String(partner->u16string()) : QString();
     }
@@ -235,7 +239,7 @@ std::vector<RecordingRef> LogDialog::logs() const {
         if (files_->isOfOneChannel(file)) {
             const QString other = partnerOf(file);
             if (other.isEmpty() || other == file ||
-                (files_->files().size() > 1 && !left.removeOne(other))) {
+                (files_->ofOneChannel() > 1 && !left.removeOne(other))) {
                 return {};
             }
             log.open.channel_d_file = other.toStdString();
@@ -267,7 +271,7 @@ void LogDialog::look() {
 void LogDialog::take() {
     if (files_->sound() && files_->sound()->readable && !std::exchange(known_shown_, true)) {
         showKnown();
-        looked_with_ = choice();
+        looked_with_ = files_->sound()->look.choice;
     }
     // Which one is of channel D stays as it was given.
     if (!channel_d_->isModified()) {
@@ -286,14 +290,17 @@ void LogDialog::changeFiles() {
 }
 
 void LogDialog::showKnown() {
-    const QSignalBlocker of_kind(kind_);
-    const QSignalBlocker of_sign(y_sign_);
-    const QSignalBlocker of_amplitude(amplitude_);
-    const LogChoice& choice = files_->sound()->look.choice;
-    const PhasorChoice& how = choice.phasors;
-    kind_->setCurrentIndex(static_cast<int>(columnsOf(choice)));
-    y_sign_->setCurrentIndex(how.y_sign == 0 ? 0 : how.y_sign > 0 ? 1 : 2);
-    amplitude_->setCurrentIndex(how.peak_per_unit == 0 ? 0 : how.peak_per_unit == 1 ? 1 : 2);
+    const LogChoice& known = files_->sound()->look.choice;
+    const PhasorChoice& how = known.phasors;
+    const auto show = [this](QComboBox* box, int place) {
+        const QSignalBlocker quiet(box);
+        if (!by_person_.contains(box)) {
+            box->setCurrentIndex(place);
+        }
+    };
+    show(kind_, static_cast<int>(columnsOf(known)));
+    show(y_sign_, how.y_sign == 0 ? 0 : how.y_sign > 0 ? 1 : 2);
+    show(amplitude_, how.peak_per_unit == 0 ? 0 : how.peak_per_unit == 1 ? 1 : 2);
 }
 
 void LogDialog::showPreview() {
@@ -302,6 +309,8 @@ void LogDialog::showPreview() {
         preview_->setPreview(shown->look.preview);
     } else if (shown) {
         preview_->setError(*shown->look.problem);
+    } else {
+        preview_->setPreview({});
     }
 }
 
@@ -319,7 +328,7 @@ void LogDialog::showRows() {
     std::array<bool, row_count> shown{};
     shown[kind] = true;
     shown[columns] = asks_for_columns;
-    shown[channel_d] = files_->any(&LogLook::one_channel) && files_->files().size() <= 2;
+    shown[channel_d] = files_->ofOneChannel() > 0 && files_->ofOneChannel() <= 2;
     shown[angle_unit] = files_->any(&LogLook::needs_angle_unit) || angle_unit_->currentIndex() > 0;
     shown[f_ref] = phasors && (files_->any(&LogLook::needs_f_ref) || !f_ref_->text().isEmpty());
     shown[y_sign] = shown[amplitude] = shown[order] = phasors;
@@ -382,9 +391,9 @@ QString LogDialog::lacking() const {
     }
     const std::vector<RecordingRef> found = logs();
     if (found.empty()) {
-        return files_->files().size() == 1
+        return files_->ofOneChannel() == 1
                    ? tr("The file has one channel: choose the file of channel D.")
-               : files_->files().size() == 2
+               : files_->ofOneChannel() == 2
                    ? tr("Each file has one channel: choose the one of channel D.")
                    : tr("Each file has one channel, and not each has its partner "
                         "among them by its name: open the two files of one log at "

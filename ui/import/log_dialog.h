@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <array>
+#include <set>
 #include <vector>
 
 class QDialogButtonBox;
@@ -81,7 +82,8 @@ private:
 
     LogFiles* files_;
     LogChoice looked_with_;
-    bool known_shown_ = false;  // what the first look found stands in the fields
+    std::set<QComboBox*> by_person_;  // where a person chose: what the files tell stays out
+    bool known_shown_ = false;        // what the first look found stands in the fields
     QFormLayout* form_;
     std::array<QLabel*, row_count> labels_{};
     std::array<QWidget*, row_count> fields_{};

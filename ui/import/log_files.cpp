@@ -54,9 +54,9 @@ Result<std::vector<Looked>> lookAt(const std::vector<std::filesystem::path>& pat
 
 }  // namespace
 
-LogFiles::LogFiles(BackgroundJobs& job, QStringList files, QWidget* parent)
-    : FileList(6, parent), job_(&job), files_(std::move(files)) {
-    files_.sort();
+LogFiles::LogFiles(BackgroundJobs& job, const QStringList& files, QWidget* parent)
+    : FileList(6, parent), job_(&job) {
+    add(files);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
 }
 
@@ -112,11 +112,16 @@ bool LogFiles::isOfOneChannel(const QString& file) const {
     return at < looks_.size() && looks_[at].look.one_channel;
 }
 
+qsizetype LogFiles::ofOneChannel() const {
+    return std::ranges::count_if(files_,
+                                 [this](const QString& file) { return isOfOneChannel(file); });
+}
+
 QString LogFiles::partner() const {
     for (const QString& file : files_) {
-        const auto found = partner_of(file.toStdU16String());
+        const auto found = isOfOneChannel(file) ? partner_of(file.toStdU16String()) : std::nullopt;
         const QString path = found ? QString::fromStdU16String(found->u16string()) : QString();
-        if (found && (files_.size() == 1 || files_.contains(path))) {
+        if (found && (ofOneChannel() == 1 || files_.contains(path))) {
             return path;
         }
     }
@@ -126,8 +131,9 @@ QString LogFiles::partner() const {
 void LogFiles::add(const QStringList& files) {
     const qsizetype before = files_.size();
     for (const QString& file : files) {
-        if (!files_.contains(file)) {
-            files_ << file;
+        const QString path = QFileInfo(file).absoluteFilePath();
+        if (!files_.contains(path)) {
+            files_ << path;
         }
     }
     files_.sort();

@@ -24,7 +24,7 @@ public:
     };
 
     // `job` must outlive the list; of one job only one list may be there.
-    LogFiles(BackgroundJobs& job, QStringList files, QWidget* parent);
+    LogFiles(BackgroundJobs& job, const QStringList& files, QWidget* parent);
     ~LogFiles() override;
 
     const QStringList& files() const { return files_; }
@@ -40,6 +40,7 @@ public:
     // Whether one of the files is found to be so.
     bool any(bool LogLook::*found) const;
     bool isOfOneChannel(const QString& file) const;
+    qsizetype ofOneChannel() const;
     // The file of channel D by their names: of one file any beside it. Empty: the names do not say.
     QString partner() const;
 

@@ -4,6 +4,7 @@
 #include "core/base/setting_rows.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLocale>
@@ -250,9 +251,11 @@ void NumberField::paintEvent(QPaintEvent* event) {
 }
 
 void enterTyped(QWidget& window) {
-    if (QWidget* field = window.focusWidget()) {
-        field->clearFocus();
-        field->setFocus();
+    QWidget* const focus = window.focusWidget();
+    const auto* box = qobject_cast<QComboBox*>(focus);
+    QLineEdit* const field = box ? box->lineEdit() : qobject_cast<QLineEdit*>(focus);
+    if (field && field->isModified()) {
+        emit field->editingFinished();
     }
 }
 

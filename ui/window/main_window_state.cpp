@@ -68,8 +68,7 @@ void MainWindow::restoreState() {
         tracks_->setShownVariables(view.variables);
     }
     // No larger than the screen leaves room for, its own frame counted.
-    constexpr QSize frame(0, 40);
-    resize(QSize(1400, 900).boundedTo(screen()->availableSize() - frame));
+    resize(QSize(1400, 900).boundedTo(screen()->availableSize() - QSize(0, 40)));
     restoreGeometry(settings.value(geometry_key).toByteArray());
     sidebar_wanted_ = settings.value(sidebar_key, true).toBool();
     ledger_->setVariables(tracks_->shownVariables());
