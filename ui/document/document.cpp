@@ -191,9 +191,9 @@ void Document::takeArrived() {
     const auto waits = [&opening](const Arriving& each) {
         return std::ranges::any_of(each.ids, opening);
     };
-    const auto arrived = std::ranges::stable_partition(arriving_, waits);
-    const std::vector<Arriving> all(arrived.begin(), arrived.end());
-    arriving_.erase(arrived.begin(), arrived.end());
+    const auto arrived = std::stable_partition(arriving_.begin(), arriving_.end(), waits);
+    const std::vector<Arriving> all(arrived, arriving_.end());
+    arriving_.erase(arrived, arriving_.end());
     for (const Arriving& each : all) {
         std::vector<RecordingId> ids = each.ids;
         std::erase_if(ids, [this](RecordingId id) { return !recordings_.find(id); });
