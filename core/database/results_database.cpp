@@ -52,6 +52,7 @@ std::int64_t one_number(SqliteConnection& connection, const char* sql) {
     return statement.step() ? statement.whole(0) : 0;
 }
 
+// Within a transaction: between two of its questions another program may make the tables.
 Found look_at(SqliteConnection& connection) {
     return {one_number(connection, "SELECT count(*) FROM sqlite_schema") == 0,
             one_number(connection, "PRAGMA application_id"),
@@ -220,17 +221,20 @@ void ResultsDatabase::connect() {
             sqlite3_sleep(pause_ms);
             return true;
         });
+    const auto look = [this] {
+        SqliteTransaction transaction(*connection_, "BEGIN");
+        return look_at(*connection_);
+    };
     if (access_ == Access::read) {
         connection_->run("PRAGMA query_only = ON");
-        SqliteTransaction transaction(*connection_, "BEGIN");
-        const Found found = look_at(*connection_);
+        const Found found = look();
         if (is_new(found)) {
             throw OtherFile{words(VYBEG_MESSAGE("Words", "it holds no results"))};
         }
         check_kind(found);
         return;
     }
-    const Found found = look_at(*connection_);
+    const Found found = look();
     if (!is_new(found)) {
         check_kind(found);
     }
