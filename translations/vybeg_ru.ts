@@ -1381,8 +1381,8 @@
         <translation>Система больше не запускает потоков. Увеличьте ограничение на число процессов или задайте меньшее число параметром --threads.</translation>
     </message>
     <message>
-        <source>A fault of Vybeg stopped this work (%1). Please report it, with the recording and the settings; all else goes on.</source>
-        <translation>Работа прервана из-за ошибки в программе Vybeg (%1). Сообщите о ней, приложив запись и параметры; всё остальное продолжает работать.</translation>
+        <source>A fault of Vybeg stopped this work (%2). Please report it, with the recording and the settings; all else goes on.</source>
+        <translation>Работа прервана из-за ошибки в программе Vybeg (%2). Сообщите о ней, приложив запись и параметры; всё остальное продолжает работать.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Nothing was changed there.</source>

@@ -396,7 +396,7 @@ MessageRow message_row(ErrorCode code) {
         case ErrorCode::program_fault:
             return {"program-fault", impossible,
                     VYBEG_MESSAGE("Message",
-                                  "A fault of Vybeg stopped this work (%1). Please report it, with "
+                                  "A fault of Vybeg stopped this work (%2). Please report it, with "
                                   "the recording and the settings; all else goes on.")};
         case ErrorCode::output_failed:
             return {
