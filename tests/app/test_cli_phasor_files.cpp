@@ -76,6 +76,26 @@ private slots:
         }
     }
 
+    // The rest of the longer one was left out without a word.
+    void a_channel_that_ends_earlier_is_told() {
+        QByteArray c = "t,X,Y\n";
+        for (int k = 0; k < 400; ++k) {
+            const double t = 0.01 * k;
+            const double a = std::exp(-t / 40);
+            c += QByteArray::number(t, 'f', 2) + ',' +
+                 QByteArray::number(a * std::cos(0.3 * t), 'g', 9) + ',' +
+                 QByteArray::number(0.1 * a, 'g', 9) + '\n';
+        }
+        write("long_C.csv", c);
+        write("long_D.csv", c.left(c.size() / 2).append('\n'));
+        const Outcome read =
+            run_cli({"identify", "long_C.csv", "--channel-d", "long_D.csv", "--phasors", "fixed",
+                     "--f-ref", "5300", "--y-sign", "+", "--amplitude", "peak"},
+                    folder_.path());
+        QVERIFY2(read.err.contains("differ in length: long_C.csv has 400 samples, long_D.csv has"),
+                 read.err.constData());
+    }
+
     void the_phase_of_a_moving_oscillator_is_not_guessed() {
         QByteArray log =
             log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::common_frequency, 1, 1);
