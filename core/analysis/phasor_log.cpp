@@ -294,13 +294,11 @@ Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOpt
     rows.c.resize(count);
     rows.d.resize(count);
     if (t.size() != other.size()) {
-        const auto name = [](const std::filesystem::path& file) {
-            return file.filename().string();
-        };
-        rows.warnings.push_back(
-            {DiagnosticKind::channels_unequal,
-             {name(path), count_arg(static_cast<std::int64_t>(t.size())),
-              name(options.channel_d_file), count_arg(static_cast<std::int64_t>(other.size()))}});
+        // Behind the name of the log, which comes before all that is said of it.
+        rows.warnings.push_back({DiagnosticKind::channels_unequal,
+                                 {count_arg(static_cast<std::int64_t>(t.size())),
+                                  std::filesystem::path(options.channel_d_file).filename().string(),
+                                  count_arg(static_cast<std::int64_t>(other.size()))}});
     }
     TRY(refer(of_c.find("F"), of_c.find("P"), path, choice, rows));
     return rows;

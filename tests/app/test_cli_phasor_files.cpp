@@ -90,9 +90,9 @@ private slots:
         write("long_D.csv", c.left(c.size() / 2).append('\n'));
         const Outcome read =
             run_cli({"identify", "long_C.csv", "--channel-d", "long_D.csv", "--phasors", "fixed",
-                     "--f-ref", "5300", "--y-sign", "+", "--amplitude", "peak"},
+                     "--f-ref", "5300", "--y-sign", "+", "--amplitude", "peak", "--verbose"},
                     folder_.path());
-        QVERIFY2(read.err.contains("differ in length: long_C.csv has 400 samples, long_D.csv has"),
+        QVERIFY2(read.err.contains("differ in length: long_C.csv has 400 samples, long_D.csv has "),
                  read.err.constData());
     }
 
