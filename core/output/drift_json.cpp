@@ -95,10 +95,6 @@ Estimate degrees_per_hour(Estimate rad_per_s) {
 
 std::string drift_json(const std::string& program, std::span<const WholeAngleLog> logs,
                        const DriftSettings& settings, const WholeAngleDrift& drift) {
-    Json given = Json::object();
-    for (const auto& [name, value] : settings_list(settings)) {
-        given[name] = value;
-    }
     Json inputs = Json::array();
     for (std::size_t k = 0; k < logs.size(); ++k) {
         inputs.push_back(log_json(logs[k], drift.logs[k], drift.left_out == k));
@@ -130,7 +126,7 @@ std::string drift_json(const std::string& program, std::span<const WholeAngleLog
                         {"seconds", number_json(bin.seconds)}});
     }
     return json_text({{"program", program},
-                      {"settings", given},
+                      {"settings", named_json(settings_list(settings))},
                       {"warnings", warnings},
                       {"harmonics", harmonics},
                       {"covariance_deg_h2", covariance_json(drift.covariance)},

@@ -23,14 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json settings_json(const IdentifySettings& settings) {
-    Json object = Json::object();
-    for (const auto& [name, value] : settings_list(settings)) {
-        object[name] = value;
-    }
-    return object;
-}
-
 // Each kind once for each input, the worst first.
 Json warnings_json(const Identification& identification, std::span<const RecordingRef> inputs) {
     std::vector<std::pair<Finding, Json>> findings;
@@ -363,7 +355,7 @@ std::string identify_json(const SetResult& result) {
     const ResonatorFit& fit = identification.fit;
     Json json{{"program", result.program},
               {"inputs", inputs_json(inputs)},
-              {"settings", settings_json(identification.settings)},
+              {"settings", named_json(settings_list(identification.settings))},
               {"tolerances", tolerances_json(identification.settings)},
               {"frequencies_by",
                identification.settings.tolerance.rate_ppm ? "tolerance" : "clock of the recorder"},

@@ -356,10 +356,6 @@ Passport read_all(const Node& json, int schema) {
 }
 
 Json passport_object(const Passport& passport) {
-    Json settings = Json::object();
-    for (const auto& [name, value] : passport.settings) {
-        settings[name] = value;
-    }
     Json modes = Json::array();
     for (const ModeEstimate& mode : passport.modes) {
         modes.push_back(written_parameters(mode, mode_parameters));
@@ -376,18 +372,14 @@ Json passport_object(const Passport& passport) {
         }
         tracks.push_back(columns);
     }
-    Json conditions = Json::object();
-    for (const auto& [name, value] : passport.conditions) {
-        conditions[name] = value;
-    }
     return {{"vybeg", "passport"},
             {"schema", Passport::schema},
             {"program", passport.program},
             {"gyro", passport.gyro},
             {"date", passport.date},
-            {"conditions", conditions},
+            {"conditions", named_json(passport.conditions)},
             {"inputs", inputs_json(passport.inputs)},
-            {"settings", settings},
+            {"settings", named_json(passport.settings)},
             {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
             {"resonator", written_parameters(passport.resonator, resonator_parameters)},
             {"modes", modes},

@@ -20,6 +20,14 @@ Json numbers_json(std::span<const double> values) {
     return list;
 }
 
+Json named_json(std::span<const NamedValue> values) {
+    Json object = Json::object();
+    for (const auto& [name, value] : values) {
+        object[name] = value;
+    }
+    return object;
+}
+
 Json quantity_json(const Estimate& estimate) {
     if (!estimate.given()) {
         return {{"value", nullptr}, {"reason", english(estimate.reason)}};

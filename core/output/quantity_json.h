@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/measurement_list.h"
+#include "core/base/setting_rows.h"
 #include "core/resonator/model/reason.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,6 +16,9 @@ namespace vybeg {
 // The number, or null where it is not finite.
 nlohmann::ordered_json number_json(double value);
 nlohmann::ordered_json numbers_json(std::span<const double> values);
+
+// Names and values, settings among them, as an object.
+nlohmann::ordered_json named_json(std::span<const NamedValue> values);
 
 // A quantity as JSON: {"value": x, "sd": s} or {"value": null, "reason": "..."}; with "u" where
 // tolerances contribute.

@@ -66,9 +66,9 @@ private:
     QLabel* fault_;
     QLabel* angle_unit_label_ = nullptr;
     QComboBox* angle_unit_;
-    QLabel* rate_label_ = nullptr;
-    QComboBox* time_unit_;
     QLabel* time_unit_label_ = nullptr;
+    QComboBox* time_unit_;
+    QLabel* rate_label_ = nullptr;
     NumberField* rate_;
     QLabel* kappa_label_ = nullptr;
     NumberField* kappa_;

@@ -11,7 +11,6 @@
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
-#include "ui/words/rich_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QAction>
@@ -214,8 +213,8 @@ OpenOptions LogDialog::options() const {
     return told;
 }
 
-// Of one or two files of one channel the field tells which one is of channel D, of more their
-// names.
+// Where one or two files hold one channel, the field names the file of channel D; of more files
+// their names do.
 QString LogDialog::partnerOf(const QString& file) const {
     if (files_->ofOneChannel() > 2) {
         const auto partner = partner_of(file.toStdU16String());
@@ -343,7 +342,7 @@ void LogDialog::showRows() {
         QLatin1String(usualNames(static_cast<Columns>(kind_->currentIndex()))));
 }
 
-QString LogDialog::lacking() const {
+QString LogDialog::lacking(std::span<const RecordingRef> found) const {
     if (files_->files().isEmpty()) {
         return tr("There is no log: drop some into the list.");
     }
@@ -389,7 +388,6 @@ QString LogDialog::lacking() const {
             return tr("A filter has a bandwidth: give it, or choose none.");
         }
     }
-    const std::vector<RecordingRef> found = logs();
     if (found.empty()) {
         return files_->ofOneChannel() == 1
                    ? tr("The file has one channel: choose the file of channel D.")
@@ -418,8 +416,9 @@ void LogDialog::refresh() {
         return;
     }
     showRows();
-    files_->show(logs());
-    const QString text = lacking();
+    const std::vector<RecordingRef> found = logs();
+    files_->show(found);
+    const QString text = lacking(found);
     lacking_->setText(text);
     buttons_->button(QDialogButtonBox::Open)->setEnabled(text.isEmpty());
 }

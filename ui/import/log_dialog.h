@@ -9,6 +9,7 @@
 
 #include <array>
 #include <set>
+#include <span>
 #include <vector>
 
 class QDialogButtonBox;
@@ -18,8 +19,8 @@ namespace vybeg::ui {
 
 class ImportPreview;
 
-// What logs are that take the place of recordings: it looks at them in the background and asks for
-// what no file tells. Does not block the window.
+// Asks what logs are that take the place of recordings: looks at the files in the background and
+// shows a field for each fact that they do not hold. The window stays free.
 class LogDialog : public QDialog {
     Q_OBJECT
 
@@ -76,7 +77,7 @@ private:
     void showPreview();
     void showRows();
     // Why the logs cannot be opened yet; empty: they can.
-    QString lacking() const;
+    QString lacking(std::span<const RecordingRef> found) const;
     void refresh();
     void retranslate();
 
