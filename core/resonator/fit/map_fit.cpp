@@ -71,17 +71,14 @@ Eigen::MatrixXd square_of(const Linearised& at) {
     return square;
 }
 
+// `runs`: linearised at p.
 Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& active,
-                 const Eigen::VectorXd& p, std::size_t windows) {
+                 std::span<const Linearised> runs, const Eigen::VectorXd& p) {
     const ParameterLayout& layout = problem.layout;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(p.size(), p.size());
     Eigen::VectorXd right = Eigen::VectorXd::Zero(p.size());
-    const bool with_cubic = problem.priors.sd[cubic_at] > 0;
-    const Eigen::VectorXd shared = p.head(shared_count);
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        const Linearised at = linearised(run, shared, own_of(layout, p, k),
-                                         std::min(windows, run.size()), with_cubic);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const Linearised& at = runs[k];
         add_symmetric(layout, k, square_of(at), matrix);
         const Eigen::VectorXd toward = at.by_parameter.transpose() * at.residual;
         right.head(shared_count) += toward.head(shared_count);
@@ -102,24 +99,20 @@ Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& act
     return {matrix(active, active), right(active)};
 }
 
-// J^T of the second derivative of the predictions along a step.
+// J^T of the second derivative of the predictions along a step. `runs`: linearised where it begins.
 Eigen::VectorXd curvature_along(const FitProblem& problem, const std::vector<Eigen::Index>& active,
-                                const Eigen::VectorXd& p, const Eigen::VectorXd& step,
-                                std::size_t windows) {
+                                std::span<const Linearised> runs, const Eigen::VectorXd& p,
+                                const Eigen::VectorXd& step) {
     const ParameterLayout& layout = problem.layout;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(p.size());
-    const bool with_cubic = problem.priors.sd[cubic_at] > 0;
     const Eigen::VectorXd there = p + probe * step;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        const std::size_t count = std::min(windows, run.size());
-        const Eigen::VectorXd own = own_of(layout, p, k);
-        const Linearised at = linearised(run, p.head(shared_count), own, count, with_cubic);
+        const Linearised& at = runs[k];
         Eigen::VectorXd own_step(shared_count + layout.own_size(k));
         own_step << step.head(shared_count), own_of(layout, step, k);
-        const Eigen::VectorXd moved =
-            linearised(run, there.head(shared_count), own_of(layout, there, k), count, false)
-                .residual;
+        const auto windows = static_cast<std::size_t>(at.residual.size() / 4);
+        const Eigen::VectorXd moved = residual_of(problem.runs[k], there.head(shared_count),
+                                                  own_of(layout, there, k), windows);
         const Eigen::VectorXd second =
             (at.residual - moved - probe * (at.by_parameter * own_step)) * (2 / (probe * probe));
         const Eigen::VectorXd toward = at.by_parameter.transpose() * second;
@@ -179,12 +172,12 @@ Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, 
 }
 
 std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
-                                   bool with_cubic) {
+                                   bool with_cubic, std::size_t windows) {
     std::vector<Linearised> runs;
     const Eigen::VectorXd shared = p.head(shared_count);
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
         runs.push_back(linearised(problem.runs[k], shared, own_of(problem.layout, p, k),
-                                  problem.runs[k].size(), with_cubic));
+                                  std::min(windows, problem.runs[k].size()), with_cubic));
     }
     return runs;
 }
@@ -207,7 +200,9 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
     Cost now = cost_of(problem, fit.p, windows);
     double damping = first_damping;
     for (int step = 0; step < steps && !fit.converged && !job.cancelled(); ++step) {
-        const Normal normal = normal_of(problem, active, fit.p, windows);
+        const std::vector<Linearised> runs =
+            linearised(problem, fit.p, problem.priors.sd[cubic_at] > 0, windows);
+        const Normal normal = normal_of(problem, active, runs, fit.p);
         // Unit diagonal, because the units of the parameters differ by many powers of ten.
         const Eigen::VectorXd unit =
             normal.matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
@@ -226,7 +221,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
             if (step >= straight_steps && problem.runs.size() > 1 && std::isfinite(then.all)) {
                 const Eigen::VectorXd bend =
                     -0.5 * solver.solve(inverse.asDiagonal() *
-                                        curvature_along(problem, active, fit.p, move, windows));
+                                        curvature_along(problem, active, runs, fit.p, move));
                 if (bend.norm() < (unit.asDiagonal() * move(active)).norm()) {
                     Eigen::VectorXd bent = moved;
                     bent(active) += inverse.asDiagonal() * bend;

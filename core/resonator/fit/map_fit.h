@@ -48,9 +48,10 @@ Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, 
 void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
                    Eigen::MatrixXd& sum);
 
-// Derivatives of every run's residuals at p (phasor_model.h).
+// Derivatives of every run's residuals at p (phasor_model.h), of its first `windows` windows.
 std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
-                                   bool with_cubic);
+                                   bool with_cubic,
+                                   std::size_t windows = std::numeric_limits<std::size_t>::max());
 
 // The information matrix J^T J of all parameters, held ones too, from those derivatives.
 Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearised> runs);

@@ -20,11 +20,63 @@ constexpr int own_column(int own) {
     return int{shared_count} + own;
 }
 
-// Derivatives of the motion: by the rates, by the start, by the cubic term.
-constexpr int start_column = rate_count;
-constexpr int cubic_column = rate_count + 4;
-constexpr int motion_columns = rate_count + 5;
-using MotionDerivatives = Eigen::Matrix<Complex, 2, motion_columns>;
+// A motion z as real numbers, Re z_1, Im z_1, Re z_2, Im z_2: what is linear in them is one real
+// matrix, and the derivatives by several parameters are its product with their rows.
+using Real = Eigen::Vector4d;
+using RealMap = Eigen::Matrix4d;
+template <int count>
+using RealRows = Eigen::Matrix<double, 4, count, Eigen::RowMajor>;
+
+Real real(const Vector2cd& z) {
+    return {z[0].real(), z[0].imag(), z[1].real(), z[1].imag()};
+}
+
+RealMap real(const Eigen::Matrix2cd& map) {
+    RealMap out;
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 2; ++column) {
+            const Complex at = map(row, column);
+            out.block<2, 2>(2 * row, 2 * column) << at.real(), -at.imag(), at.imag(), at.real();
+        }
+    }
+    return out;
+}
+
+// exp(M t) and its derivatives by the rates, for a z of each of the four units.
+struct Propagation {
+    explicit Propagation(const SlowDynamics::Propagation& step)
+        : value(step.value), real_value(real(step.value)) {
+        for (int rate = 0; rate < rate_count; ++rate) {
+            const RealMap by = real(step.by_rate[static_cast<std::size_t>(rate)]);
+            for (std::size_t part = 0; part < 4; ++part) {
+                by_rate[part].col(rate) = by.col(static_cast<Eigen::Index>(part));
+            }
+        }
+    }
+
+    RealRows<rate_count> by_rates(const Vector2cd& z) const {
+        return z[0].real() * by_rate[0] + z[0].imag() * by_rate[1] + z[1].real() * by_rate[2] +
+               z[1].imag() * by_rate[3];
+    }
+
+    Eigen::Matrix2cd value;
+    RealMap real_value;
+    std::array<RealRows<rate_count>, 4> by_rate;
+};
+
+// Derivatives of the motion.
+struct MotionDerivatives {
+    RealRows<rate_count> by_rates = RealRows<rate_count>::Zero();
+    RealMap by_start = RealMap::Identity();
+    Real by_cubic = Real::Zero();
+
+    // Of the motion after a map.
+    void follow(const RealMap& map) {
+        by_rates = map.lazyProduct(by_rates).eval();
+        by_start = map.lazyProduct(by_start).eval();
+        by_cubic = map.lazyProduct(by_cubic).eval();
+    }
+};
 
 struct Motion {
     Vector2cd z;
@@ -34,53 +86,44 @@ struct Motion {
 // Most of the time goes into the derivatives.
 enum class Wanted { motion, derivatives };
 
-// z and its derivatives through exp(M t).
-Motion propagated(const SlowDynamics::Propagation& step, const Motion& from, Wanted wanted) {
-    Motion to;
-    to.z = step.value * from.z;
-    if (wanted == Wanted::motion) {
-        return to;
+// Moves on through exp(M t).
+void propagate(Motion& motion, const Propagation& step, Wanted wanted) {
+    if (wanted == Wanted::derivatives) {
+        motion.by.follow(step.real_value);
+        motion.by.by_rates += step.by_rates(motion.z);
     }
-    to.by = step.value * from.by;
-    for (int rate = 0; rate < rate_count; ++rate) {
-        to.by.col(rate) += step.by_rate[static_cast<std::size_t>(rate)] * from.z;
-    }
-    return to;
+    motion.z = step.value * motion.z;
 }
 
-// Phases of u+ and u- by the cubic term in the time t.
-Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run, Wanted wanted) {
+// The phases of u+ and u- change by the cubic term in the time t.
+void kick(Motion& motion, double cubic, double t, const ScaledRun& run, Wanted wanted) {
     // The spring depends on the whole amplitude, of which the mean over a window loses a part.
     const double g = 2 * pi / 3 * t / run.power_kept;
-    const Complex plus = from.z[0] + i * from.z[1];
-    const Complex minus = from.z[0] - i * from.z[1];
+    const Complex plus = motion.z[0] + i * motion.z[1];
+    const Complex minus = motion.z[0] - i * motion.z[1];
     const double p = std::norm(plus) + 2 * std::norm(minus) - 3 * run.power;
     const double m = std::norm(minus) + 2 * std::norm(plus) - 3 * run.power;
-    const Complex turn_plus = std::polar(1.0, cubic * g * p);
-    const Complex turn_minus = std::polar(1.0, cubic * g * m);
-    const auto back = [](Complex u_plus, Complex u_minus) {
-        return Vector2cd((u_plus + u_minus) / 2.0, (u_plus - u_minus) / (2.0 * i));
-    };
-    Motion to;
-    to.z = back(turn_plus * plus, turn_minus * minus);
+    const Complex turn_plus = std::polar(0.5, cubic * g * p);
+    const Complex turn_minus = std::polar(0.5, cubic * g * m);
+    const Complex plus_after = turn_plus * plus;
+    const Complex minus_after = turn_minus * minus;
+    motion.z = {plus_after + minus_after, -i * (plus_after - minus_after)};
     if (wanted == Wanted::motion) {
-        return to;
+        return;
     }
-    for (int k = 0; k < motion_columns; ++k) {
-        const Complex d_plus = from.by(0, k) + i * from.by(1, k);
-        const Complex d_minus = from.by(0, k) - i * from.by(1, k);
-        const double more_plus = 2 * (std::conj(plus) * d_plus).real();
-        const double more_minus = 2 * (std::conj(minus) * d_minus).real();
-        double by_p = cubic * g * (more_plus + 2 * more_minus);
-        double by_m = cubic * g * (more_minus + 2 * more_plus);
-        if (k == cubic_column) {
-            by_p += g * p;
-            by_m += g * m;
-        }
-        to.by.col(k) =
-            back(turn_plus * (d_plus + i * by_p * plus), turn_minus * (d_minus + i * by_m * minus));
-    }
-    return to;
+    // Changes of z by a phase of u+ and of u-, and gradients of |u+|^2/2 and |u-|^2/2 before.
+    const Real by_phase_plus = real(Vector2cd(i * plus_after, plus_after));
+    const Real by_phase_minus = real(Vector2cd(i * minus_after, -minus_after));
+    const Real of_plus = real(Vector2cd(plus, -i * plus));
+    const Real of_minus = real(Vector2cd(minus, i * minus));
+    Eigen::Matrix2cd turned;
+    turned << turn_plus + turn_minus, i * (turn_plus - turn_minus),  //
+        -i * (turn_plus - turn_minus), turn_plus + turn_minus;
+    const RealMap map = real(turned) +
+                        by_phase_plus * (cubic * g * (2 * of_plus + 4 * of_minus)).transpose() +
+                        by_phase_minus * (cubic * g * (2 * of_minus + 4 * of_plus)).transpose();
+    motion.by.follow(map);
+    motion.by.by_cubic += g * p * by_phase_plus + g * m * by_phase_minus;
 }
 
 // Decides where a product with exp(M h) leads from one window to the next: not over gaps, and
@@ -149,13 +192,8 @@ public:
           steps_(with_cubic),
           wanted_(wanted) {
         start_ = start_of(own);
-        now_.z = start_of(own);
-        now_.by.setZero();
-        for (int k = 0; k < 2; ++k) {
-            now_.by(k, start_column + 2 * k) = 1;
-            now_.by(k, start_column + 2 * k + 1) = i;
-        }
-        begin_ = now_;
+        begin_.z = start_;
+        now_ = begin_;
     }
 
     // Continues as the motion whose start differs by `change`.
@@ -167,17 +205,18 @@ public:
     }
 
     // Precondition: windows in order.
-    Motion at(std::size_t window) {
+    const Motion& at(std::size_t window) {
         const double t = run_.time_s[window];
         if (!steps_) {
             // Whole steps from the window before; at intervals exactly from the start.
             if (walk_.step_to(t, run_.step_s)) {
                 if (!step_) {
-                    step_ = dynamics_.propagation(run_.step_s);
+                    step_.emplace(dynamics_.propagation(run_.step_s));
                 }
-                now_ = propagated(*step_, now_, wanted_);
+                propagate(now_, *step_, wanted_);
             } else {
-                now_ = propagated(dynamics_.propagation(t), begin_, wanted_);
+                now_ = begin_;
+                propagate(now_, Propagation(dynamics_.propagation(t)), wanted_);
             }
             return now_;
         }
@@ -186,12 +225,13 @@ public:
         const auto count = std::max(1.0, std::round(length / run_.step_s));
         const double h = length / count;
         if (!step_ || std::abs(h - h_) > 1e-9 * h_) {
-            step_ = dynamics_.propagation(h);
+            step_.emplace(dynamics_.propagation(h));
             h_ = h;
         }
         for (double k = 0; k < count; ++k) {
-            now_ = kicked(now_, cubic_, h / 2, run_, wanted_);
-            now_ = kicked(propagated(*step_, now_, wanted_), cubic_, h / 2, run_, wanted_);
+            kick(now_, cubic_, h / 2, run_, wanted_);
+            propagate(now_, *step_, wanted_);
+            kick(now_, cubic_, h / 2, run_, wanted_);
         }
         time_s_ = t;
         return now_;
@@ -209,7 +249,7 @@ private:
     Walk walk_;
     double time_s_ = 0;
     double h_ = 0;
-    std::optional<SlowDynamics::Propagation> step_;
+    std::optional<Propagation> step_;
 };
 
 // Factors from the motion to the channels at a window's time.
@@ -220,45 +260,54 @@ struct Channels {
     Complex cross;  // that of D times sin skew + i crosstalk
     double u = 0;
     double x = 0;
+
+    // `z`: of the recorded channels, not turned by the run's angle.
+    Vector2cd seen(const Vector2cd& z) const { return {c * z[0], gain * z[1] + cross * z[0]}; }
 };
 
-Channels channels_at(const ScaledRun& run, const Eigen::VectorXd& shared,
-                     const Eigen::VectorXd& own, const PassedBreaks& breaks, double t) {
-    Channels channels;
-    channels.u = t - run.reference_s;
-    channels.x = t / run.duration_s;
-    const double phi =
-        2 * pi * channels.u * (own[frequency_at] + own[drift_at] * channels.u / 2) + breaks.phase();
-    channels.c = channels.d = std::polar(1.0, phi);
-    if (breaks.gain() != Eigen::Vector2d::Zero()) {
-        channels.c *= std::exp(breaks.gain()[0]);
-        channels.d *= std::exp(breaks.gain()[1]);
-    }
-    channels.d /= shared[kappa_at];
-    const double beside = shared[phase_at] + shared[phase_drift_at] * channels.x;
-    channels.gain = (1 + shared[gain_drift_at] * channels.x) * channels.d;
-    if (beside != 0) {
-        channels.gain *= std::polar(1.0, beside);
-    }
-    channels.cross = channels.d * Complex(std::sin(shared[skew_at]), shared[crosstalk_at]);
-    return channels;
-}
+class ChannelFactors {
+public:
+    ChannelFactors(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own)
+        : run_(run),
+          shared_(shared),
+          own_(own),
+          cross_(std::sin(shared[skew_at]), shared[crosstalk_at]) {}
 
-Vector2cd turned(double two_theta_zero, Vector2cd z) {
-    if (two_theta_zero != 0) {
-        turn_channels(two_theta_zero, z[0], z[1]);
+    Channels at(const PassedBreaks& breaks, double t) const {
+        Channels channels;
+        channels.u = t - run_.reference_s;
+        channels.x = t / run_.duration_s;
+        const double phi =
+            2 * pi * channels.u * (own_[frequency_at] + own_[drift_at] * channels.u / 2) +
+            breaks.phase();
+        channels.c = channels.d = std::polar(1.0, phi);
+        if (breaks.gain() != Eigen::Vector2d::Zero()) {
+            channels.c *= std::exp(breaks.gain()[0]);
+            channels.d *= std::exp(breaks.gain()[1]);
+        }
+        channels.d /= shared_[kappa_at];
+        const double beside = shared_[phase_at] + shared_[phase_drift_at] * channels.x;
+        channels.gain = (1 + shared_[gain_drift_at] * channels.x) * channels.d;
+        if (beside != 0) {
+            channels.gain *= std::polar(1.0, beside);
+        }
+        channels.cross = channels.d * cross_;
+        return channels;
     }
-    return z;
-}
 
-// `z`: of the recorded channels, not turned.
-Vector2cd seen(const Channels& channels, const Vector2cd& z) {
-    return {channels.c * z[0], channels.gain * z[1] + channels.cross * z[0]};
-}
+private:
+    const ScaledRun& run_;
+    const Eigen::VectorXd& shared_;
+    const Eigen::VectorXd& own_;
+    Complex cross_;
+};
 
-// From the wave of a run to its phasors, both turned by its angle zero.
-Vector2cd seen(const ScaledRun& run, const Channels& channels, const Vector2cd& z) {
-    return turned(run.two_theta_zero, seen(channels, turned(-run.two_theta_zero, z)));
+// Turns the channels of a run by its angle zero.
+Eigen::Matrix2d turn_of(double two_theta_zero) {
+    Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
+    turn_channels(two_theta_zero, turn(0, 0), turn(1, 0));
+    turn_channels(two_theta_zero, turn(0, 1), turn(1, 1));
+    return turn;
 }
 
 // Measured less predicted phasors of a window.
@@ -300,6 +349,11 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
     std::vector<Vector2cd> expected;
     expected.reserve(windows);
     PassedBreaks breaks(run, own);
+    const ChannelFactors channels(run, shared, own);
+    const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
+    const auto seen = [&](double t, const Vector2cd& z) {
+        return Vector2cd(turn * channels.at(breaks, t).seen(turn.transpose() * z));
+    };
     if (shared[cubic_at] == 0) {
         const SlowDynamics dynamics(rates_of(shared));
         Vector2cd start = start_of(own);
@@ -313,7 +367,7 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
                 walk = {};
             }
             z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
-            expected.push_back(seen(run, channels_at(run, shared, own, breaks, t), z));
+            expected.push_back(seen(t, z));
         }
         return expected;
     }
@@ -322,8 +376,7 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
         if (breaks.pass(run.time_s[k])) {
             motion.restart(breaks.start());
         }
-        expected.push_back(
-            seen(run, channels_at(run, shared, own, breaks, run.time_s[k]), motion.at(k).z));
+        expected.push_back(seen(run.time_s[k], motion.at(k).z));
     }
     return expected;
 }
@@ -335,41 +388,37 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
     Linearised out{Eigen::VectorXd(rows), RowMajor::Zero(rows, shared_count + own.size())};
     MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0, Wanted::derivatives);
     PassedBreaks breaks(run, own);
+    const ChannelFactors factors(run, shared, own);
+    const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
+    const Eigen::Matrix2d whitened_turn = run.whitening * turn;
     const double kappa = shared[kappa_at];
-    const bool alike = run.whitening == Eigen::Matrix2d::Identity();
     for (std::size_t k = 0; k < windows; ++k) {
         if (breaks.pass(run.time_s[k])) {
             motion.restart(breaks.start());
         }
-        const Channels channels = channels_at(run, shared, own, breaks, run.time_s[k]);
-        const Motion at = motion.at(k);
-        const double weight = run.weight[k];
-        const Vector2cd wave = turned(-run.two_theta_zero, at.z);
-        const Vector2cd of_channels = seen(channels, wave);
-        const Vector2cd expected = turned(run.two_theta_zero, of_channels);
+        const Channels channels = factors.at(breaks, run.time_s[k]);
+        const Motion& at = motion.at(k);
+        const Vector2cd wave = turn.transpose() * at.z;
+        const Vector2cd of_channels = channels.seen(wave);
+        const Vector2cd expected = turn * of_channels;
         const auto row = static_cast<Eigen::Index>(4 * k);
-        const Vector2cd left = left_of(run, k, expected);
-        out.residual.segment<4>(row) << left[0].real(), left[0].imag(), left[1].real(),
-            left[1].imag();
-        const auto put = [&](int column, const Vector2cd& change) {
-            const Vector2cd by = alike ? change : Vector2cd(run.whitening * change);
-            out.by_parameter(row, column) = weight * by[0].real();
-            out.by_parameter(row + 1, column) = weight * by[0].imag();
-            out.by_parameter(row + 2, column) = weight * by[1].real();
-            out.by_parameter(row + 3, column) = weight * by[1].imag();
-        };
-        for (int rate = 0; rate < rate_count; ++rate) {
-            put(rate, seen(run, channels, at.by.col(rate)));
-        }
-        for (int part = 0; part < 4; ++part) {
-            put(own_column(start_at + part), seen(run, channels, at.by.col(start_column + part)));
-        }
+        out.residual.segment<4>(row) = real(left_of(run, k, expected));
+        Eigen::Matrix2cd seen;
+        seen << channels.c, 0, channels.cross, channels.gain;
+        const RealMap map =
+            real(Eigen::Matrix2cd(run.weight[k] * (whitened_turn * seen * turn.transpose())));
+        out.by_parameter.block<4, rate_count>(row, 0) = map.lazyProduct(at.by.by_rates);
+        const RealMap by_start = map.lazyProduct(at.by.by_start);
+        out.by_parameter.block<4, 4>(row, own_column(start_at)) = by_start;
         if (with_cubic) {
-            put(cubic_at, seen(run, channels, at.by.col(cubic_column)));
+            out.by_parameter.block<4, 1>(row, cubic_at) = map.lazyProduct(at.by.by_cubic);
         }
+        const auto put = [&](int column, const Vector2cd& change) {
+            out.by_parameter.block<4, 1>(row, column) = real(run.weighted(k, change));
+        };
         // Of the recorded channels.
         const auto put_channels = [&](int column, const Vector2cd& change) {
-            put(column, turned(run.two_theta_zero, change));
+            put(column, turn * change);
         };
         const Complex d_gain = channels.gain * wave[1];
         const Complex d_cross = channels.d * wave[0];
@@ -393,17 +442,12 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
                 put_channels(column, {of_channels[0], 0});
                 put_channels(column + 1, {0, of_channels[1]});
             } else if (each.kind == BreakKind::start) {
-                for (int part = 0; part < 4; ++part) {
-                    put(column + part, seen(run, channels, at.by.col(start_column + part)));
-                }
+                out.by_parameter.block<4, 4>(row, column) = by_start;
             }
             column += break_size(each.kind);
         }
         if (run.phase_lost) {
-            const Vector2cd turned = i * (run.whitening * expected);
-            Eigen::Vector4d phase(turned[0].real(), turned[0].imag(), turned[1].real(),
-                                  turned[1].imag());
-            phase.normalize();
+            const Real phase = real(Vector2cd(i * (run.whitening * expected))).normalized();
             const Eigen::RowVectorXd common =
                 phase.transpose() * out.by_parameter.middleRows<4>(row);
             out.by_parameter.middleRows<4>(row) -= phase * common;
@@ -415,14 +459,19 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
     return out;
 }
 
+Eigen::VectorXd residual_of(const ScaledRun& run, const Eigen::VectorXd& shared,
+                            const Eigen::VectorXd& own, std::size_t windows) {
+    const std::vector<Vector2cd> expected = expected_phasors(run, shared, own, windows);
+    Eigen::VectorXd residual(static_cast<Eigen::Index>(4 * windows));
+    for (std::size_t k = 0; k < windows; ++k) {
+        residual.segment<4>(static_cast<Eigen::Index>(4 * k)) = real(left_of(run, k, expected[k]));
+    }
+    return residual;
+}
+
 double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
                   std::size_t windows) {
-    const std::vector<Vector2cd> expected = expected_phasors(run, shared, own, windows);
-    double sum = 0;
-    for (std::size_t k = 0; k < windows; ++k) {
-        sum += left_of(run, k, expected[k]).squaredNorm();
-    }
-    return sum;
+    return residual_of(run, shared, own, windows).squaredNorm();
 }
 
 }  // namespace vybeg

@@ -52,7 +52,11 @@ struct Linearised {
 Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
                       const Eigen::VectorXd& own, std::size_t windows, bool with_cubic);
 
-// The sum of the squared weighted residuals.
+// The residuals alone, a twentieth of the work.
+Eigen::VectorXd residual_of(const ScaledRun& run, const Eigen::VectorXd& shared,
+                            const Eigen::VectorXd& own, std::size_t windows);
+
+// The sum of their squares.
 double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
                   std::size_t windows);
 
