@@ -1957,6 +1957,14 @@
         <translation>%1: сумма R² + S² + Q² составляет %2 % от E², а должна быть равна E². Один из столбцов записан в других единицах или содержит другую величину: E — это |c|² + |d|², R — |c|² − |d|², S и Q — удвоенные действительная и мнимая части c d*.</translation>
     </message>
     <message>
+        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. Give it with --angle-unit: deg or rad.</source>
+        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Задайте её параметром --angle-unit: deg или rad.</translation>
+    </message>
+    <message>
+        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. Choose degrees or radians.</source>
+        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Выберите градусы или радианы.</translation>
+    </message>
+    <message>
         <source>%1: the wave turns by 45 degrees or more from row to row, and its angle is wrapped: how far it turned is unknown. Log it faster, or write down the whole angle.</source>
         <translation>%1: от строки к строке волна поворачивается на 45 градусов или больше, а угол свёрнут: на сколько она повернулась, неизвестно. Записывайте журнал чаще или пишите непрерывный угол.</translation>
     </message>
@@ -1997,8 +2005,8 @@
         <translation>%1 — журнал интегрирующего режима, а не запись: в нём угол стоячей волны по времени. Его открывает страница «Дрейф».</translation>
     </message>
     <message>
-        <source>%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording does not belong among logs: give it a set of its own.</source>
-        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPZ, MAT или HDF5. Записи не место среди журналов: дайте ей отдельный набор.</translation>
+        <source>%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording has a set of its own.</source>
+        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPZ, MAT или HDF5. У записи отдельный набор.</translation>
     </message>
 </context>
 <context>

@@ -69,6 +69,7 @@ enum class ErrorCode {
     conditions_differ,        // args: condition, its value, another. In one set of recordings.
     turn_too_short,           // args: turn of the wave in degrees. Of a whole-angle log.
     powers_disagree,          // args: R^2 + S^2 + Q^2 over E^2, %. Of a log of powers.
+    angle_unit_wrong,         // args: degrees by which the angle of the log comes back
     turn_too_fast,            // args: none. Of a whole-angle log whose angle is wrapped.
     same_recording,           // args: the other recording with the same samples
     band_too_narrow,          // args: low, high, least width (Hz)

@@ -218,8 +218,7 @@ MessageRow message_row(ErrorCode code) {
             return {"no-log", bad_input,
                     VYBEG_MESSAGE("Message",
                                   "%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A "
-                                  "recording does not belong among logs: give it a set of its "
-                                  "own.")};
+                                  "recording has a set of its own.")};
         case ErrorCode::angle_unit_unknown:
             return {"angle-unit-unknown", bad_input,
                     VYBEG_MESSAGE("Message",
@@ -353,6 +352,17 @@ MessageRow message_row(ErrorCode code) {
                               "One of the columns is in another unit, or is something else: E "
                               "is |c|^2 + |d|^2, R is |c|^2 - |d|^2, S and Q are twice the real "
                               "and the imaginary part of c d*.")};
+        case ErrorCode::angle_unit_wrong:
+            return {"angle-unit-wrong", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: each time the angle reaches an end, it comes back by %2 "
+                                  "degrees. A wave's angle comes back by 90, 180 or 360 degrees, "
+                                  "so its unit is another one. Give it with --angle-unit: deg or "
+                                  "rad."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1: each time the angle reaches an end, it comes back by %2 "
+                                  "degrees. A wave's angle comes back by 90, 180 or 360 degrees, "
+                                  "so its unit is another one. Choose degrees or radians.")};
         case ErrorCode::turn_too_fast:
             return {"turn-too-fast", impossible,
                     VYBEG_MESSAGE("Message",

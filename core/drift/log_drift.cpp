@@ -295,8 +295,12 @@ Result<BinnedLog> log_drift(const WholeAngleLog& log, const JobControl& job) {
     if (angle.too_fast) {
         return Error{ErrorCode::turn_too_fast, log.name, {}};
     }
+    constexpr double degree = half_turn / 180;
+    if (angle.odd_period > 0) {
+        return Error{
+            ErrorCode::angle_unit_wrong, log.name, {number_arg(angle.odd_period / degree, 3)}};
+    }
     if (!fit.separates()) {
-        constexpr double degree = half_turn / 180;
         return Error{ErrorCode::turn_too_short, log.name, {number_arg(angle.turn / degree, 3)}};
     }
     const ColouredFit found = fit.fit();

@@ -58,8 +58,8 @@ struct LogBin {
     double seconds = 0;
 };
 
-// The harmonics of one log, with its bins. Errors: turn_too_short, turn_too_fast, too_few_frames,
-// no_valid_samples.
+// The harmonics of one log, with its bins. Errors: turn_too_short, turn_too_fast, angle_unit_wrong,
+// too_few_frames, no_valid_samples.
 struct BinnedLog {
     LogDrift drift;
     std::vector<LogBin> bins;

@@ -52,7 +52,7 @@ ChannelTolerance usual_pick_offs();
 // white or not (coloured_fit.h). Gain ratio and skew of the channels within their tolerance make a
 // turning wave look as if it drifted in the fourth harmonic: logs of unlike turns tell both apart,
 // otherwise u holds it. Errors, about the log: turn_too_short, turn_too_fast,
-// too_few_frames, no_valid_samples, same_recording; interrupted.
+// angle_unit_wrong, too_few_frames, no_valid_samples, same_recording; interrupted.
 // Precondition: one log or more.
 Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
                                           const JobControl& job,

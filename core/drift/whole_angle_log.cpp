@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -96,6 +97,46 @@ Jumps jumps_of(const WholeAngleLog& log, const Usual& usual) {
     return found;
 }
 
+// By how much the angle comes back each time from one end of its range to the other, whatever its
+// unit; 0: it does not, or only now and then.
+double period_in_its_unit(const WholeAngleLog& log, const Usual& usual) {
+    constexpr double most_of_range = 0.6;  // a wrapped angle lacks less than two eighths of it
+    constexpr double alike = 0.05;
+    constexpr std::size_t least_times = 3;
+    std::vector<double> changes;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t k = 0; k < usual.rows.size(); ++k) {
+        const double theta = log.theta[usual.rows[k]];
+        least = std::min(least, theta);
+        most = std::max(most, theta);
+        if (k > 0) {
+            changes.push_back(theta - log.theta[usual.rows[k - 1]]);
+        }
+    }
+    const double step = median(changes);
+    std::vector<double> back;
+    for (const double change : changes) {
+        if (std::abs(change) > most_of_range * (most - least)) {
+            back.push_back(std::abs(change - step));
+        }
+    }
+    if (back.size() < least_times || back.size() > changes.size() / 4) {
+        return 0;
+    }
+    const auto [shortest, longest] = std::ranges::minmax(back);
+    const double usual_back = median(std::move(back));
+    return longest - shortest < alike * usual_back ? usual_back : 0;
+}
+
+// Whether an angle may wrap there: at a quarter, a half or a whole turn.
+bool is_period(double angle) {
+    constexpr double near = 0.05;
+    return std::ranges::any_of(std::array{1, 2, 4}, [&](int quarters) {
+        return std::abs(angle / (quarters * quarter) - 1) < near;
+    });
+}
+
 }  // namespace
 
 UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
@@ -104,6 +145,8 @@ UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
     const Jumps jumps = jumps_of(log, usual);
     found.period = jumps.period;
     found.too_fast = jumps.often;
+    const double back = period_in_its_unit(log, usual);
+    found.odd_period = is_period(back) ? 0 : back;
     // How well the turn of a gap is known from the usual rate.
     constexpr double unsure = 0.2;
     for (const std::size_t row : usual.rows) {

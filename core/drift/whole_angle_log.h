@@ -33,6 +33,9 @@ struct UnwrappedAngle {
     double turn = 0;
     // A wrapped angle goes on by an eighth of a turn or more from row to row: how far is unknown.
     bool too_fast = false;
+    // By which the angle comes back, rad, where it wraps at no quarter, half or whole turn: its
+    // unit is another one. 0: it does not.
+    double odd_period = 0;
 };
 
 // The angle of a log, made continuous. An angle that the controller wraps comes back by whole

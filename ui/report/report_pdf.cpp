@@ -228,7 +228,9 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
         painter.setFont(font);
         painter.setPen(Qt::darkGray);
         const QRectF head(left, top - head_height * scale, content.width(), 24 * scale);
-        painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, text.head);
+        painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(text.head, Qt::ElideMiddle,
+                                                          static_cast<int>(head.width())));
         const QRectF foot(left, top + content.height() + (foot_height - 24) * scale,
                           content.width(), 24 * scale);
         painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,

@@ -190,7 +190,7 @@ std::optional<Rows> rows_with_words(std::span<const std::string> lines, const Di
                          static_cast<int>(std::ranges::count_if(
                              lines, [&](const auto& line) { return rows.contain(line, fields); })),
                          columns - static_cast<int>(rows.words.size())};
-        if (next.numbers >= 2 &&
+        if (next.rows > 0 && next.numbers >= 2 &&
             std::pair(next.rows, next.numbers) > std::pair(best.rows, best.numbers)) {
             best = next;
             found = std::move(rows);

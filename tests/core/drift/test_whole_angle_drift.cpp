@@ -135,6 +135,28 @@ private slots:
         }
     }
 
+    // Degrees taken for radians, and the other way round.
+    void an_angle_that_wraps_elsewhere_has_another_unit() {
+        const WholeAngleLog right = simulated_log(loop_of(), "log.csv");
+        for (const double unit : {180 / pi, pi / 180, 2.0, 1000.0}) {
+            for (const double period : {2 * pi, pi, pi / 2}) {
+                if (unit == 2 && period < 6) {
+                    continue;  // then it wraps at twice a half or a quarter, which may be
+                }
+                WholeAngleLog log = wrapped(right, period);
+                for (double& theta : log.theta) {
+                    theta *= unit;
+                }
+                const Result<WholeAngleDrift> refused =
+                    whole_angle_drift(std::vector{log}, {}, exact);
+                QVERIFY(!refused);
+                QCOMPARE(refused.error().code, ErrorCode::angle_unit_wrong);
+                const double told = std::stod(refused.error().args.at(0).text);
+                VYBEG_CLOSE(told * pi / 180, unit * period, 0.05 * unit * period);
+            }
+        }
+    }
+
     void a_log_named_twice_is_refused() {
         WholeAngleLog log = simulated_log(loop_of(), "a.csv");
         log.sha256 = "12";

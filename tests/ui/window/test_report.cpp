@@ -288,6 +288,20 @@ private slots:
         }
     }
 
+    void a_long_name_does_not_run_off_the_head_of_the_page() {
+        const QString name = "first" + QStringLiteral("abcdefghi ").repeated(30) + "last";
+        const ReportText text = framedReport("Report", name, "Vybeg");
+        const QString pdf = home_.path("head.pdf");
+        QFile file(pdf);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(reportPdf(text, {}));
+        file.close();
+        const QString head =
+            output("pdftotext", {"-layout", pdf, "-"}).trimmed().section('\n', 0, 0);
+        QVERIFY2(head.startsWith("Report: first") && head.endsWith("last"), qPrintable(head));
+        QVERIFY2(head.contains(QChar(0x2026)) && head.size() < 200, qPrintable(head));
+    }
+
     void the_report_of_all_sets_has_a_chapter_for_each() {
         openAll({home_.recording("run_1.wav"), home_.recording("run_2.csv")});
         const auto first = document().recordings().front().id;

@@ -82,6 +82,7 @@ void TestBadInput::each_bad_file_has_its_error_and_one_line_that_names_it_data()
     add("zeros", QByteArray(5000, '\0'), ErrorCode::format_unknown);
     add("RIFF, but no WAVE", QByteArray("RIFF\x10\0\0\0AVI LIST", 16), ErrorCode::format_unknown);
     add("prose", "Dear Sir,\n\nthe gyro is well.\n", ErrorCode::text_no_data);
+    add("names alone", "t,E,R,S,Q\n", ErrorCode::text_no_data);
     add("blank lines", "\n\n \n", ErrorCode::text_no_data);
     add("a byte order mark alone", "\xEF\xBB\xBF", ErrorCode::text_no_data);
     add("one column", "1.5\n2.5\n3.5\n4.5\n5.5\n", ErrorCode::too_few_channels, {"1", "2", "FILE"});
