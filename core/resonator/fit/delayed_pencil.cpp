@@ -85,8 +85,7 @@ std::optional<SlowRates> delayed_pencil(const ScaledRun& run, const std::vector<
             early += now * now.adjoint();
         }
     }
-    const Eigen::ComplexEigenSolver<Matrix> step(late * early.inverse(), false);
-    const Vector2cd rates = step.eigenvalues().array().log() / run.step_s;
+    const Vector2cd rates = eigenvalues_of(late * early.inverse()).array().log() / run.step_s;
     if (!rates.allFinite()) {
         return std::nullopt;
     }

@@ -3,7 +3,6 @@
 #include "core/numerics/phase.h"
 #include "core/resonator/fit/delayed_pencil.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -82,18 +81,15 @@ void add(PencilSums& pencil, const ScaledRun& run, const std::vector<Vector2cd>&
 
 // log(E)/lag; empty if the phasors show one direction only, or a mode grows or turns too far.
 std::optional<SlowRates> rates_of(const PencilSums& pencil, double seconds) {
-    const Eigen::SelfAdjointEigenSolver<Matrix> seen(pencil.early, Eigen::EigenvaluesOnly);
-    if (!(seen.eigenvalues()[0] > 4 * pencil.noise)) {
+    const double least_power = eigenvalues_of(pencil.early)[1].real();
+    if (!(least_power > 4 * pencil.noise)) {
         return std::nullopt;
     }
-    const Eigen::ComplexEigenSolver<Matrix> modes(pencil.late * pencil.early.inverse());
-    const Matrix& v = modes.eigenvectors();
-    const Complex determinant = v.determinant();
-    if (modes.eigenvalues().cwiseAbs().minCoeff() < 1e-6 || std::abs(determinant) < 1e-6) {
+    const Matrix step = pencil.late * pencil.early.inverse();
+    if (eigenvalues_of(step).cwiseAbs().minCoeff() < 1e-6) {
         return std::nullopt;
     }
-    Vector2cd logs = modes.eigenvalues().array().log() / seconds;
-    return vybeg::rates_of(Matrix(v * logs.asDiagonal() * v.inverse()));
+    return vybeg::rates_of(Matrix(logarithm(step) / seconds));
 }
 
 // Frequency and start of every run under given rates: the phasors are propagated back by exp(-N t);

@@ -86,6 +86,24 @@ SlowRates rates_of(const Matrix& m) {
             .decay_per_s = -m.trace().real() / 2};
 }
 
+Eigen::Vector2cd eigenvalues_of(const Matrix& m) {
+    const Complex middle = m.trace() / 2.0;
+    const Complex s = std::sqrt(-(m - middle * Matrix::Identity()).determinant());
+    return {middle + s, middle - s};
+}
+
+Matrix logarithm(const Matrix& m) {
+    const Complex middle = m.trace() / 2.0;
+    const Eigen::Vector2cd values = eigenvalues_of(m);
+    const Eigen::Vector2cd logs = values.array().log();
+    const Complex s = (values[0] - values[1]) / 2.0;
+    const Complex share = s / middle;
+    // Where the modes coincide, artanh(share)/s as a series.
+    const Complex along = std::abs(share) < 1e-4 ? (1.0 + share * share / 3.0) / middle
+                                                 : (logs[0] - logs[1]) / (2.0 * s);
+    return logs.sum() / 2.0 * Matrix::Identity() + along * (m - middle * Matrix::Identity());
+}
+
 SlowDynamics::SlowDynamics(const SlowRates& rates)
     : decay_(rates.decay_per_s), traceless_(Matrix::Zero()) {
     for (std::size_t k = 0; k + 1 < rate_count; ++k) {

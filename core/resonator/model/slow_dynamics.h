@@ -36,6 +36,12 @@ inline constexpr std::array<double SlowRates::*, rate_count> all_rates{
 // The rates of a matrix; the imaginary part of its trace is not among them.
 SlowRates rates_of(const Eigen::Matrix2cd& m);
 
+// The eigenvalues of a matrix, and the matrix whose exponential it is, with the logarithms of least
+// imaginary part: in closed form, which does not mind coinciding modes. Precondition of the second:
+// no eigenvalue is zero.
+Eigen::Vector2cd eigenvalues_of(const Eigen::Matrix2cd& m);
+Eigen::Matrix2cd logarithm(const Eigen::Matrix2cd& m);
+
 // exp(M t) in closed form. With N the traceless part and N^2 = s^2 I
 //     exp(M t) = exp(-decay t) (cosh(s t) I + sinh(s t)/s N)
 // which is even in s: where the modes coincide (s = 0) it is a series in s^2 t^2.

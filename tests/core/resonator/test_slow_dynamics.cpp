@@ -42,6 +42,7 @@ private slots:
     void theMeanOverAWindowIsAnIntegral();
     void ratesAndMatrixAreTheSame();
     void theEigenvaluesAreThoseOfTheMatrix();
+    void theLogarithmGivesTheRatesBack();
     void aLongRecordDoesNotOverflow();
 };
 
@@ -152,6 +153,24 @@ void TestSlowDynamics::theEigenvaluesAreThoseOfTheMatrix() {
             VYBEG_CLOSE(rest(0, 0) * rest(1, 1), rest(0, 1) * rest(1, 0), 1e-12);
         }
     }
+}
+
+void TestSlowDynamics::theLogarithmGivesTheRatesBack() {
+    std::mt19937_64 random(7);
+    for (const double scale : {0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.4}) {
+        for (int trial = 0; trial < 20; ++trial) {
+            const SlowDynamics motion(random_rates(random, scale));
+            const double seconds = 1.3;
+            const Matrix found = logarithm(motion.propagator(seconds)) / seconds;
+            VYBEG_LESS((found - motion.matrix()).norm(), 1e-14 + 1e-10 * scale);
+        }
+    }
+    // Two modes that coincide in a single shape.
+    Matrix jordan;
+    jordan << 0.5, 2, 0, 0.5;
+    Matrix expected;
+    expected << std::log(0.5), 4, 0, std::log(0.5);
+    VYBEG_LESS((logarithm(jordan) - expected).norm(), 1e-14);
 }
 
 void TestSlowDynamics::aLongRecordDoesNotOverflow() {
