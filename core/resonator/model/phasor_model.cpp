@@ -95,18 +95,33 @@ void propagate(Motion& motion, const Propagation& step, Wanted wanted) {
     motion.z = step.value * motion.z;
 }
 
-// The phases of u+ and u- change by the cubic term in the time t.
-void kick(Motion& motion, double cubic, double t, const ScaledRun& run, Wanted wanted) {
-    // The spring depends on the whole amplitude, of which the mean over a window loses a part.
-    const double g = 2 * pi / 3 * t / run.power_kept;
+// What the cubic term does in a time to u+ and u-: their phases change, and by as much again in as
+// long a time that follows.
+struct Kick {
+    Kick(const Vector2cd& z, double cubic, double t, const ScaledRun& run) {
+        // The spring depends on the whole amplitude, of which the mean over a window loses a part.
+        const double by_power = 2 * pi / 3 * t / run.power_kept;
+        const double plus = std::norm(z[0] + i * z[1]);
+        const double minus = std::norm(z[0] - i * z[1]);
+        of_plus = by_power * (plus + 2 * minus - 3 * run.power);
+        of_minus = by_power * (minus + 2 * plus - 3 * run.power);
+        half_turn_plus = std::polar(0.5, cubic * of_plus);
+        half_turn_minus = std::polar(0.5, cubic * of_minus);
+        cubic_by_power = cubic * by_power;
+    }
+
+    double of_plus;  // phases for a cubic term of one
+    double of_minus;
+    double cubic_by_power;
+    Complex half_turn_plus;  // half the factors
+    Complex half_turn_minus;
+};
+
+void kick(Motion& motion, const Kick& by, Wanted wanted) {
     const Complex plus = motion.z[0] + i * motion.z[1];
     const Complex minus = motion.z[0] - i * motion.z[1];
-    const double p = std::norm(plus) + 2 * std::norm(minus) - 3 * run.power;
-    const double m = std::norm(minus) + 2 * std::norm(plus) - 3 * run.power;
-    const Complex turn_plus = std::polar(0.5, cubic * g * p);
-    const Complex turn_minus = std::polar(0.5, cubic * g * m);
-    const Complex plus_after = turn_plus * plus;
-    const Complex minus_after = turn_minus * minus;
+    const Complex plus_after = by.half_turn_plus * plus;
+    const Complex minus_after = by.half_turn_minus * minus;
     motion.z = {plus_after + minus_after, -i * (plus_after - minus_after)};
     if (wanted == Wanted::motion) {
         return;
@@ -116,14 +131,16 @@ void kick(Motion& motion, double cubic, double t, const ScaledRun& run, Wanted w
     const Real by_phase_minus = real(Vector2cd(i * minus_after, -minus_after));
     const Real of_plus = real(Vector2cd(plus, -i * plus));
     const Real of_minus = real(Vector2cd(minus, i * minus));
+    const Complex mean = by.half_turn_plus + by.half_turn_minus;
+    const Complex apart = i * (by.half_turn_plus - by.half_turn_minus);
     Eigen::Matrix2cd turned;
-    turned << turn_plus + turn_minus, i * (turn_plus - turn_minus),  //
-        -i * (turn_plus - turn_minus), turn_plus + turn_minus;
+    turned << mean, apart, -apart, mean;
+    const double g = by.cubic_by_power;
     const RealMap map = real(turned) +
-                        by_phase_plus * (cubic * g * (2 * of_plus + 4 * of_minus)).transpose() +
-                        by_phase_minus * (cubic * g * (2 * of_minus + 4 * of_plus)).transpose();
+                        by_phase_plus * (g * (2 * of_plus + 4 * of_minus)).transpose() +
+                        by_phase_minus * (g * (2 * of_minus + 4 * of_plus)).transpose();
     motion.by.follow(map);
-    motion.by.by_cubic += g * p * by_phase_plus + g * m * by_phase_minus;
+    motion.by.by_cubic += by.of_plus * by_phase_plus + by.of_minus * by_phase_minus;
 }
 
 // Decides where a product with exp(M h) leads from one window to the next: not over gaps, and
@@ -202,6 +219,7 @@ public:
         now_ = begin_;
         walk_ = {};
         time_s_ = 0;
+        kick_.reset();
     }
 
     // Precondition: windows in order.
@@ -227,11 +245,13 @@ public:
         if (!step_ || std::abs(h - h_) > 1e-9 * h_) {
             step_.emplace(dynamics_.propagation(h));
             h_ = h;
+            kick_.reset();
         }
         for (double k = 0; k < count; ++k) {
-            kick(now_, cubic_, h / 2, run_, wanted_);
+            kick(now_, kick_ ? *kick_ : Kick(now_.z, cubic_, h / 2, run_), wanted_);
             propagate(now_, *step_, wanted_);
-            kick(now_, cubic_, h / 2, run_, wanted_);
+            kick_.emplace(now_.z, cubic_, h / 2, run_);
+            kick(now_, *kick_, wanted_);
         }
         time_s_ = t;
         return now_;
@@ -250,6 +270,7 @@ private:
     double time_s_ = 0;
     double h_ = 0;
     std::optional<Propagation> step_;
+    std::optional<Kick> kick_;  // the last one: the next takes as long
 };
 
 // Factors from the motion to the channels at a window's time.
