@@ -3687,6 +3687,10 @@
         <translation>комплексные амплитуды фазометра или синхронного детектора</translation>
     </message>
     <message>
+        <source>the wave&apos;s a, b and theta</source>
+        <translation>величины a, b и theta волны</translation>
+    </message>
+    <message>
         <source>the powers E, R, S and Q</source>
         <translation>величины E, R, S и Q</translation>
     </message>

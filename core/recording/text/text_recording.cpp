@@ -269,7 +269,10 @@ bool is_whole_angle(const TextFormat& format) {
 
 // Tracks, whose columns are known, too, open: their values are numbers over time.
 Status check_holds_samples(const FileBytes& file, const TextHead& head, const TextFormat& format) {
-    const std::array<LogKind, 2> kinds{{{{"Xc", "Yc", "Xd", "Yd"}, phasors, phasor_options},
+    const std::array<LogKind, 3> kinds{{{{"Xc", "Yc", "Xd", "Yd"}, phasors, phasor_options},
+                                        {{"a", "b", "theta"},
+                                         VYBEG_MESSAGE("Words", "the wave's a, b and theta"),
+                                         "--columns a,b,theta"},
                                         {{"E", "R", "S", "Q"},
                                          VYBEG_MESSAGE("Words", "the powers E, R, S and Q"),
                                          "--columns E,R,S,Q"}}};
