@@ -276,13 +276,14 @@ int run(int argc, char** argv) {
     if (const Status enough = check_stack(); !enough) {
         return log.fail(enough.error());
     }
+    const auto ended = [&log](const Status& done) { return done ? 0 : log.fail(done.error()); };
     const IdentifyRequest& asked = compare_command->parsed() ? comparison : identification;
     if ((identify_command->parsed() || compare_command->parsed()) && asked.inputs.empty() &&
         asked.list.empty()) {
         return log.fail_usage("FILE or --list is required.");
     }
     if (simulate_command->parsed()) {
-        return run_simulate(simulation, log, interrupt.token());
+        return ended(run_simulate(simulation, log, interrupt.token()));
     }
     const int threads = std::max({analyze.settings.threads, identification.settings.threads,
                                   comparison.settings.threads, batch.batch.settings.threads});
@@ -290,16 +291,16 @@ int run(int argc, char** argv) {
         return log.fail(enough.error());
     }
     if (info_command->parsed()) {
-        return run_info(info, log, interrupt.token());
+        return ended(run_info(info, log, interrupt.token()));
     }
     if (analyze_command->parsed()) {
-        return run_analyze(analyze, log, interrupt.token());
+        return ended(run_analyze(analyze, log, interrupt.token()));
     }
     if (identify_command->parsed()) {
-        return run_identify(identification, log, interrupt.token());
+        return ended(run_identify(identification, log, interrupt.token()));
     }
     if (drift_command->parsed()) {
-        return run_drift(drift, log, interrupt.token());
+        return ended(run_drift(drift, log, interrupt.token()));
     }
     if (batch_command->parsed()) {
         for (const char* option : {"--f-limit", "--limit"}) {
@@ -311,9 +312,9 @@ int run(int argc, char** argv) {
         if (batch.batch.list.empty()) {
             return log.fail_usage("LIST is required.");
         }
-        return run_batch(batch, log, interrupt.token());
+        return ended(run_batch(batch, log, interrupt.token()));
     }
-    return run_identify(comparison, log, interrupt.token());
+    return ended(run_identify(comparison, log, interrupt.token()));
 }
 
 }  // namespace
