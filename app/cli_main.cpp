@@ -30,15 +30,14 @@ struct LogOptions {
     bool verbose = false;
 };
 
-void add_log_options(CLI::App& app, LogOptions& options) {
+void add_log_options(CLI::App& app, LogOptions& options, bool with_verbose = true) {
     app.add_flag("--quiet", options.quiet, "Neither progress nor warnings on standard error");
     app.add_flag("--json-log", options.json,
                  "Standard error as one JSON object per line: errors, warnings, progress");
-}
-
-void add_verbose(CLI::App& app, bool& verbose) {
-    app.add_flag("--verbose", verbose,
-                 "All warnings, and notes, each by itself (default: the three worst)");
+    if (with_verbose) {
+        app.add_flag("--verbose", options.verbose,
+                     "All warnings, and notes, each by itself (default: the three worst)");
+    }
 }
 
 void add_input(CLI::App& app, std::string& input) {
@@ -187,7 +186,6 @@ int run(int argc, char** argv) {
     add_open_options(*info_command, info.open);
     add_timing(*info_command, info.timing);
     add_log_options(*info_command, log_options);
-    add_verbose(*info_command, log_options.verbose);
 
     AnalyzeRequest analyze;
     CLI::App* const analyze_command =
@@ -203,7 +201,6 @@ int run(int argc, char** argv) {
     add_open_options(*analyze_command, analyze.open);
     add_log_choice(*analyze_command, analyze.log);
     add_log_options(*analyze_command, log_options);
-    add_verbose(*analyze_command, log_options.verbose);
     add_timing(*analyze_command, analyze.timing);
 
     IdentifyRequest identification;
@@ -218,7 +215,6 @@ int run(int argc, char** argv) {
         ->type_name("PASSPORT.json");
     add_database(*identify_command, identification.database);
     add_log_options(*identify_command, log_options);
-    add_verbose(*identify_command, log_options.verbose);
 
     IdentifyRequest comparison;
     CLI::App* const compare_command =
@@ -232,14 +228,12 @@ int run(int argc, char** argv) {
     add_identification(*compare_command, comparison);
     add_compare_options(*compare_command, comparison.compare);
     add_log_options(*compare_command, log_options);
-    add_verbose(*compare_command, log_options.verbose);
 
     DriftRequest drift;
     CLI::App* const drift_command = app.add_subcommand(
         "drift", "The drift of a wave that is held and turns, from whole-angle logs");
     add_drift_options(*drift_command, drift);
     add_log_options(*drift_command, log_options);
-    add_verbose(*drift_command, log_options.verbose);
 
     BatchCommand batch;
     batch.batch.program = program;
@@ -247,14 +241,13 @@ int run(int argc, char** argv) {
         app.add_subcommand("batch", "The resonators of a measurement list, as a table");
     add_batch_options(*batch_command, batch);
     add_log_options(*batch_command, log_options);
-    add_verbose(*batch_command, log_options.verbose);
 
     SimulateRequest simulation;
     CLI::App* const simulate_command =
         app.add_subcommand("simulate", "A recording from the equations of motion, and its truth");
     add_simulate_options(*simulate_command, simulation);
     add_timing(*simulate_command, simulation.timing);
-    add_log_options(*simulate_command, log_options);
+    add_log_options(*simulate_command, log_options, false);
 
     let_repeated_options_parse(app);
     try {
