@@ -2,6 +2,7 @@
 
 #include "core/analysis/phasor_log.h"
 #include "core/analysis/power_log.h"
+#include "core/base/plain_text.h"
 #include "core/recording/open/log_columns.h"
 #include "core/recording/open/preview.h"
 
@@ -159,7 +160,9 @@ private:
         }
         look_.needs_f_ref = frequency == nullptr && how.f_ref_hz == 0;
         if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
-            look_.problem = Error{ErrorCode::column_missing, path_.string(), {"F", all_names()}};
+            look_.problem = Error{ErrorCode::column_missing,
+                                  path_.string(),
+                                  {"F", joined(look_.preview.columns, ", ", &Channel::name)}};
         }
         for (const char* role : own) {
             if (const LogColumn* own_phase = columns.find(role);
@@ -190,15 +193,6 @@ private:
     void ask_for_unit(const LogColumn& angles) {
         look_.needs_angle_unit =
             look_.needs_angle_unit || !angle_factor(path_, angles, look_.choice.rad_per_angle_unit);
-    }
-
-    std::string all_names() const {
-        std::string all;
-        for (const Channel& column : look_.preview.columns) {
-            all += all.empty() ? "" : ", ";
-            all += column.name;
-        }
-        return all;
     }
 
     const std::filesystem::path& path_;

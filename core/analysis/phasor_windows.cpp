@@ -3,6 +3,7 @@
 #include "core/analysis/window_faults.h"
 #include "core/analysis/window_mean.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/numerics/kaiser.h"
 #include "core/numerics/median.h"
 #include "core/recording/checks/recording_check.h"
@@ -375,11 +376,7 @@ Error nothing_left(const SampleFaults& faults) {
             channels.push_back(english(finding.args[0]));
         }
     }
-    std::string names = channels.front();
-    for (std::size_t k = 1; k < channels.size(); ++k) {
-        names += ", " + channels[k];
-    }
-    return {ErrorCode::every_window_clipped, "", {names}};
+    return {ErrorCode::every_window_clipped, "", {joined(channels, ", ")}};
 }
 
 }  // namespace

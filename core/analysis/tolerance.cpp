@@ -1,6 +1,7 @@
 #include "core/analysis/tolerance.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/resonator/results/run_parameters.h"
 
@@ -12,14 +13,6 @@ namespace vybeg {
 namespace {
 
 constexpr const char* none = "none";
-
-std::string names() {
-    std::string list;
-    for (const char* name : tolerance_names) {
-        list += std::string(list.empty() ? "" : ", ") + name;
-    }
-    return list;
-}
 
 }  // namespace
 
@@ -77,7 +70,7 @@ Result<Tolerance> read_tolerance(std::string_view text) {
         const auto parameter = std::ranges::find_if(
             tolerance_parameters, [&](const auto& known) { return name == known.name(); });
         if (parameter == tolerance_parameters.end()) {
-            return wrong("\"" + name + "\" is none of " + names());
+            return wrong("\"" + name + "\" is none of " + joined(tolerance_names, ", "));
         }
         if (!given.insert(name).second) {
             return wrong(name + " is given twice");

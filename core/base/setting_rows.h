@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/base/result.h"
 
@@ -208,12 +209,7 @@ SettingRow<S> switch_row(SettingRow<S> row, Access access) {
 inline constexpr auto any_value = [](const auto&) { return Status(); };
 
 inline std::string joined(std::initializer_list<double> numbers) {
-    std::string text;
-    for (const double number : numbers) {
-        text += text.empty() ? "" : ",";
-        append_round_trip(text, number);
-    }
-    return text;
+    return joined(numbers, ",", round_trip_text);
 }
 
 }  // namespace vybeg

@@ -75,22 +75,14 @@ std::string number(double value) {
 std::string whole_row(const MeasurementSet& set, const std::string& status,
                       const std::string& message, const std::vector<std::string>& results,
                       const LimitVerdict* limits) {
-    std::string files;
-    for (const RecordingRef& recording : set.recordings) {
-        files += (files.empty() ? "" : ";") + recording.file;
-    }
-    std::vector<std::string> texts{set.name, gyro_of(set), list_date_of(set),
-                                   files,    status,       message};
+    std::vector<std::string> texts{
+        set.name, gyro_of(set), list_date_of(set), joined(set.recordings, ";", &RecordingRef::file),
+        status,   message};
     texts.insert(texts.end(), results.begin(), results.end());
     const auto conditions = conditions_of(set);
     texts.resize(batch_columns().size() - conditions.size());
     if (limits != nullptr) {
-        std::string failed;
-        for (const std::string& name : limits->failed) {
-            failed += failed.empty() ? "" : ";";
-            failed += name;
-        }
-        texts.insert(texts.end(), {passed_text(limits->conformity), failed});
+        texts.insert(texts.end(), {passed_text(limits->conformity), joined(limits->failed, ";")});
     }
     for (const auto& [column, field] : conditions) {
         texts.push_back(field);

@@ -301,11 +301,6 @@ Result<File> unpacked(File file) {
 Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                               std::span<const ColumnRole> roles) {
     std::vector<ColumnWish> wishes;
-    std::string allowed;
-    for (const ColumnRole& role : roles) {
-        allowed += allowed.empty() ? "" : ", ";
-        allowed += role.name;
-    }
     for (std::size_t at = 0; !text.empty() && at <= text.size();) {
         const std::size_t end = std::min(text.find(',', at), text.size());
         const std::string entry = text.substr(at, end - at);
@@ -326,7 +321,7 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                           words(VYBEG_MESSAGE("Words",
                                               "it names %1, with commas between them, each with "
                                               "=COLUMN where the file calls it otherwise"),
-                                {allowed})}};
+                                {joined(roles, ", ", &ColumnRole::name)})}};
         }
         wishes.push_back({*role, column, true});
         at = end + 1;
