@@ -55,17 +55,6 @@ std::string field(const std::string& text, char separator) {
     return field + "\"";
 }
 
-std::string in_row(const std::vector<std::string>& texts, char separator = ',') {
-    std::string row;
-    for (const std::string& text : texts) {
-        if (&text != &texts.front()) {
-            row += separator;
-        }
-        row += field(text, separator);
-    }
-    return row;
-}
-
 // An empty field is "not told".
 std::string number(double value) {
     return std::isfinite(value) ? round_trip_text(value) : "";
@@ -90,7 +79,7 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
     for (std::size_t k = 0; k < set.recordings.front().others.size(); ++k) {
         texts.push_back(other_of(set, k));
     }
-    return in_row(texts);
+    return csv_row(texts);
 }
 
 // The verdict about the gyro, and the names of the parameters that have changed, without Q, which
@@ -175,7 +164,7 @@ std::string batch_head(std::span<const std::string> header,
         }
         names.push_back(name);
     }
-    return text + in_row(names);
+    return text + csv_row(names);
 }
 
 std::string batch_row(const MeasurementSet& set, const Error& error, const LimitVerdict* limits) {
@@ -208,7 +197,7 @@ std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
 
 std::string excel_head(const std::string& head) {
     return std::string(byte_order_mark) +
-           in_row(csv_fields(head.substr(head.rfind('\n') + 1)), ';');
+           csv_row(csv_fields(head.substr(head.rfind('\n') + 1)), ';');
 }
 
 std::string excel_row(const std::string& row, bool limits) {
@@ -229,7 +218,7 @@ std::string excel_row(const std::string& row, bool limits) {
             std::ranges::replace(fields[k], '.', ',');
         }
     }
-    return in_row(fields, ';');
+    return csv_row(fields, ';');
 }
 
 LimitVerdict limit_verdict(const Identification* found, const std::vector<ParameterLimit>& limits) {
@@ -241,8 +230,15 @@ LimitVerdict limit_verdict(const Identification* found, const std::vector<Parame
     return verdict;
 }
 
-std::string csv_row(const std::vector<std::string>& texts) {
-    return in_row(texts);
+std::string csv_row(const std::vector<std::string>& texts, char separator) {
+    std::string row;
+    for (const std::string& text : texts) {
+        if (&text != &texts.front()) {
+            row += separator;
+        }
+        row += field(text, separator);
+    }
+    return row;
 }
 
 }  // namespace vybeg

@@ -52,37 +52,27 @@ Status write_mat(OutputFile& file, const SampleStream& stream) {
         return file.failure("a MAT file of level 5 has room for " + integer_text(most_mat_rows) +
                             " samples a channel; WAV, CSV and NPY for any number");
     }
-    Status written = file.write(mat_file_head());
+    TRY(file.write(mat_file_head()));
     for (const bool is_c : {true, false}) {
-        written =
-            written ? file.write(mat_column_head(is_c ? "S_C" : "S_D", stream.frames)) : written;
-        const auto column = [&](std::span<const double> c, std::span<const double> d) {
+        TRY(file.write(mat_column_head(is_c ? "S_C" : "S_D", stream.frames)));
+        TRY(stream.run([&](std::span<const double> c, std::span<const double> d) {
             return file.write(bytes_of(is_c ? c : d));
-        };
-        written = written ? stream.run(column) : written;
+        }));
     }
     std::string rate = mat_column_head("fs", 1);
     append_bytes(rate, stream.rate_hz);
-    return written ? file.write(rate) : written;
+    return file.write(rate);
 }
 
 }  // namespace
 
 Result<SampleFormat> sample_format(const std::filesystem::path& target) {
+    TRY(check_ending(target, {".wav", ".csv", ".npy", ".mat"}));
     const std::string ending = file_ending(target);
-    if (ending == ".wav") {
-        return SampleFormat::wav;
-    }
-    if (ending == ".csv") {
-        return SampleFormat::csv;
-    }
-    if (ending == ".npy") {
-        return SampleFormat::npy;
-    }
-    if (ending == ".mat") {
-        return SampleFormat::mat;
-    }
-    return check_ending(target, {".wav", ".csv", ".npy", ".mat"}).error();
+    return ending == ".wav"   ? SampleFormat::wav
+           : ending == ".csv" ? SampleFormat::csv
+           : ending == ".npy" ? SampleFormat::npy
+                              : SampleFormat::mat;
 }
 
 Status write_stream(OutputFile& file, SampleFormat format, const SampleStream& stream) {
@@ -103,11 +93,7 @@ Status write_samples(OutputFile& file, SampleFormat format, const Samples& sampl
                 return Error{ErrorCode::interrupted, {}, {}};
             }
             const std::size_t count = std::min(frames_per_block, samples.c.size() - at);
-            if (const Status taken =
-                    sink(samples.c.subspan(at, count), samples.d.subspan(at, count));
-                !taken) {
-                return taken;
-            }
+            TRY(sink(samples.c.subspan(at, count), samples.d.subspan(at, count)));
             job.report(static_cast<double>(at + count) / static_cast<double>(samples.c.size()));
         }
         return {};

@@ -56,11 +56,9 @@ Status Spool::spill() {
     if (descriptor_ < 0) {
         TRY(create());
     }
-    const Status written = write_out(memory_);
-    if (written) {
-        memory_.clear();
-    }
-    return written;
+    TRY(write_out(memory_));
+    memory_.clear();
+    return {};
 }
 
 Status Spool::write_out(std::string_view left) {
