@@ -71,6 +71,13 @@ std::vector<NamedValue> listed(const std::vector<SettingRow<S>>& rows, const S& 
     return list;
 }
 
+// Null: there is none.
+template <class S>
+const SettingRow<S>* row_named(const std::vector<SettingRow<S>>& rows, const std::string& name) {
+    const auto found = std::ranges::find(rows, name, &SettingRow<S>::name);
+    return found == rows.end() ? nullptr : &*found;
+}
+
 // Kinds of rows. `access` returns a reference to the field: [](auto& s) -> auto& { return s.f; }.
 
 inline const std::string not_set = "none";
@@ -79,7 +86,7 @@ inline const std::string not_set = "none";
 template <class S>
 const Bounds& bounds_in(const std::vector<SettingRow<S>>& rows, const std::string& name,
                         std::size_t number = 0) {
-    return std::ranges::find(rows, name, &SettingRow<S>::name)->bounds.at(number);
+    return row_named(rows, name)->bounds.at(number);
 }
 
 inline Status within(const Bounds& bounds, const std::string& option, double value) {

@@ -157,8 +157,8 @@ std::vector<std::pair<std::string, std::string>> pairs_in(const std::string& tex
 
 void read_opening(const std::string& text, OpenOptions& options) {
     for (const auto& [name, value] : pairs_in(text)) {
-        const auto row = std::ranges::find(open_settings(), name, &SettingRow<OpenOptions>::name);
-        if (row == open_settings().end() || !row->read(value, options)) {
+        const auto* row = row_named(open_settings(), name);
+        if (row == nullptr || !row->read(value, options)) {
             throw DamagedRow("--" + name + " " + value + " opens no recording");
         }
     }

@@ -72,8 +72,7 @@ std::vector<Row> rows_of_drift() {
     std::vector<Row> rows{columns_row(), angle_unit_row(), pick_offs_row()};
     for (const char* name :
          {"rate", "delimiter", "decimal", "skip-lines", "time-column", "time-unit"}) {
-        rows.push_back(
-            opening_row(*std::ranges::find(open_settings(), name, &SettingRow<OpenOptions>::name)));
+        rows.push_back(opening_row(*row_named(open_settings(), name)));
     }
     return rows;
 }
