@@ -78,9 +78,7 @@ Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t s
     std::vector<double> d(size);
     std::vector<std::complex<double>> data(size);
     for (std::int64_t s = 0; s < segments; ++s) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         TRY(prepared.ahead->read(first + s * step, c, d));
         bool whole = true;
         for (std::size_t j = 0; j < size; ++j) {

@@ -302,9 +302,7 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
         }
     }
     found.timing.fit_s = job.now() - fitted_from;
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
+    TRY(job.go_on());
     return found;
 }
 

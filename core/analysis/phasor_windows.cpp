@@ -148,9 +148,7 @@ Result<Pass> estimate_all(const ConditionedRecording& prepared, const WindowPlan
     if (!status) {
         return status.error();
     }
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, "", {}};
-    }
+    TRY(job.go_on());
     pass.estimate_s = std::accumulate(seconds.begin(), seconds.end(), 0.0) / threads;
     return pass;
 }

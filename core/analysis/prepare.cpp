@@ -42,20 +42,13 @@ Result<Segment> read_segment(const SampleSource& source, std::int64_t first, std
     const auto count = static_cast<std::size_t>(std::min(end - first, search_frames));
     Segment segment{std::vector<double>(count), std::vector<double>(count)};
     for (std::size_t at = 0; at < count; at += block) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         const std::size_t length = std::min(block, count - at);
-        const Status read = source.read(first + static_cast<std::int64_t>(at),
-                                        std::span(segment.c).subspan(at, length),
-                                        std::span(segment.d).subspan(at, length));
-        if (!read) {
-            return read.error();
-        }
+        TRY(source.read(first + static_cast<std::int64_t>(at),
+                        std::span(segment.c).subspan(at, length),
+                        std::span(segment.d).subspan(at, length)));
     }
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, "", {}};
-    }
+    TRY(job.go_on());
     return segment;
 }
 
@@ -168,9 +161,7 @@ Status check_samples(const SampleSource& source, std::int64_t first, std::int64_
     bool in_c = false;
     bool in_d = false;
     for (std::int64_t at = first; at < end && !(in_c && in_d); at += block) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         const auto length = static_cast<std::size_t>(std::min(block, end - at));
         c.resize(length);
         d.resize(length);

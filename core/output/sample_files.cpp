@@ -89,9 +89,7 @@ Status write_samples(OutputFile& file, SampleFormat format, const Samples& sampl
                      const JobControl& job) {
     const auto run = [&](const SampleSink& sink) -> Status {
         for (std::size_t at = 0; at < samples.c.size(); at += frames_per_block) {
-            if (job.cancelled()) {
-                return Error{ErrorCode::interrupted, {}, {}};
-            }
+            TRY(job.go_on());
             const std::size_t count = std::min(frames_per_block, samples.c.size() - at);
             TRY(sink(samples.c.subspan(at, count), samples.d.subspan(at, count)));
             job.report(static_cast<double>(at + count) / static_cast<double>(samples.c.size()));

@@ -63,9 +63,7 @@ Status Spool::spill() {
 
 Status Spool::write_out(std::string_view left) {
     while (!left.empty()) {
-        if (job_.cancelled()) {
-            return Error{ErrorCode::interrupted, {}, {}};
-        }
+        TRY(job_.go_on());
         const ssize_t written = ::write(descriptor_, left.data(), std::min(left.size(), piece));
         if (written < 0 && errno != EINTR) {
             return failed(errno);
@@ -78,9 +76,7 @@ Status Spool::write_out(std::string_view left) {
 
 Status Spool::read(std::int64_t from, std::span<std::byte> to) const {
     while (!to.empty() && from < spilled_) {
-        if (job_.cancelled()) {
-            return Error{ErrorCode::interrupted, {}, {}};
-        }
+        TRY(job_.go_on());
         const auto wanted = std::min(static_cast<std::size_t>(spilled_ - from), to.size());
         const ssize_t got = pread(descriptor_, to.data(), wanted, from);
         if (got <= 0 && errno != EINTR) {

@@ -51,9 +51,7 @@ Status run(const FreeDecay& decay,
     std::vector<double> c;
     std::vector<double> d;
     for (std::int64_t begin = 0; begin < frames; begin += at_once) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, {}, {}};
-        }
+        TRY(job.go_on());
         c.clear();
         d.clear();
         const std::int64_t end = std::min(begin + at_once, frames);

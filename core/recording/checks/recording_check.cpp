@@ -87,9 +87,7 @@ Status read_through(const SampleSource& source, const JobControl& job, Look look
     std::vector<double> d;
     const std::int64_t frames = source.frames();
     for (std::int64_t first = 0; first < frames; first += chunk_frames) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         c.resize(static_cast<std::size_t>(std::min(chunk_frames, frames - first)));
         d.resize(c.size());
         TRY(source.read(first, c, d));

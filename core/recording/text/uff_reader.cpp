@@ -99,13 +99,10 @@ Result<bool> UffLines::fill() {
     begin_ = 0;
     const std::size_t held = buffer_.size();
     buffer_.resize(held + uff_chunk_bytes);
-    const auto got = file_->read(offset_, std::span(buffer_).subspan(held));
-    if (!got) {
-        return got.error();
-    }
-    buffer_.resize(held + static_cast<std::size_t>(*got));
-    offset_ += *got;
-    return *got > 0;
+    const auto got = TRY(file_->read(offset_, std::span(buffer_).subspan(held)));
+    buffer_.resize(held + static_cast<std::size_t>(got));
+    offset_ += got;
+    return got > 0;
 }
 
 constexpr std::string_view separator = "-1";  // before and behind each dataset

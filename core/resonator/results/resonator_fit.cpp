@@ -261,9 +261,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     if (whole) {
         add_foreign(*whole, runs.size(), fit);
     }
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
+    TRY(job.go_on());
     return fit;
 }
 
