@@ -55,6 +55,14 @@ Error missing_column(const FileBytes& file, const ColumnWish& wish,
                       {wish.column.empty() ? wish.role.name : wish.column, all});
 }
 
+LogTable empty_table(std::span<const ColumnWish> wishes) {
+    LogTable table;
+    for (const ColumnWish& wish : wishes) {
+        table.columns.push_back({wish.role.name, "", "", {}});
+    }
+    return table;
+}
+
 // Leaves the rows for which keep(row) is true.
 template <class Keep>
 void keep_rows(LogTable& table, Keep keep) {
@@ -206,8 +214,7 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
             return missing_column(*file, wishes[k], format.names);
         }
     }
-    LogTable table;
-    table.columns.resize(wishes.size());
+    LogTable table = empty_table(wishes);
     for (std::size_t k = 0; k < wanted.size(); k += 2) {
         const std::array pair{wanted[k], wanted[std::min(k + 1, wanted.size() - 1)]};
         const TextColumns columns{
@@ -238,8 +245,7 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
 // Variables are asked for by name, two at a time, as if they were C and D.
 Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOptions& options,
                                 std::span<const ColumnWish> wishes, const JobControl& job) {
-    LogTable table;
-    table.columns.resize(wishes.size());
+    LogTable table = empty_table(wishes);
     std::string beside;  // a variable that is there
     for (std::size_t k = 0; k < wishes.size(); ++k) {
         if (is_time(wishes[k])) {
@@ -265,8 +271,9 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
             missing.reset();
             const auto frames = static_cast<std::size_t>(found->frames());
             std::vector<double> other(frames);
-            table.columns[k] = {name, found->channels.front().unit, std::vector<double>(frames)};
-            TRY(found->source->read(0, table.columns[k].values, other));
+            LogColumn& column = table.columns[k];
+            column = {column.role, name, found->channels.front().unit, std::vector<double>(frames)};
+            TRY(found->source->read(0, column.values, other));
             table.time_s.resize(frames);
             for (std::size_t row = 0; row < frames; ++row) {
                 table.time_s[row] = static_cast<double>(row) / found->rate_hz;
