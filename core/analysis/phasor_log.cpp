@@ -1,6 +1,5 @@
 #include "core/analysis/phasor_log.h"
 
-#include "core/base/describe.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
 #include "core/numerics/median.h"
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -66,9 +64,7 @@ void share_unit(const LogColumn& x_of_c, std::initializer_list<LogColumn*> other
 // What the choice leaves open, or sets against the file.
 Error wrong_choice(const PhasorChoice& choice, const char* what,
                    std::vector<MessageArg> args = {}) {
-    return {ErrorCode::setting_invalid,
-            "",
-            {"--phasors", frame_name(choice.frame), words(what, std::move(args))}};
+    return refused_value("--phasors", frame_name(choice.frame), words(what, std::move(args)));
 }
 
 // One channel: X + iY, turned by its phase.

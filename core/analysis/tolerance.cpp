@@ -6,7 +6,6 @@
 #include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace vybeg {
@@ -54,7 +53,7 @@ std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double
 
 Result<Tolerance> read_tolerance(std::string_view text) {
     const auto wrong = [text](const std::string& allowed) {
-        return Error{ErrorCode::setting_invalid, "", {"--tolerance", std::string(text), allowed}};
+        return refused_value("--tolerance", std::string(text), allowed);
     };
     Tolerance tolerance;
     if (text == none) {

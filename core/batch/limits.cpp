@@ -165,7 +165,7 @@ std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits
 
 Result<std::vector<PracticalLimit>> read_practical_limits(std::string_view text) {
     const auto wrong = [text](const MessageArg& allowed) {
-        return Error{ErrorCode::setting_invalid, "", {"--limit", std::string(text), allowed}};
+        return refused_value("--limit", std::string(text), allowed);
     };
     std::vector<PracticalLimit> limits;
     const auto named = named_texts(text);

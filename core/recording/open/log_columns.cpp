@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/base/read_value.h"
 #include "core/numerics/median.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/zip_directory.h"
@@ -322,13 +323,12 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                        each.names, [&](const char* usual) { return name == normal_name(usual); });
         });
         if (role == roles.end()) {
-            return Error{ErrorCode::setting_invalid,
-                         "",
-                         {"--columns", text,
-                          words(VYBEG_MESSAGE("Words",
-                                              "it names %1, with commas between them, each with "
-                                              "=COLUMN where the file calls it otherwise"),
-                                {joined(roles, ", ", &ColumnRole::name)})}};
+            return refused_value(
+                "--columns", text,
+                words(VYBEG_MESSAGE("Words",
+                                    "it names %1, with commas between them, each with "
+                                    "=COLUMN where the file calls it otherwise"),
+                      {joined(roles, ", ", &ColumnRole::name)}));
         }
         wishes.push_back({*role, column, true});
         at = end + 1;
@@ -338,10 +338,8 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
             return wish.role.name == std::string_view(role.name);
         });
         if (!told && role.needed && !text.empty()) {
-            return Error{
-                ErrorCode::setting_invalid,
-                "",
-                {"--columns", text, words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name})}};
+            return refused_value("--columns", text,
+                                 words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name}));
         }
         if (!told) {
             wishes.push_back({role, ""});
