@@ -1,16 +1,19 @@
 #include "app/gui_report.h"
 
 #include "app/gui_analysis.h"
-#include "app/gui_report_set.h"
-#include "core/base/messages.h"
+#include "core/analysis/inspect.h"
+#include "core/base/read_value.h"
+#include "core/batch/identify_set.h"
 #include "core/batch/list_sets.h"
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
+#include "core/track/events.h"
 #include "ui/document/document.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_writer.h"
+#include "ui/resonator/conditions_text.h"
 #include "ui/session/session_keeper.h"
 
 #include <QCoreApplication>
@@ -22,6 +25,7 @@
 #include <cstdio>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -32,9 +36,7 @@ namespace {
 Status check_pdf(const std::string& path) {
     return file_ending(path) == ".pdf"
                ? Status()
-               : Error{ErrorCode::setting_invalid,
-                       "",
-                       {"--report", path, "a report is a PDF document: name it .pdf"}};
+               : refused_value("--report", path, "a report is a PDF document: name it .pdf");
 }
 
 bool is_session(const std::string& input) {
@@ -44,10 +46,8 @@ bool is_session(const std::string& input) {
 Status check_no_session(const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs) {
         if (is_session(input)) {
-            return Error{
-                ErrorCode::setting_invalid,
-                "",
-                {"--report", input, "a session is a report of its own: name no other file"}};
+            return refused_value("--report", input,
+                                 "a session is a report of its own: name no other file");
         }
     }
     return {};
@@ -96,6 +96,80 @@ bool ends_report(ErrorCode code) {
 
 QString program_text() {
     return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
+}
+
+// A recording with its check and its analysis.
+Status add_recording(const Recording& recording, const Settings& settings, const JobControl& job,
+                     ui::ReportContent& content) {
+    auto analysis = TRY(analyse_warned(recording, settings, job));
+    auto faults = TRY(inspect(recording, settings, job));
+    ui::ReportRecording told = ui::reportRecording(recording, {});
+    told.check = std::move(faults.findings);
+    const std::size_t index = content.recordings.size();
+    const TrackSummary means = analysis.means;
+    std::vector<Event> events = find_events(analysis.track);
+    content.analyses.push_back(
+        {shown_analysis(recording, std::move(analysis), static_cast<int>(index)), index, means,
+         std::move(events)});
+    content.recordings.push_back(std::move(told));
+    return {};
+}
+
+Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& content) {
+    TRY(read_contents(open, job.stop_token()));
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
+        content.recordings[k].sha256 = QString::fromStdString(open.set.recordings[k].sha256);
+    }
+    Result<SetResult> found = identify_set(open, {}, {}, job);
+    for (const RecordingRef& log : open.set.recordings) {
+        if (open.set.settings.logs.given()) {
+            content.recordings.push_back(ui::reportLog(log));
+            content.recordings.back().conditions = ui::conditionsText(log);
+        }
+    }
+    if (found) {
+        content.outcome = std::make_shared<ui::ResonatorOutcome>(
+            ui::ResonatorOutcome{std::move(*found), {}, 0, {}});
+        return {};
+    }
+    if (found.error().code == ErrorCode::interrupted ||
+        found.error().code == ErrorCode::file_changed) {
+        return found.error();
+    }
+    content.not_identified = found.error();
+    return {};
+}
+
+// What a report shows of a set, computed from its recordings: checks, analyses in the windows of
+// `track` with the set's signals, identification. What cannot be identified has its reason in it.
+// Conditions of the set take precedence over `title`. Warnings go to standard error. Errors:
+// conditions_differ, those of open_recording(), analyse(), inspect(), read_contents(),
+// file_changed, interrupted.
+Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
+                                        const ui::ReportTitle& title, const JobControl& job) {
+    TRY(check_conditions(set));
+    OpenSet open;
+    open.set = set;
+    ui::ReportContent content;
+    // Logs have no samples to analyse.
+    const std::size_t recordings = set.settings.logs.given() ? 0 : set.recordings.size();
+    for (std::size_t k = 0; k < recordings; ++k) {
+        Settings settings = track;
+        static_cast<SignalSettings&>(settings) = set.settings.signal_of(k);
+        settings.threads = set.settings.threads;
+        const RecordingRef& listed = set.recordings[k];
+        auto recording = TRY(open_warned(listed.path.string(), listed.open, job));
+        open.recordings.push_back(std::move(recording));
+        TRY(add_recording(open.recordings.back(), settings, job, content));
+        content.recordings.back().conditions = ui::conditionsText(listed);
+    }
+    TRY(add_resonator(open, job, content));
+    content.units.angle = ui::AngleUnit::degrees;
+    content.title = ui::titleOf(set, title);
+    if (content.title.date.isEmpty()) {
+        content.title.date = ui::measuredOn(content.recordings);
+    }
+    return content;
 }
 
 Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementList& list,
@@ -225,11 +299,9 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
     }
     const std::optional<ReportSubject> subject = subject_of(document);
     if (!subject) {
-        return fail(
-            {ErrorCode::setting_invalid,
-             "",
-             {"--report", request.inputs.front(),
-              "none of the session's recordings is there and analysed, and no log has a drift"}});
+        return fail(refused_value(
+            "--report", request.inputs.front(),
+            "none of the session's recordings is there and analysed, and no log has a drift"));
     }
     const ReportTitle otherwise =
         completed(request.title, titleOf(document.dossier().dossier().gyro));
