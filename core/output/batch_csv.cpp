@@ -7,34 +7,23 @@
 #include "core/base/plain_text.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/csv_rows.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
 
 namespace vybeg {
 namespace {
 
-struct Parameter {
-    const char* name;
-    Estimate ResonatorEstimate::*member;
-};
-
-// Those of the table, each with its deviation beside it and its uncertainty u further on.
-constexpr std::array parameters{
-    Parameter{"f_mean_hz", &ResonatorEstimate::f_mean_hz},
-    Parameter{"split_hz", &ResonatorEstimate::split_hz},
-    Parameter{"theta_w_rad", &ResonatorEstimate::theta_w_rad},
-    Parameter{"tau_s", &ResonatorEstimate::tau_s},
-    Parameter{"q", &ResonatorEstimate::q},
-    Parameter{"damping_anisotropy_per_s", &ResonatorEstimate::damping_anisotropy_per_s},
-    Parameter{"theta_tau_rad", &ResonatorEstimate::theta_tau_rad},
-    Parameter{"angle_rate_rad_s", &ResonatorEstimate::angle_rate_rad_s},
-    Parameter{"kappa", &ResonatorEstimate::kappa}};
+// Those of the table, each with its deviation beside it and its uncertainty u further on: up to the
+// gain ratio.
+constexpr std::span parameters = std::span(resonator_parameters).first<9>();
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -123,12 +112,12 @@ const char* passed_text(const std::optional<Conformity>& conformity) {
 
 std::vector<std::string> batch_columns(bool limits) {
     std::vector<std::string> names{"set", "gyro", "date", "files", "status", "message", "model"};
-    for (const Parameter& parameter : parameters) {
+    for (const ResonatorParameter& parameter : parameters) {
         names.emplace_back(parameter.name);
         names.push_back(std::string("sd_") + parameter.name);
     }
     names.insert(names.end(), {"noise", "chi2_per_dof", "verdict", "changed"});
-    for (const Parameter& parameter : parameters) {
+    for (const ResonatorParameter& parameter : parameters) {
         names.push_back(std::string("u_") + parameter.name);
     }
     names.emplace_back("warnings");
@@ -176,7 +165,7 @@ std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
     const ResonatorFit& fit = found.fit;
     std::vector<std::string> results{fit.model == ResonatorModel::structured ? "structured"
                                                                              : "free"};
-    for (const Parameter& parameter : parameters) {
+    for (const ResonatorParameter& parameter : parameters) {
         const Estimate& estimate = fit.resonator.*parameter.member;
         results.push_back(estimate.given() ? number(estimate.value) : "");
         results.push_back(estimate.given() ? number(estimate.sd) : "");
@@ -187,7 +176,7 @@ std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
     const auto [judged, changed] = verdict(doubtful ? std::nullopt : result.comparison);
     results.insert(results.end(), {fit.noise.white() ? "white" : "coloured",
                                    number(fit.chi2_per_dof), judged, changed});
-    for (const Parameter& parameter : parameters) {
+    for (const ResonatorParameter& parameter : parameters) {
         const Estimate& estimate = fit.resonator.*parameter.member;
         results.push_back(estimate.given() ? number(estimate.u) : "");
     }
