@@ -7,7 +7,6 @@
 #include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/base/caught_error.h"
-#include "core/base/messages.h"
 #include "core/simulation/simulate.h"
 
 #include <CLI/CLI.hpp>

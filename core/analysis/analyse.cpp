@@ -3,7 +3,6 @@
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/setting_table.h"
 #include "core/analysis/window_faults.h"
-#include "core/base/number_text.h"
 #include "core/recording/checks/recording_check.h"
 
 #include <algorithm>

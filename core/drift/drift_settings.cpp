@@ -3,7 +3,6 @@
 #include "core/drift/whole_angle_drift.h"
 #include "core/recording/samples/open_table.h"
 
-#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string>

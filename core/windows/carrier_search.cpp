@@ -1,6 +1,5 @@
 #include "core/windows/carrier_search.h"
 
-#include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/median.h"
 #include "core/windows/carrier_zoom.h"

@@ -1,7 +1,6 @@
 #include "core/recording/envelope/sparse_scan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace vybeg {

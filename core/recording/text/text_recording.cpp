@@ -1,6 +1,5 @@
 #include "core/recording/text/text_recording.h"
 
-#include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/memory_source.h"

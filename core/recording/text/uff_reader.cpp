@@ -1,6 +1,5 @@
 #include "core/recording/text/uff_reader.h"
 
-#include "core/base/number_text.h"
 #include "core/base/translatable.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"

@@ -1,6 +1,5 @@
 #include "core/recording/variables/variable_choice.h"
 
-#include "core/base/number_text.h"
 #include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>

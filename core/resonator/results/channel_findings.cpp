@@ -1,6 +1,5 @@
 #include "core/resonator/results/channel_findings.h"
 
-#include "core/base/number_text.h"
 #include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/score_test.h"
 

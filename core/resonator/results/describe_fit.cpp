@@ -1,6 +1,5 @@
 #include "core/resonator/results/describe_fit.h"
 
-#include "core/base/number_text.h"
 #include "core/resonator/fit/run_information.h"
 #include "core/resonator/fit/unseen_directions.h"
 #include "core/resonator/noise/noise_claim.h"
@@ -15,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <string>

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 namespace vybeg {
 namespace {
