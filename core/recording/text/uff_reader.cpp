@@ -399,11 +399,7 @@ Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOpti
         if (!line) {
             return content.finish();
         }
-        if (const Status status =
-                content.take(*line, lines.number(), lines.ended(), lines.position());
-            !status) {
-            return status.error();
-        }
+        TRY(content.take(*line, lines.number(), lines.ended(), lines.position()));
         lines.skip(content.bytes_to_skip());
         if (lines.number() % lines_per_report == 0) {
             if (job.cancelled()) {
