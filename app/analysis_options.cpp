@@ -62,10 +62,7 @@ void add_log_choice(CLI::App& app, LogChoice& logs) {
 }
 
 void add_tolerance_option(CLI::App& app, IdentifySettings& settings) {
-    const auto& rows = identify_settings();
-    const auto row =
-        std::ranges::find(rows, std::string("tolerance"), &SettingRow<IdentifySettings>::name);
-    add_setting(app, *row, settings);
+    add_setting(app, *row_named(identify_settings(), "tolerance"), settings);
 }
 
 void add_compare_options(CLI::App& app, CompareOptions& options) {

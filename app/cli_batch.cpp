@@ -84,14 +84,14 @@ private:
 
 }  // namespace
 
-int run_batch(const BatchCommand& request, Log& log, std::stop_token stop) {
+Status run_batch(const BatchCommand& request, Log& log, std::stop_token stop) {
     BatchLog told(log, request.batch.watch);
     const double begun = seconds_now();
     const Status done = compute_batch(request.batch, told.events(), std::move(stop));
     if (done && request.timing) {
         std::fputs(told.timing_line(seconds_now() - begun, request.batch.jobs).c_str(), stderr);
     }
-    return done ? 0 : log.fail(done.error());
+    return done;
 }
 
 }  // namespace vybeg::cli

@@ -36,7 +36,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vybeg::cli {
@@ -160,34 +159,21 @@ std::vector<Diagnostic> without_effect(const SimulateRequest& request) {
 
 }  // namespace
 
-int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
+Status run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     const double begun = seconds_now();
-    const Result<Recording> recording =
-        open_recording(request.input, request.open, silent_job(stop));
-    if (!recording) {
-        return log.fail(recording.error());
-    }
-    const Result<std::string> sha256 = recording_sha256(*recording, silent_job(stop));
-    if (!sha256) {
-        return log.fail(sha256.error());
-    }
-    const Result<SampleFaults> faults = inspect(*recording, {}, job_of(stop, log));
-    if (!faults) {
-        return log.fail(faults.error());
-    }
-    if (const Status still = unchanged(*recording); !still) {
-        return log.fail(still.error());
-    }
-    log.warnings(without_effect(request.open, *recording));
+    const auto recording = TRY(open_recording(request.input, request.open, silent_job(stop)));
+    const auto sha256 = TRY(recording_sha256(recording, silent_job(stop)));
+    const auto faults = TRY(inspect(recording, {}, job_of(stop, log)));
+    TRY(unchanged(recording));
+    log.warnings(without_effect(request.open, recording));
     const double read = seconds_now();
-    const Status written =
-        write_text(request.json ? recording_json(*recording, *sha256, faults->findings)
-                                : described(*recording, *sha256, faults->findings, request.verbose),
-                   silent_job(stop));
-    if (written && request.timing) {
+    TRY(write_text(request.json ? recording_json(recording, sha256, faults.findings)
+                                : described(recording, sha256, faults.findings, request.verbose),
+                   silent_job(stop)));
+    if (request.timing) {
         say_timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0);
     }
-    return written ? 0 : log.fail(written.error());
+    return {};
 }
 
 namespace {
@@ -215,39 +201,21 @@ Status write_log_track(const AnalyzeRequest& request, TrackFormat format, Output
 
 }  // namespace
 
-int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
-    if (const Status valid = validate(request.settings); !valid) {
-        return log.fail(valid.error());
-    }
-    if (const Status possible = check_outputs({{"-o", request.output, ""}},
-                                              {{request.input, "it is the recording itself"}});
-        !possible) {
-        return log.fail(possible.error());
-    }
-    const Result<TrackFormat> format = format_of_track(request.output);
-    if (!format) {
-        return log.fail(format.error());
-    }
+Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
+    TRY(validate(request.settings));
+    TRY(check_outputs({{"-o", request.output, ""}},
+                      {{request.input, "it is the recording itself"}}));
+    const auto format = TRY(format_of_track(request.output));
     if (request.log.given()) {
-        Result<OutputFile> output = open_output(request.output, silent_job(stop));
-        const Status written =
-            output ? write_log_track(request, *format, *output, log, job_of(stop, log))
-                   : Status(output.error());
-        return written ? 0 : log.fail(written.error());
+        auto output = TRY(open_output(request.output, silent_job(stop)));
+        return write_log_track(request, format, output, log, job_of(stop, log));
     }
     const double begun = seconds_now();
-    const Result<Recording> recording =
-        open_recording(request.input, request.open, silent_job(stop));
-    if (!recording) {
-        return log.fail(recording.error());
-    }
-    HashBeside hash(*recording, request.settings.threads, stop);
+    const auto recording = TRY(open_recording(request.input, request.open, silent_job(stop)));
+    HashBeside hash(recording, request.settings.threads, stop);
     const double opened = seconds_now();
-    Result<OutputFile> output = open_output(request.output, silent_job(stop));
-    if (!output) {
-        return log.fail(output.error());
-    }
-    TrackWriter rows(*output, *format, silent_job(stop));
+    auto output = TRY(open_output(request.output, silent_job(stop)));
+    TrackWriter rows(output, format, silent_job(stop));
     double write_s = 0;
     const TrackSink sink = [&](const Track& next) {
         const double before = seconds_now();
@@ -256,28 +224,28 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
         return written;
     };
     const Result<AnalysisSummary> analysis =
-        analyse(*recording, request.settings, sink, job_of(stop, log));
-    const Status still = unchanged(*recording);
+        analyse(recording, request.settings, sink, job_of(stop, log));
+    const Status still = unchanged(recording);
     if (!analysis || !still) {
-        log.warnings(recording->diagnostics);
-        return log.fail(output->as_it_stands(still ? analysis.error() : still.error()));
+        log.warnings(recording.diagnostics);
+        return output.as_it_stands(still ? analysis.error() : still.error());
     }
     log.warnings(std::vector<NamedWarnings>{{"", analysis->diagnostics},
                                             {"", without_effect(request.settings)},
                                             {"", without_effect(request.settings, request.log)},
-                                            {"", without_effect(request.open, *recording)}});
+                                            {"", without_effect(request.open, recording)}});
     const double analysed = seconds_now();
     const Result<std::string> sha256 = hash.get();
     if (!sha256) {
-        return log.fail(output->as_it_stands(sha256.error()));
+        return output.as_it_stands(sha256.error());
     }
     Status written =
-        rows.finish(track_header(program, *recording, *sha256, *analysis), analysis->flagged);
+        rows.finish(track_header(program, recording, *sha256, *analysis), analysis->flagged);
     if (written) {
-        written = output->commit();
+        written = output.commit();
     }
     if (!written) {
-        return log.fail(output->as_it_stands(written.error()));
+        return output.as_it_stands(written.error());
     }
     write_s += seconds_now() - analysed;
     if (request.timing) {
@@ -285,74 +253,44 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
         timing.read_s += opened - begun;
         say_timing(timing, write_s, analysis->plan.count);
     }
-    return 0;
+    return {};
 }
 
-int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop) {
+Status run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop) {
     const double begun = seconds_now();
     const bool has_log = request.lock_in.order > 0;
     const std::string log_path =
         has_log ? std::filesystem::path(request.output).replace_extension("phasors.csv").string()
                 : std::string();
     if (has_log && request.output == "-") {
-        return log.fail(refused_value("--lock-in", "-o -", "its log needs the name of a file"));
+        return refused_value("--lock-in", "-o -", "its log needs the name of a file");
     }
-    if (const Status possible =
-            check_outputs({{"-o", request.output, "the samples go there already"},
-                           {"--truth", request.truth, "the truth goes there already"},
-                           {"--lock-in", log_path, ""}},
-                          {});
-        !possible) {
-        return log.fail(possible.error());
-    }
-    const Result<SampleFormat> format =
-        request.output == "-" ? SampleFormat::csv : sample_format(request.output);
-    if (!format) {
-        return log.fail(format.error());
-    }
-    const Result<TrackFormat> truth_format = format_of_track(request.truth);
-    if (!truth_format) {
-        return log.fail(truth_format.error());
-    }
-    Result<OutputFile> output = open_output(request.output, silent_job(stop));
-    if (!output) {
-        return log.fail(output.error());
-    }
-    std::optional<OutputFile> truth;
-    if (!request.truth.empty()) {
-        Result<OutputFile> file = open_output(request.truth, silent_job(stop));
-        if (!file) {
-            return log.fail(file.error());
-        }
-        truth.emplace(std::move(*file));
-    }
-    std::optional<OutputFile> phasors;
-    if (has_log) {
-        Result<OutputFile> file = open_output(log_path, silent_job(stop));
-        if (!file) {
-            return log.fail(file.error());
-        }
-        phasors.emplace(std::move(*file));
-    }
+    TRY(check_outputs({{"-o", request.output, "the samples go there already"},
+                       {"--truth", request.truth, "the truth goes there already"},
+                       {"--lock-in", log_path, ""}},
+                      {}));
+    const auto format =
+        TRY(request.output == "-" ? SampleFormat::csv : sample_format(request.output));
+    const auto truth_format = TRY(format_of_track(request.truth));
+    auto output = TRY(open_output(request.output, silent_job(stop)));
+    auto truth = TRY(open_named(request.truth, silent_job(stop)));
+    auto phasors = TRY(open_named(log_path, silent_job(stop)));
     const FreeDecay& decay = request.decay;
     // The signals are made anew for each time that they are gone through.
     const bool peak_unknown = decay.bits > 0 && decay.full_scale == 0;
-    const int runs = (*format == SampleFormat::mat ? 2 : 1) + (peak_unknown ? 1 : 0);
+    const int runs = (format == SampleFormat::mat ? 2 : 1) + (peak_unknown ? 1 : 0);
     const JobControl whole = job_of(stop, log);
     int done = 0;
     const JobControl job(stop, [&](double fraction) {
         whole.report((done + fraction) / runs);
         done += fraction == 1 ? 1 : 0;
     });
-    const Result<double> full_scale = find_full_scale(decay, job);
-    if (!full_scale) {
-        return log.fail(full_scale.error());
-    }
-    const bool pcm = *format == SampleFormat::wav && decay.bits > 0;
+    const auto full_scale = TRY(find_full_scale(decay, job));
+    const bool pcm = format == SampleFormat::wav && decay.bits > 0;
     std::optional<SoftwareLockIn> lock_in;
     const auto run = [&](const SampleSink& sink) {
         if (!has_log) {
-            return simulate(decay, *full_scale, sink, job);
+            return simulate(decay, full_scale, sink, job);
         }
         const auto samples = std::llround(decay.rate_hz / request.lock_in_rate_hz);
         lock_in.emplace(request.lock_in, decay.f0_hz, decay.rate_hz,
@@ -361,38 +299,38 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
             lock_in->take(c, d);
             return sink(c, d);
         };
-        return simulate(decay, *full_scale, both, job);
+        return simulate(decay, full_scale, both, job);
     };
-    Status written = write_stream(
-        *output, *format, {frame_count(decay), decay.rate_hz, decay.bits, *full_scale, run});
-    if (written && truth) {
-        written = fill_truth(*truth, *truth_format, request, *full_scale, pcm, silent_job(stop));
-    }
-    if (written && phasors) {
-        written = phasors->write(lock_in->table());
-    }
-    std::vector<OutputFile*> outputs{&*output};
+    std::vector<OutputFile*> outputs{&output};
     if (phasors) {
         outputs.push_back(&*phasors);
     }
     if (truth) {
         outputs.push_back(&*truth);
     }
-    if (written) {
-        written = OutputFile::commit_together(outputs);
-    }
-    if (!written) {
+    const auto write_all = [&]() -> Status {
+        TRY(write_stream(output, format,
+                         {frame_count(decay), decay.rate_hz, decay.bits, full_scale, run}));
+        if (truth) {
+            TRY(fill_truth(*truth, truth_format, request, full_scale, pcm, silent_job(stop)));
+        }
+        if (phasors) {
+            TRY(phasors->write(lock_in->table()));
+        }
+        return OutputFile::commit_together(outputs);
+    };
+    if (const Status written = write_all(); !written) {
         Error error = written.error();
         for (const OutputFile* file : outputs) {
             error = file->as_it_stands(error);
         }
-        return log.fail(error);
+        return error;
     }
     log.warnings(without_effect(request));
     if (request.timing) {  // the samples are made while they are written
         say_timing({.threads = 1}, seconds_now() - begun, 0);
     }
-    return 0;
+    return {};
 }
 
 }  // namespace vybeg::cli

@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -72,53 +71,28 @@ Status check_drift_paths(const DriftRequest& request) {
 
 }  // namespace
 
-int run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
-    if (const Status possible = check_drift_paths(request); !possible) {
-        return log.fail(possible.error());
-    }
+Status run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
+    TRY(check_drift_paths(request));
     std::vector<WholeAngleLog> logs;
     for (const std::string& input : request.inputs) {
-        Result<WholeAngleLog> read =
-            read_whole_angle_log(input, request.settings.reading, silent_job(stop));
-        if (!read) {
-            return log.fail(read.error());
-        }
-        logs.push_back(std::move(*read));
+        auto read = TRY(read_whole_angle_log(input, request.settings.reading, silent_job(stop)));
+        logs.push_back(std::move(read));
     }
-    std::optional<OutputFile> output;
-    if (!request.output.empty()) {
-        Result<OutputFile> file = open_output(request.output, silent_job(stop));
-        if (!file) {
-            return log.fail(file.error());
-        }
-        output.emplace(std::move(*file));
-    }
-    const Result<WholeAngleDrift> drift =
-        whole_angle_drift(logs, job_of(stop, log), pick_offs(request.settings.tolerance));
-    if (!drift) {
-        return log.fail(drift.error());
-    }
-    log.warnings(drift->warnings);
+    auto output = TRY(open_named(request.output, silent_job(stop)));
+    const auto drift =
+        TRY(whole_angle_drift(logs, job_of(stop, log), pick_offs(request.settings.tolerance)));
+    log.warnings(drift.warnings);
     const bool whole = file_ending(request.output) == ".json";
     const std::string json =
-        request.json || whole ? drift_json(program, logs, request.settings, *drift) : "";
+        request.json || whole ? drift_json(program, logs, request.settings, drift) : "";
     if (request.output != "-") {
-        const Status said = write_text(request.json ? json : drift_text(*drift), silent_job(stop));
-        if (!said) {
-            return log.fail(said.error());
-        }
+        TRY(write_text(request.json ? json : drift_text(drift), silent_job(stop)));
     }
     if (output) {
-        Status written =
-            output->write(whole ? json : drift_csv(program, logs, request.settings, *drift));
-        if (written) {
-            written = output->commit();
-        }
-        if (!written) {
-            return log.fail(written.error());
-        }
+        TRY(output->write(whole ? json : drift_csv(program, logs, request.settings, drift)));
+        TRY(output->commit());
     }
-    return 0;
+    return {};
 }
 
 }  // namespace vybeg::cli

@@ -28,15 +28,11 @@ Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
         }
         return MeasurementList{{}, {std::move(set)}, {}};
     }
-    Result<MeasurementList> list =
-        read_measurement_list(request.list, {request.open, request.settings});
-    if (!list) {
-        return list.error();
-    }
-    log.warnings(list->warnings);
-    if (!request.set.empty() || list->sets.size() > 1) {
-        auto set = TRY(set_named(*list, "--set", request.set));
-        list->sets = {std::move(set)};
+    auto list = TRY(read_measurement_list(request.list, {request.open, request.settings}));
+    log.warnings(list.warnings);
+    if (!request.set.empty() || list.sets.size() > 1) {
+        auto set = TRY(set_named(list, "--set", request.set));
+        list.sets = {std::move(set)};
     }
     return list;
 }
@@ -51,52 +47,30 @@ Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
         return refused_value("--database", request.database, "it must be a file");
     }
     const bool summary = request.output.empty();
-    Status possible = check_outputs(
+    TRY(check_outputs(
         {{"-o", summary ? "-" : request.output,
           summary ? "the summary goes there already" : "the result goes there already"},
          {"--passport", request.new_passport, "the passport goes there already"},
          {"--database", request.database, ""}},
-        inputs);
+        inputs));
     for (const std::string& output : {request.output, request.new_passport}) {
-        if (const Status known = check_ending(output, {"", ".json"});
-            possible && output != "-" && !known) {
-            possible = known;
+        if (output != "-") {
+            TRY(check_ending(output, {"", ".json"}));
         }
     }
-    return possible;
-}
-
-// What was asked for, opened before the work is done: a missing folder shows at once.
-struct Outputs {
-    std::optional<OutputFile> result;
-    std::optional<OutputFile> passport;
-    std::optional<ResultsDatabase> database;
-};
-
-Status open_into(const std::string& name, std::optional<OutputFile>& output,
-                 const JobControl& job) {
-    if (name.empty()) {
-        return {};
-    }
-    auto file = TRY(open_output(name, job));
-    output.emplace(std::move(file));
     return {};
 }
 
-Status open_into(const std::string& name, std::optional<ResultsDatabase>& database,
-                 const JobControl& job, Log& log) {
+Result<std::optional<ResultsDatabase>> open_database(const std::string& name, const JobControl& job,
+                                                     Log& log) {
     if (name.empty()) {
-        return {};
+        return std::optional<ResultsDatabase>();
     }
     constexpr double patience_s = 60;
-    Result<ResultsDatabase> opened = ResultsDatabase::open(
+    auto database = TRY(ResultsDatabase::open(
         name, ResultsDatabase::Access::write, job, patience_s,
-        [&log](const Diagnostic& waiting) { log.warnings(std::vector{waiting}); });
-    if (!opened) {
-        return opened.error();
-    }
-    database.emplace(std::move(*opened));
-    return {};
+        [&log](const Diagnostic& waiting) { log.warnings(std::vector{waiting}); }));
+    return std::optional(std::move(database));
 }
 
 // Before the files, as batch does: the same again replaces what a failure of them leaves. Warns of
@@ -107,21 +81,8 @@ Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
     if (holder && *holder != own) {
         log.warnings(std::vector{same_recordings(own, *holder)});
     }
-    const Result<std::int64_t> added = database.add(result);
-    return added ? Status() : added.error();
-}
-
-// All of them appear, or none.
-Status write_outputs(Outputs& outputs, const std::string& result, const std::string& passport) {
-    std::vector<OutputFile*> files;
-    for (const auto& [output, text] :
-         {std::pair{&outputs.result, &result}, std::pair{&outputs.passport, &passport}}) {
-        if (*output) {
-            TRY((*output)->write(*text));
-            files.push_back(&**output);
-        }
-    }
-    return OutputFile::commit_together(files);
+    TRY(database.add(result));
+    return {};
 }
 
 std::string identify_timing_line(const Identification& identification, double open_s,
@@ -145,69 +106,47 @@ std::string identify_timing_line(const Identification& identification, double op
 
 }  // namespace
 
-int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop) {
-    if (const Status valid = validate(request.settings); !valid) {
-        return log.fail(valid.error());
-    }
-    if (const Status valid = check_options(request.open); !valid) {
-        return log.fail(valid.error());
-    }
-    const Result<MeasurementList> list = wanted_set(request, log);
-    if (!list) {
-        return log.fail(list.error());
-    }
-    const MeasurementSet* const set = &list->sets.front();
+Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop) {
+    TRY(validate(request.settings));
+    TRY(check_options(request.open));
+    const auto list = TRY(wanted_set(request, log));
+    const MeasurementSet& set = list.sets.front();
     const double begun = seconds_now();
-    Result<OpenSet> open = open_set(*set, request.old_passport, stop);
-    if (!open) {
-        return log.fail(open.error());
-    }
-    if (const Status possible = check_paths(request, *set); !possible) {
-        return log.fail(possible.error());
-    }
-    Outputs outputs;
+    const auto open = TRY(open_set(set, request.old_passport, stop));
+    TRY(check_paths(request, set));
+    // Before the work is done: a missing folder shows at once.
     const bool summary = request.output.empty();
-    for (const auto& [name, output] :
-         {std::pair{summary ? std::string("-") : request.output, &outputs.result},
-          std::pair{request.new_passport, &outputs.passport}}) {
-        if (const Status opened = open_into(name, *output, silent_job(stop)); !opened) {
-            return log.fail(opened.error());
-        }
-    }
-    if (const Status there = open_into(request.database, outputs.database, silent_job(stop), log);
-        !there) {
-        return log.fail(there.error());
-    }
+    auto output = TRY(open_output(summary ? "-" : request.output, silent_job(stop)));
+    auto passport = TRY(open_named(request.new_passport, silent_job(stop)));
+    auto database = TRY(open_database(request.database, silent_job(stop), log));
     const double opened = seconds_now();
     const Result<SetResult> result =
-        identify_set(*open, program, request.compare, job_of(stop, log));
+        identify_set(open, program, request.compare, job_of(stop, log));
     if (!result) {
-        log.warnings(warnings_of(*open));
-        return log.fail(result.error());
+        log.warnings(warnings_of(open));
+        return result.error();
     }
-    log.warnings(warnings_of(*open, *result));
+    log.warnings(warnings_of(open, *result));
     const double identified = seconds_now();
-    if (outputs.database) {
-        const auto to_store = stored_result(*result, identify_json(*result));
-        const Status stored =
-            to_store ? store(*outputs.database, *to_store, log) : Status(to_store.error());
-        if (!stored) {
-            return log.fail(stored.error());
-        }
+    if (database) {
+        const auto to_store = TRY(stored_result(*result, identify_json(*result)));
+        TRY(store(*database, to_store, log));
     }
-    const Status written =
-        write_outputs(outputs, summary ? identify_text(*result) : identify_json(*result),
-                      outputs.passport ? passport_json(passport_of(*result)) : "");
-    if (!written) {
-        return log.fail(written.error());
+    // All of them appear, or none.
+    std::vector<OutputFile*> files{&output};
+    TRY(output.write(summary ? identify_text(*result) : identify_json(*result)));
+    if (passport) {
+        TRY(passport->write(passport_json(passport_of(*result))));
+        files.push_back(&*passport);
     }
+    TRY(OutputFile::commit_together(files));
     if (request.timing) {
         std::fputs(
             identify_timing_line(result->identification, opened - begun, seconds_now() - identified)
                 .c_str(),
             stderr);
     }
-    return 0;
+    return {};
 }
 
 }  // namespace vybeg::cli

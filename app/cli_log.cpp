@@ -2,6 +2,7 @@
 
 #include "core/base/messages.h"
 #include "core/base/plain_text.h"
+#include "core/output/quantity_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,10 +16,6 @@ namespace vybeg::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string json_line(const Json& object) {
-    return object.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 }  // namespace
 

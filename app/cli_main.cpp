@@ -7,7 +7,6 @@
 #include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/base/caught_error.h"
-#include "core/base/messages.h"
 #include "core/simulation/simulate.h"
 
 #include <CLI/CLI.hpp>
@@ -30,15 +29,14 @@ struct LogOptions {
     bool verbose = false;
 };
 
-void add_log_options(CLI::App& app, LogOptions& options) {
+void add_log_options(CLI::App& app, LogOptions& options, bool with_verbose = true) {
     app.add_flag("--quiet", options.quiet, "Neither progress nor warnings on standard error");
     app.add_flag("--json-log", options.json,
                  "Standard error as one JSON object per line: errors, warnings, progress");
-}
-
-void add_verbose(CLI::App& app, bool& verbose) {
-    app.add_flag("--verbose", verbose,
-                 "All warnings, and notes, each by itself (default: the three worst)");
+    if (with_verbose) {
+        app.add_flag("--verbose", options.verbose,
+                     "All warnings, and notes, each by itself (default: the three worst)");
+    }
 }
 
 void add_input(CLI::App& app, std::string& input) {
@@ -187,7 +185,6 @@ int run(int argc, char** argv) {
     add_open_options(*info_command, info.open);
     add_timing(*info_command, info.timing);
     add_log_options(*info_command, log_options);
-    add_verbose(*info_command, log_options.verbose);
 
     AnalyzeRequest analyze;
     CLI::App* const analyze_command =
@@ -203,7 +200,6 @@ int run(int argc, char** argv) {
     add_open_options(*analyze_command, analyze.open);
     add_log_choice(*analyze_command, analyze.log);
     add_log_options(*analyze_command, log_options);
-    add_verbose(*analyze_command, log_options.verbose);
     add_timing(*analyze_command, analyze.timing);
 
     IdentifyRequest identification;
@@ -218,7 +214,6 @@ int run(int argc, char** argv) {
         ->type_name("PASSPORT.json");
     add_database(*identify_command, identification.database);
     add_log_options(*identify_command, log_options);
-    add_verbose(*identify_command, log_options.verbose);
 
     IdentifyRequest comparison;
     CLI::App* const compare_command =
@@ -232,14 +227,12 @@ int run(int argc, char** argv) {
     add_identification(*compare_command, comparison);
     add_compare_options(*compare_command, comparison.compare);
     add_log_options(*compare_command, log_options);
-    add_verbose(*compare_command, log_options.verbose);
 
     DriftRequest drift;
     CLI::App* const drift_command = app.add_subcommand(
         "drift", "The drift of a wave that is held and turns, from whole-angle logs");
     add_drift_options(*drift_command, drift);
     add_log_options(*drift_command, log_options);
-    add_verbose(*drift_command, log_options.verbose);
 
     BatchCommand batch;
     batch.batch.program = program;
@@ -247,14 +240,13 @@ int run(int argc, char** argv) {
         app.add_subcommand("batch", "The resonators of a measurement list, as a table");
     add_batch_options(*batch_command, batch);
     add_log_options(*batch_command, log_options);
-    add_verbose(*batch_command, log_options.verbose);
 
     SimulateRequest simulation;
     CLI::App* const simulate_command =
         app.add_subcommand("simulate", "A recording from the equations of motion, and its truth");
     add_simulate_options(*simulate_command, simulation);
     add_timing(*simulate_command, simulation.timing);
-    add_log_options(*simulate_command, log_options);
+    add_log_options(*simulate_command, log_options, false);
 
     let_repeated_options_parse(app);
     try {
@@ -276,13 +268,14 @@ int run(int argc, char** argv) {
     if (const Status enough = check_stack(); !enough) {
         return log.fail(enough.error());
     }
+    const auto ended = [&log](const Status& done) { return done ? 0 : log.fail(done.error()); };
     const IdentifyRequest& asked = compare_command->parsed() ? comparison : identification;
     if ((identify_command->parsed() || compare_command->parsed()) && asked.inputs.empty() &&
         asked.list.empty()) {
         return log.fail_usage("FILE or --list is required.");
     }
     if (simulate_command->parsed()) {
-        return run_simulate(simulation, log, interrupt.token());
+        return ended(run_simulate(simulation, log, interrupt.token()));
     }
     const int threads = std::max({analyze.settings.threads, identification.settings.threads,
                                   comparison.settings.threads, batch.batch.settings.threads});
@@ -290,16 +283,16 @@ int run(int argc, char** argv) {
         return log.fail(enough.error());
     }
     if (info_command->parsed()) {
-        return run_info(info, log, interrupt.token());
+        return ended(run_info(info, log, interrupt.token()));
     }
     if (analyze_command->parsed()) {
-        return run_analyze(analyze, log, interrupt.token());
+        return ended(run_analyze(analyze, log, interrupt.token()));
     }
     if (identify_command->parsed()) {
-        return run_identify(identification, log, interrupt.token());
+        return ended(run_identify(identification, log, interrupt.token()));
     }
     if (drift_command->parsed()) {
-        return run_drift(drift, log, interrupt.token());
+        return ended(run_drift(drift, log, interrupt.token()));
     }
     if (batch_command->parsed()) {
         for (const char* option : {"--f-limit", "--limit"}) {
@@ -311,9 +304,9 @@ int run(int argc, char** argv) {
         if (batch.batch.list.empty()) {
             return log.fail_usage("LIST is required.");
         }
-        return run_batch(batch, log, interrupt.token());
+        return ended(run_batch(batch, log, interrupt.token()));
     }
-    return run_identify(comparison, log, interrupt.token());
+    return ended(run_identify(comparison, log, interrupt.token()));
 }
 
 }  // namespace

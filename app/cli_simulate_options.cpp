@@ -5,6 +5,8 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
+#include "core/base/setting_rows.h"
 
 #include <array>
 #include <charconv>
@@ -85,15 +87,7 @@ std::string with_default(const std::string& help, const std::string& value) {
 }
 
 std::string offset_text(const FreeDecay& decay) {
-    return round_trip_text(decay.offset_c) + "," + round_trip_text(decay.offset_d);
-}
-
-std::string joined(const std::vector<double>& numbers) {
-    std::string text;
-    for (const double number : numbers) {
-        text += (text.empty() ? "" : ",") + round_trip_text(number);
-    }
-    return text;
+    return joined({decay.offset_c, decay.offset_d});
 }
 
 // FRAME:COUNT,...
@@ -111,12 +105,9 @@ std::vector<LostSamples> lost_value(const std::string& option, const std::string
 }
 
 std::string lost_text(const std::vector<LostSamples>& lost) {
-    std::string text;
-    for (const LostSamples& fault : lost) {
-        text +=
-            (text.empty() ? "" : ",") + integer_text(fault.frame) + ":" + integer_text(fault.count);
-    }
-    return text;
+    return joined(lost, ",", [](const LostSamples& fault) {
+        return integer_text(fault.frame) + ":" + integer_text(fault.count);
+    });
 }
 
 void add_hum_and_faults(CLI::App& app, FreeDecay& decay) {

@@ -20,6 +20,14 @@ JobControl silent_job(std::stop_token stop) {
     return JobControl(std::move(stop), {}, seconds_now);
 }
 
+Result<std::optional<OutputFile>> open_named(const std::string& name, const JobControl& job) {
+    if (name.empty()) {
+        return std::optional<OutputFile>();
+    }
+    auto file = TRY(open_output(name, job));
+    return std::optional(std::move(file));
+}
+
 Status write_text(const std::string& text, const JobControl& job) {
     OutputFile output = OutputFile::onto(STDOUT_FILENO, "standard output", job);
     TRY(output.write(text));

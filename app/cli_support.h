@@ -4,6 +4,7 @@
 #include "core/base/job_control.h"
 #include "core/output/output_file.h"
 
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -18,6 +19,9 @@ double seconds_now();
 JobControl job_of(std::stop_token stop, Log& log);
 // Everything else: heard when it is to stop, without its own progress.
 JobControl silent_job(std::stop_token stop);
+
+// The file of an option; none where it is not given.
+Result<std::optional<OutputFile>> open_named(const std::string& name, const JobControl& job);
 
 // Text to standard output.
 Status write_text(const std::string& text, const JobControl& job);

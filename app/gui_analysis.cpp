@@ -22,6 +22,10 @@ int fail(const Error& error) {
     return exit_status(error.code);
 }
 
+int ended(const Status& done) {
+    return done ? 0 : fail(done.error());
+}
+
 void warn(const std::vector<Diagnostic>& diagnostics) {
     const std::vector<Finding> findings = findings_of(diagnostics);
     const std::size_t count = count_warnings(findings);

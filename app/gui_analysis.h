@@ -20,6 +20,7 @@ namespace vybeg::cli {
 
 // Returns the exit status (help, files.html).
 int fail(const Error& error);
+int ended(const Status& done);
 void warn(const std::vector<Diagnostic>& diagnostics);
 
 // Checks what can be checked before the first recording is opened, and warns of settings without

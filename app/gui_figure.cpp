@@ -26,26 +26,16 @@ std::vector<Settings> columns_of(const FigureRequest& request) {
 
 }  // namespace
 
-int draw_figure(const FigureRequest& request, std::stop_token stop) {
-    if (const Status possible =
-            check_request("--figure", request.figure, request.inputs, request.settings);
-        !possible) {
-        return fail(possible.error());
-    }
+Status draw_figure(const FigureRequest& request, std::stop_token stop) {
+    TRY(check_request("--figure", request.figure, request.inputs, request.settings));
     const JobControl job(stop);
     std::vector<ui::FigureColumn> columns;
     for (const std::string& input : request.inputs) {
-        const Result<Recording> recording = open_warned(input, request.open, job);
-        if (!recording) {
-            return fail(recording.error());
-        }
+        const auto recording = TRY(open_warned(input, request.open, job));
         for (const Settings& settings : columns_of(request)) {
-            Result<Analysis> analysis = analyse_warned(*recording, settings, job);
-            if (!analysis) {
-                return fail(analysis.error());
-            }
+            auto analysis = TRY(analyse_warned(recording, settings, job));
             ui::ShownAnalysis shown =
-                shown_analysis(*recording, std::move(*analysis), static_cast<int>(columns.size()));
+                shown_analysis(recording, std::move(analysis), static_cast<int>(columns.size()));
             const QString title = request.inputs.size() > 1
                                       ? QStringLiteral("%1, %2").arg(shown.recording, shown.name)
                                       : shown.name;
@@ -53,12 +43,10 @@ int draw_figure(const FigureRequest& request, std::stop_token stop) {
         }
     }
     if (stop.stop_requested()) {
-        return fail({ErrorCode::interrupted, {}, {}});
+        return Error{ErrorCode::interrupted, {}, {}};
     }
-    const Status drawn =
-        ui::writeDrawing(ui::figureDrawing(columns), {ui::figureSize(columns.size(), {})},
-                         QString::fromStdString(request.figure));
-    return drawn ? 0 : fail(drawn.error());
+    return ui::writeDrawing(ui::figureDrawing(columns), {ui::figureSize(columns.size(), {})},
+                            QString::fromStdString(request.figure));
 }
 
 }  // namespace vybeg::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/settings.h"
+#include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
 
 #include <cstdint>
@@ -11,8 +12,7 @@
 namespace vybeg::cli {
 
 // `vybeg FILE... --figure FIGURE [--windows 6,60]`: the stacked plots, one column per recording and
-// window length. Needs a QApplication, shows no window. Errors and warnings go to standard error;
-// returns the exit status (help, files.html).
+// window length. Needs a QApplication, shows no window. Warnings go to standard error.
 struct FigureRequest {
     std::vector<std::string> inputs;
     std::string figure;                 // its ending chooses SVG, PDF or PNG
@@ -21,6 +21,6 @@ struct FigureRequest {
     Settings settings;
 };
 
-int draw_figure(const FigureRequest& request, std::stop_token stop);
+Status draw_figure(const FigureRequest& request, std::stop_token stop);
 
 }  // namespace vybeg::cli

@@ -1,5 +1,6 @@
 #include "app/analysis_options.h"
 #include "app/cli_interrupt.h"
+#include "app/cli_support.h"
 #include "app/gui_analysis.h"
 #include "app/gui_figure.h"
 #include "app/gui_report.h"
@@ -9,7 +10,6 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/caught_error.h"
 #include "core/base/messages.h"
-#include "core/output/output_file.h"
 #include "ui/document/document.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/file_commands.h"
@@ -31,7 +31,6 @@
 #include <span>
 #include <sstream>
 #include <stop_token>
-#include <unistd.h>
 #include <utility>
 
 namespace {
@@ -190,7 +189,8 @@ int figure_mode(int argc, char** argv, const Requested& requested) {
         warn({{DiagnosticKind::option_without_effect,
                {"--tolerance", "a figure shows no resonator"}}});
     }
-    return drawing_mode(argc, argv, [&](auto stop) { return draw_figure(requested.figure, stop); });
+    return drawing_mode(argc, argv,
+                        [&](auto stop) { return ended(draw_figure(requested.figure, stop)); });
 }
 
 int report_mode(int argc, char** argv, const Requested& requested) {
@@ -228,9 +228,7 @@ int window_mode(int argc, char** argv, const FigureRequest& request, const Toler
 int printed(const CLI::App& app, const CLI::ParseError& asked) {
     std::ostringstream text;
     const int status = app.exit(asked, text, text);
-    OutputFile output = OutputFile::onto(STDOUT_FILENO, "standard output", JobControl());
-    Status written = output.write(text.str());
-    written = written ? output.commit() : written;
+    const Status written = write_text(text.str(), JobControl());
     return written ? status : fail(written.error());
 }
 

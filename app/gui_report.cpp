@@ -1,19 +1,32 @@
 #include "app/gui_report.h"
 
 #include "app/gui_analysis.h"
-#include "app/gui_report_session.h"
-#include "app/gui_report_set.h"
-#include "core/base/messages.h"
+#include "core/analysis/inspect.h"
+#include "core/base/read_value.h"
+#include "core/batch/identify_set.h"
 #include "core/batch/list_sets.h"
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
+#include "core/track/events.h"
+#include "ui/document/document.h"
+#include "ui/plots/track_view.h"
+#include "ui/report/document_report.h"
 #include "ui/report/report_pdf.h"
+#include "ui/report/report_writer.h"
+#include "ui/resonator/conditions_text.h"
 #include "ui/session/session_keeper.h"
 
 #include <QCoreApplication>
+#include <QEventLoop>
 #include <QFileInfo>
+#include <QTimer>
 
+#include <algorithm>
+#include <cstdio>
+#include <functional>
 #include <iterator>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace vybeg::cli {
@@ -23,9 +36,7 @@ namespace {
 Status check_pdf(const std::string& path) {
     return file_ending(path) == ".pdf"
                ? Status()
-               : Error{ErrorCode::setting_invalid,
-                       "",
-                       {"--report", path, "a report is a PDF document: name it .pdf"}};
+               : refused_value("--report", path, "a report is a PDF document: name it .pdf");
 }
 
 bool is_session(const std::string& input) {
@@ -35,10 +46,8 @@ bool is_session(const std::string& input) {
 Status check_no_session(const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs) {
         if (is_session(input)) {
-            return Error{
-                ErrorCode::setting_invalid,
-                "",
-                {"--report", input, "a session is a report of its own: name no other file"}};
+            return refused_value("--report", input,
+                                 "a session is a report of its own: name no other file");
         }
     }
     return {};
@@ -56,16 +65,12 @@ Result<MeasurementList> wanted_sets(const ReportRequest& request) {
         }
         return MeasurementList{{}, {std::move(set)}, {}};
     }
-    Result<MeasurementList> list = read_measurement_list(request.list, {request.open, settings});
-    if (!list) {
-        return list.error();
+    auto list = TRY(read_measurement_list(request.list, {request.open, settings}));
+    warn(list.warnings);
+    if (!request.set.empty()) {
+        auto named = TRY(set_named(list, "--set", request.set));
+        list.sets = {std::move(named)};
     }
-    warn(list->warnings);
-    if (request.set.empty()) {
-        return list;
-    }
-    auto named = TRY(set_named(*list, "--set", request.set));
-    list->sets = {std::move(named)};
     return list;
 }
 
@@ -91,6 +96,80 @@ bool ends_report(ErrorCode code) {
 
 QString program_text() {
     return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
+}
+
+// A recording with its check and its analysis.
+Status add_recording(const Recording& recording, const Settings& settings, const JobControl& job,
+                     ui::ReportContent& content) {
+    auto analysis = TRY(analyse_warned(recording, settings, job));
+    auto faults = TRY(inspect(recording, settings, job));
+    ui::ReportRecording told = ui::reportRecording(recording, {});
+    told.check = std::move(faults.findings);
+    const std::size_t index = content.recordings.size();
+    const TrackSummary means = analysis.means;
+    std::vector<Event> events = find_events(analysis.track);
+    content.analyses.push_back(
+        {shown_analysis(recording, std::move(analysis), static_cast<int>(index)), index, means,
+         std::move(events)});
+    content.recordings.push_back(std::move(told));
+    return {};
+}
+
+Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& content) {
+    TRY(read_contents(open, job.stop_token()));
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
+        content.recordings[k].sha256 = QString::fromStdString(open.set.recordings[k].sha256);
+    }
+    Result<SetResult> found = identify_set(open, {}, {}, job);
+    for (const RecordingRef& log : open.set.recordings) {
+        if (open.set.settings.logs.given()) {
+            content.recordings.push_back(ui::reportLog(log));
+            content.recordings.back().conditions = ui::conditionsText(log);
+        }
+    }
+    if (found) {
+        content.outcome = std::make_shared<ui::ResonatorOutcome>(
+            ui::ResonatorOutcome{std::move(*found), {}, 0, {}});
+        return {};
+    }
+    if (found.error().code == ErrorCode::interrupted ||
+        found.error().code == ErrorCode::file_changed) {
+        return found.error();
+    }
+    content.not_identified = found.error();
+    return {};
+}
+
+// What a report shows of a set, computed from its recordings: checks, analyses in the windows of
+// `track` with the set's signals, identification. What cannot be identified has its reason in it.
+// Conditions of the set take precedence over `title`. Warnings go to standard error. Errors:
+// conditions_differ, those of open_recording(), analyse(), inspect(), read_contents(),
+// file_changed, interrupted.
+Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
+                                        const ui::ReportTitle& title, const JobControl& job) {
+    TRY(check_conditions(set));
+    OpenSet open;
+    open.set = set;
+    ui::ReportContent content;
+    // Logs have no samples to analyse.
+    const std::size_t recordings = set.settings.logs.given() ? 0 : set.recordings.size();
+    for (std::size_t k = 0; k < recordings; ++k) {
+        Settings settings = track;
+        static_cast<SignalSettings&>(settings) = set.settings.signal_of(k);
+        settings.threads = set.settings.threads;
+        const RecordingRef& listed = set.recordings[k];
+        auto recording = TRY(open_warned(listed.path.string(), listed.open, job));
+        open.recordings.push_back(std::move(recording));
+        TRY(add_recording(open.recordings.back(), settings, job, content));
+        content.recordings.back().conditions = ui::conditionsText(listed);
+    }
+    TRY(add_resonator(open, job, content));
+    content.units.angle = ui::AngleUnit::degrees;
+    content.title = ui::titleOf(set, title);
+    if (content.title.date.isEmpty()) {
+        content.title.date = ui::measuredOn(content.recordings);
+    }
+    return content;
 }
 
 Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementList& list,
@@ -133,6 +212,125 @@ Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementLis
                          pictures);
 }
 
+using namespace vybeg::ui;
+
+constexpr int tick_ms = 20;
+
+// Lets the session work until `done`; false after an interruption.
+bool wait_until(const std::function<bool()>& done, const std::stop_token& stop) {
+    QEventLoop loop;
+    QTimer tick;
+    QObject::connect(&tick, &QTimer::timeout, &loop, [&] {
+        if (done() || stop.stop_requested()) {
+            loop.quit();
+        }
+    });
+    tick.start(tick_ms);
+    loop.exec();
+    return !stop.stop_requested();
+}
+
+// Whether every recording has its hash and its check, and no analysis and no drift is under way.
+bool is_whole(const Document& document) {
+    return !document.busy() && !document.drift().computing() &&
+           std::ranges::all_of(document.recordings(), [](const RecordingEntry& entry) {
+               return entry.recording && !entry.sha256.isEmpty() && entry.faults;
+           });
+}
+
+// Sets that the session brings without a result that still holds.
+void identify_the_rest(Document& document) {
+    for (const RecordingSet& set : document.sets().all()) {
+        if ((ui::isOfLogs(set) || !set.recordings.empty()) && !document.sets().outcome(set)) {
+            document.sets().identifySet(set.id);
+        }
+    }
+}
+
+// The set, or all sets, or without one the current recording.
+std::optional<ReportSubject> subject_of(const Document& document) {
+    const std::vector<ReportSubject> subjects = reportSubjects(document);
+    const auto sets = std::ranges::count_if(
+        subjects, [](const ReportSubject& each) { return each.set != ui::SetId::none; });
+    const auto wanted = std::ranges::find_if(subjects, [sets](const ReportSubject& each) {
+        return sets > 1 ? each.all_sets : sets == 1 ? each.set != ui::SetId::none : true;
+    });
+    return wanted == subjects.end() ? std::nullopt : std::optional(*wanted);
+}
+
+std::vector<std::string> recording_files(const ReportRequest& request, const Document& document) {
+    std::vector<std::string> files = request.inputs;
+    for (const RecordingEntry& entry : document.recordings()) {
+        files.push_back(entry.path.toStdString());
+    }
+    return files;
+}
+
+// The session is opened and computed without a window; its set, or all of its sets, are the report,
+// without a set its current recording. What the request's title does not tell is that of the
+// session's gyro.
+int write_session_report(const ReportRequest& request, std::stop_token stop) {
+    Document document;
+    TrackView tracks;
+    SessionKeeper session(document, tracks);
+    session.end();  // without copies: nothing of it is changed
+    DisplayUnits units;
+    QObject::connect(&session, &SessionKeeper::unitsWanted,
+                     [&units](const DisplayUnits& wanted) { units = wanted; });
+    QObject::connect(&document, &Document::reported, [](const Message& message) {
+        std::fprintf(stderr, "vybeg: %s\n", qUtf8Printable(message.text()));
+    });
+    const Error interrupted{ErrorCode::interrupted, {}, {}};
+    if (!session.openSession(QString::fromStdString(request.inputs.front()))) {
+        return exit_status(ErrorCode::format_damaged);  // the message has told why
+    }
+    const auto ready = [&] { return !session.isOpening() && is_whole(document); };
+    if (!wait_until(ready, stop)) {
+        return fail(interrupted);
+    }
+    if (const Status possible = check_request("--report", request.report,
+                                              recording_files(request, document), request.settings);
+        !possible) {
+        return fail(possible.error());
+    }
+    identify_the_rest(document);
+    if (!wait_until(ready, stop)) {
+        return fail(interrupted);
+    }
+    const std::optional<ReportSubject> subject = subject_of(document);
+    if (!subject) {
+        return fail(refused_value(
+            "--report", request.inputs.front(),
+            "none of the session's recordings is there and analysed, and no log has a drift"));
+    }
+    const ReportTitle otherwise =
+        completed(request.title, titleOf(document.dossier().dossier().gyro));
+    std::vector<ReportContent> contents = reportContentsOf(document, *subject);
+    for (ReportContent& content : contents) {
+        content.units = units;
+        content.summary = request.summary;
+        content.title = completed(content.title, otherwise);
+    }
+    ReportWriter writer;
+    std::optional<Status> written;
+    writer.write(contents, subject->name, QString::fromStdString(request.report),
+                 [&written](const Status& status) { written = status; });
+    if (!wait_until([&written] { return written.has_value(); }, stop)) {
+        return fail(interrupted);
+    }
+    return ended(*written);
+}
+
+Status write_report_of_files(const ReportRequest& request, std::stop_token stop) {
+    TRY(check_no_session(request.inputs));
+    const auto list = TRY(wanted_sets(request));
+    TRY(check_request("--report", request.report, files_of(request, list.sets), request.settings));
+    const JobControl job(std::move(stop));
+    const auto pdf = TRY(list.sets.size() == 1 ? pdf_of_one(request, list, job)
+                                               : pdf_of_all(request, list, job));
+    return write_file(request.report, {pdf.constData(), static_cast<std::size_t>(pdf.size())}, job);
+}
+
 }  // namespace
 
 int write_report(const ReportRequest& request, std::stop_token stop) {
@@ -142,27 +340,7 @@ int write_report(const ReportRequest& request, std::stop_token stop) {
     if (request.inputs.size() == 1 && request.list.empty() && is_session(request.inputs.front())) {
         return write_session_report(request, std::move(stop));
     }
-    if (const Status possible = check_no_session(request.inputs); !possible) {
-        return fail(possible.error());
-    }
-    const Result<MeasurementList> list = wanted_sets(request);
-    if (!list) {
-        return fail(list.error());
-    }
-    if (const Status possible = check_request("--report", request.report,
-                                              files_of(request, list->sets), request.settings);
-        !possible) {
-        return fail(possible.error());
-    }
-    const JobControl job(stop);
-    const Result<QByteArray> pdf =
-        list->sets.size() == 1 ? pdf_of_one(request, *list, job) : pdf_of_all(request, *list, job);
-    if (!pdf) {
-        return fail(pdf.error());
-    }
-    const Status written =
-        write_file(request.report, {pdf->constData(), static_cast<std::size_t>(pdf->size())}, job);
-    return written ? 0 : fail(written.error());
+    return ended(write_report_of_files(request, std::move(stop)));
 }
 
 }  // namespace vybeg::cli

@@ -2,6 +2,7 @@
 
 #include "core/base/caught_error.h"
 #include "core/base/messages.h"
+#include "core/base/read_value.h"
 
 #include <tbb/info.h>
 
@@ -98,12 +99,10 @@ Status check_stack() {
         return {};
     }
     const auto kb = [](rlim_t count) { return count_arg(static_cast<std::int64_t>(count)); };
-    return Error{
-        ErrorCode::setting_invalid,
-        "",
-        {words(VYBEG_MESSAGE("Words", "the limit of the stack (ulimit -s)")),
-         words(VYBEG_MESSAGE("Words", "%1 kB"), {kb(stack.rlim_cur >> 10)}),
-         words(VYBEG_MESSAGE("Words", "the program needs %1 kB or more"), {kb(least_kb)})}};
+    return refused_value(
+        words(VYBEG_MESSAGE("Words", "the limit of the stack (ulimit -s)")),
+        words(VYBEG_MESSAGE("Words", "%1 kB"), {kb(stack.rlim_cur >> 10)}),
+        words(VYBEG_MESSAGE("Words", "the program needs %1 kB or more"), {kb(least_kb)}));
 }
 
 void end_with_a_sentence() {

@@ -3,7 +3,6 @@
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/setting_table.h"
 #include "core/analysis/window_faults.h"
-#include "core/base/number_text.h"
 #include "core/recording/checks/recording_check.h"
 
 #include <algorithm>
@@ -64,8 +63,8 @@ void add_diagnostics(const EstimationSummary& estimation, AnalysisSummary& analy
     }
 }
 
-}  // namespace
-
+// What is known of an analysis before its first window is estimated: settings as used, plan,
+// residual, and the findings of the recording.
 AnalysisSummary summary_before(const Settings& settings, const ConditionedRecording& prepared,
                                const WindowPlan& plan, double rate_hz) {
     AnalysisSummary analysis;
@@ -82,6 +81,7 @@ AnalysisSummary summary_before(const Settings& settings, const ConditionedRecord
     return analysis;
 }
 
+// Adds what the windows have shown, and the sample check that has seen all samples on their way.
 void add_estimation(const EstimationSummary& estimation, const SampleFaults& faults,
                     AnalysisSummary& analysis) {
     add_findings(faults.findings, analysis.diagnostics);
@@ -96,6 +96,8 @@ void add_estimation(const EstimationSummary& estimation, const SampleFaults& fau
     analysis.timing.read_s = estimation.read_s;
     analysis.timing.estimate_s = estimation.estimate_s;
 }
+
+}  // namespace
 
 Result<AnalysisSummary> analyse(const Recording& recording, const Settings& settings,
                                 const TrackSink& sink, const JobControl& job,

@@ -17,15 +17,6 @@ namespace vybeg {
 Result<WindowPlan> plan_of(const WindowSettings& settings, const ConditionedRecording& prepared,
                            const Recording& recording);
 
-// What is known of an analysis before its first window is estimated: settings as used, plan,
-// residual, and the findings of the recording.
-AnalysisSummary summary_before(const Settings& settings, const ConditionedRecording& prepared,
-                               const WindowPlan& plan, double rate_hz);
-
-// Adds what the windows have shown, and the sample check that has seen all samples on their way.
-void add_estimation(const EstimationSummary& estimation, const SampleFaults& faults,
-                    AnalysisSummary& analysis);
-
 // Called before the first window is estimated, with the prepared recording and what is known of the
 // analysis until then. An error ends the analysis.
 using BeforeWindows = std::function<Status(const ConditionedRecording&, const AnalysisSummary&)>;

@@ -31,14 +31,9 @@ Result<Analytic> whole_segment(const SampleSource& source, std::int64_t first, s
     std::vector<double> d(c);
     const std::int64_t last = std::min(end, first + 4 * most_frames);
     for (std::int64_t at = first; at < last && std::ssize(run) < most_frames; at += read_frames) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         const auto count = static_cast<std::size_t>(std::min(read_frames, last - at));
-        const Status read = source.read(at, std::span(c).first(count), std::span(d).first(count));
-        if (!read) {
-            return read.error();
-        }
+        TRY(source.read(at, std::span(c).first(count), std::span(d).first(count)));
         for (std::size_t j = 0; j < count; ++j) {
             if (std::isfinite(c[j]) && std::isfinite(d[j])) {
                 run.emplace_back(c[j], d[j]);

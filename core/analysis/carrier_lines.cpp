@@ -1,6 +1,5 @@
 #include "core/analysis/carrier_lines.h"
 
-#include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
 #include "core/numerics/median.h"
@@ -39,13 +38,8 @@ struct Spectrum {
     double hz(std::ptrdiff_t k) const { return static_cast<double>(first + k) * bin_hz; }
 };
 
-struct Reach {
-    double low_hz = 0;
-    double high_hz = 0;
-};
-
 Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t size,
-                             const Reach& reach, double rate_hz, const JobControl& job) {
+                             const Band& reach, double rate_hz, const JobControl& job) {
     Spectrum spectrum;
     spectrum.bin_hz = rate_hz / static_cast<double>(size);
     const auto half = static_cast<std::ptrdiff_t>(size / 2);
@@ -78,9 +72,7 @@ Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t s
     std::vector<double> d(size);
     std::vector<std::complex<double>> data(size);
     for (std::int64_t s = 0; s < segments; ++s) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         TRY(prepared.ahead->read(first + s * step, c, d));
         bool whole = true;
         for (std::size_t j = 0; j < size; ++j) {
@@ -162,7 +154,7 @@ std::vector<Line> lines_of(const Spectrum& spectrum) {
 
 // The median density between the lines, segment by segment, so that a strike or a lost sample in
 // one of them does not count.
-void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const Reach& reach,
+void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const Band& reach,
                 CarrierLines& found) {
     std::vector<std::ptrdiff_t> between;
     for (std::ptrdiff_t k = 0; k < std::ssize(spectrum.mean); ++k) {
@@ -217,7 +209,7 @@ std::size_t segment_size(const ConditionedRecording& prepared, const SignalSetti
     return std::min(wished, std::bit_floor(frames));
 }
 
-Reach within(Reach reach, const SignalSettings& settings, double rate_hz) {
+Band within(Band reach, const SignalSettings& settings, double rate_hz) {
     const Band band = settings.filter.value_or(Band{0, rate_hz / 2});
     return {std::max(reach.low_hz, band.low_hz), std::min(reach.high_hz, band.high_hz)};
 }
@@ -264,7 +256,7 @@ Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
     }
     const double lobe = rate_hz / static_cast<double>(window);
     const double far = std::min(settings.f0_hz ? 400.0 : 80.0, f0 / (settings.f0_hz ? 3 : 8));
-    const Reach wide = within({f0 - far, f0 + far}, settings, rate_hz);
+    const Band wide = within({f0 - far, f0 + far}, settings, rate_hz);
     auto spectrum = TRY(spectrum_of(prepared, size, wide, rate_hz, job));
     std::vector<Line> lines = lines_of(spectrum);
     const std::optional<Line> carrier = strongest_near(lines, f0, lobe);

@@ -360,9 +360,7 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
     if (const auto failed = error.get()) {
         return *failed;
     }
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, "", {}};
-    }
+    TRY(job.go_on());
     summary.moving = motion.finish();
     summary.track = tracks.summary();
     return summary;

@@ -238,11 +238,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
     std::vector<RecordedRun> runs;
     for (std::size_t k = 0; k < windows.size(); ++k) {
         if (!windows[k]) {
-            Error error = windows[k].error();
-            if (error.where.empty()) {
-                error.where = recording_name(recordings[k]);
-            }
-            return error;
+            return about(recordings[k], windows[k].error());
         }
         found.timing.read_s += windows[k]->windows.read_s;
         found.timing.carrier_s += windows[k]->carrier_s;
@@ -302,9 +298,7 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
         }
     }
     found.timing.fit_s = job.now() - fitted_from;
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
+    TRY(job.go_on());
     return found;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/analysis/identify_settings.h"
 #include "core/base/job_control.h"
 #include "core/recording/samples/recording.h"
@@ -30,13 +31,10 @@ struct IdentifiedRun {
     WaveMotion wave;
 };
 
-struct IdentifyTiming {
-    double read_s = 0;      // reading, calibration and filter; summed over the recordings
-    double carrier_s = 0;   // search for the carrier, summed
-    double estimate_s = 0;  // the windows, summed
-    double windows_s = 0;   // all of these together, by the clock
+// Summed over the recordings.
+struct IdentifyTiming : Timing {
+    double windows_s = 0;  // all of these together, by the clock
     double fit_s = 0;
-    int threads = 0;
 };
 
 struct Identification {

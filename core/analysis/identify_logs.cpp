@@ -133,9 +133,7 @@ Result<Identification> identify_powers(std::span<const PowerRun> runs,
     }
     found.drift = drift_function(fit.runs, found.fit, job);
     found.timing.fit_s = job.now() - begun;
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
+    TRY(job.go_on());
     return found;
 }
 

@@ -2,12 +2,12 @@
 
 #include "core/analysis/phasor_log.h"
 #include "core/analysis/power_log.h"
+#include "core/base/plain_text.h"
 #include "core/recording/open/log_columns.h"
 #include "core/recording/open/preview.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -16,22 +16,6 @@
 
 namespace vybeg {
 namespace {
-
-// Columns of a file by their roles.
-struct SeenColumns {
-    std::vector<ColumnWish> wishes;
-    LogTable table;
-
-    // nullptr: the file has no such column.
-    const LogColumn* find(std::string_view role) const {
-        for (std::size_t k = 0; k < wishes.size(); ++k) {
-            if (wishes[k].role.name == role && !table.columns[k].values.empty()) {
-                return &table.columns[k];
-            }
-        }
-        return nullptr;
-    }
-};
 
 bool is_missing_column(const Error& error) {
     return error.code == ErrorCode::column_missing || error.code == ErrorCode::variable_missing;
@@ -80,12 +64,12 @@ private:
     }
 
     // Nothing where the file cannot be read so: look_.problem. Errors: interrupted.
-    Result<std::optional<SeenColumns>> see(const std::string& names,
-                                           const std::vector<ColumnRole>& roles) {
+    Result<std::optional<LogTable>> see(const std::string& names,
+                                        const std::vector<ColumnRole>& roles) {
         auto wishes = column_wishes(names, roles);
         if (!wishes) {
             look_.problem = wishes.error();
-            return std::optional<SeenColumns>();
+            return std::optional<LogTable>();
         }
         OpenOptions rated = options_;
         auto table = read_log(path_, rated, *wishes, job_);
@@ -99,12 +83,12 @@ private:
         }
         if (!table) {
             look_.problem = table.error();
-            return std::optional<SeenColumns>();
+            return std::optional<LogTable>();
         }
         look_.needs_rate = unrated;
         look_.problem.reset();
         found_ = true;
-        return std::optional(SeenColumns{std::move(*wishes), std::move(*table)});
+        return std::optional(std::move(*table));
     }
 
     Status look_for_powers(const std::string& names) {
@@ -144,7 +128,7 @@ private:
     }
 
     // `own`: columns of the phases of the channels themselves.
-    void describe_phasors(const SeenColumns& columns, const std::vector<const char*>& own) {
+    void describe_phasors(const LogTable& columns, const std::vector<const char*>& own) {
         PhasorChoice& how = look_.choice.phasors;
         const LogColumn* const frequency = columns.find("F");
         // In a table of one channel, P is its own where no frame is given.
@@ -159,7 +143,9 @@ private:
         }
         look_.needs_f_ref = frequency == nullptr && how.f_ref_hz == 0;
         if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
-            look_.problem = Error{ErrorCode::column_missing, path_.string(), {"F", all_names()}};
+            look_.problem = Error{ErrorCode::column_missing,
+                                  path_.string(),
+                                  {"F", joined(look_.preview.columns, ", ", &Channel::name)}};
         }
         for (const char* role : own) {
             if (const LogColumn* own_phase = columns.find(role);
@@ -176,7 +162,7 @@ private:
         }
     }
 
-    bool is_of_labone(const SeenColumns& columns) const {
+    bool is_of_labone(const LogTable& columns) const {
         const LogColumn* const x =
             columns.find("Xc") != nullptr ? columns.find("Xc") : columns.find("X");
         const auto has = [this](std::string_view name) {
@@ -190,15 +176,6 @@ private:
     void ask_for_unit(const LogColumn& angles) {
         look_.needs_angle_unit =
             look_.needs_angle_unit || !angle_factor(path_, angles, look_.choice.rad_per_angle_unit);
-    }
-
-    std::string all_names() const {
-        std::string all;
-        for (const Channel& column : look_.preview.columns) {
-            all += all.empty() ? "" : ", ";
-            all += column.name;
-        }
-        return all;
     }
 
     const std::filesystem::path& path_;

@@ -4,6 +4,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/base/system_reason.h"
 #include "core/recording/samples/open_table.h"
@@ -37,12 +38,6 @@ const std::vector<std::string>& options_of_a_set() {
 
 bool is_one_of(const auto& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
-}
-
-template <class S>
-const SettingRow<S>* row_named(const std::vector<SettingRow<S>>& rows, const std::string& name) {
-    const auto found = std::ranges::find(rows, name, &SettingRow<S>::name);
-    return found == rows.end() ? nullptr : &*found;
 }
 
 // The placeholder of an option's value; none: there is no such option.
@@ -261,20 +256,23 @@ private:
         return found == shared_.end() ? field(row, name) : found->second;
     }
 
+    template <class S>
+    Status read_option(const SettingRow<S>& each, const CsvRow& row, S& settings) const {
+        const std::string& text = option(row, each.name);
+        if (text.empty()) {
+            return {};
+        }
+        Status taken = each.read(text, settings);
+        taken = taken ? each.check(settings) : taken;
+        return taken ? taken : refused(row.line, taken.error());
+    }
+
     // Reads the options of a row that a table has.
     template <class S>
     Status read_options(const std::vector<SettingRow<S>>& table, const CsvRow& row,
                         S& settings) const {
         for (const SettingRow<S>& each : table) {
-            const std::string& text = option(row, each.name);
-            if (text.empty()) {
-                continue;
-            }
-            Status taken = each.read(text, settings);
-            taken = taken ? each.check(settings) : taken;
-            if (!taken) {
-                return refused(row.line, taken.error());
-            }
+            TRY(read_option(each, row, settings));
         }
         return {};
     }
@@ -291,34 +289,27 @@ private:
             std::ranges::replace(file, '\\', '/');
             recording.path = path_.parent_path() / file;
         }
-        Status read = read_options(open_settings(), row, recording.open);
+        const bool has_window = !option(row, "window").empty();
+        if (has_window && !option(row, "periods").empty()) {
+            return invalid(row.line, "periods",
+                           words(VYBEG_MESSAGE("Words", "the window is given in samples, too")));
+        }
+        TRY(read_options(open_settings(), row, recording.open));
         find_files_from(path_.parent_path(), recording.open);
-        if (read) {
-            const Status together = check_options(recording.open);
-            read = together ? together : refused(row.line, together.error());
+        if (const Status together = check_options(recording.open); !together) {
+            return refused(row.line, together.error());
         }
         IdentifySettings settings = defaults_.settings;
-        if (!option(row, "window").empty() && !option(row, "periods").empty()) {
-            read = invalid(row.line, "periods",
-                           words(VYBEG_MESSAGE("Words", "the window is given in samples, too")));
-        } else if (!option(row, "window").empty()) {
+        if (has_window) {
             settings.windows.periods.reset();  // of the command line
         }
-        read = read ? read_options(identify_settings(), row, settings) : read;
+        TRY(read_options(identify_settings(), row, settings));
         // Options without effect are checked, too.
         for (const SettingRow<Settings>& each : analysis_settings()) {
-            const std::string& text = field(row, each.name);
             Settings idle;
-            if (read && is_idle(each.name) && !text.empty()) {
-                read = each.read(text, idle);
-                read = read ? each.check(idle) : read;
-                read = read ? read : refused(row.line, read.error());
-            }
+            TRY(is_idle(each.name) ? read_option(each, row, idle) : Status());
         }
-        read = read ? read_conditions(row, recording.conditions) : read;
-        if (!read) {
-            return read.error();
-        }
+        TRY(read_conditions(row, recording.conditions));
         for (const std::string& column : list_.other_columns) {
             recording.others.emplace_back(column, field(row, column));
         }
@@ -389,10 +380,7 @@ Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
 }
 
 bool is_measurement_list(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char letter) {
-        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    });
+    const std::string ending = lower_text(path.extension().string());
     return (ending == ".csv" || ending == ".txt") && csv_has_name(path, "file", column_name);
 }
 

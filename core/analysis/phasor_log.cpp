@@ -1,6 +1,5 @@
 #include "core/analysis/phasor_log.h"
 
-#include "core/base/describe.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
 #include "core/numerics/median.h"
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,31 +44,14 @@ double step_of(const Rows& rows) {
     return median(std::move(steps));
 }
 
-struct NamedColumns {
-    std::vector<ColumnWish> wishes;
-    LogTable table;
-
-    // Precondition: `role` is among the wishes.
-    LogColumn& of(std::string_view role) {
-        const auto wish = std::ranges::find_if(
-            wishes, [role](const ColumnWish& each) { return each.role.name == role; });
-        return table.columns[static_cast<std::size_t>(wish - wishes.begin())];
-    }
-    // nullptr: the file has no such column.
-    LogColumn* find(std::string_view role) {
-        LogColumn& column = of(role);
-        return column.values.empty() ? nullptr : &column;
-    }
-};
-
-Result<NamedColumns> read_columns(const std::filesystem::path& path, const OpenOptions& options,
-                                  const LogChoice& choice, const SignalSettings& signal,
-                                  const std::vector<ColumnRole>& roles, const JobControl& job) {
-    auto wishes = TRY(column_wishes(choice.names, roles));
+Result<LogTable> read_columns(const std::filesystem::path& path, const OpenOptions& options,
+                              const LogChoice& choice, const SignalSettings& signal,
+                              const std::vector<ColumnRole>& roles, const JobControl& job) {
+    const auto wishes = TRY(column_wishes(choice.names, roles));
     auto table = TRY(read_log(path, options, wishes, job));
     TRY(keep_times(path, signal.from_s.value_or(TimeRange{}.from_s),
                    signal.to_s.value_or(TimeRange{}.to_s), table));
-    return NamedColumns{std::move(wishes), std::move(table)};
+    return table;
 }
 
 // Brings Y and both columns of D to the unit of X of C.
@@ -83,9 +64,7 @@ void share_unit(const LogColumn& x_of_c, std::initializer_list<LogColumn*> other
 // What the choice leaves open, or sets against the file.
 Error wrong_choice(const PhasorChoice& choice, const char* what,
                    std::vector<MessageArg> args = {}) {
-    return {ErrorCode::setting_invalid,
-            "",
-            {"--phasors", frame_name(choice.frame), words(what, std::move(args))}};
+    return refused_value("--phasors", frame_name(choice.frame), words(what, std::move(args)));
 }
 
 // One channel: X + iY, turned by its phase.
@@ -249,7 +228,7 @@ Result<Rows> rows_of_one_table(const std::filesystem::path& path, const OpenOpti
         TRY(read_columns(path, options, choice, signal, roles_of_both(choice.phasors.frame), job));
     share_unit(columns.of("Xc"), {&columns.of("Yc"), &columns.of("Xd"), &columns.of("Yd")});
     Rows rows;
-    rows.time_s = columns.table.time_s;
+    rows.time_s = columns.time_s;
     const auto channel = [&](const char* x, const char* y, const char* phase) {
         return phasors_of(path, {columns.of(x), columns.of(y), own ? columns.find(phase) : nullptr},
                           choice);
@@ -270,20 +249,20 @@ Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOpt
     auto of_c = TRY(read_columns(path, options, choice, signal, roles, job));
     auto of_d = TRY(read_columns(options.channel_d_file, options, choice, signal, roles, job));
     share_unit(of_c.of("X"), {&of_c.of("Y"), &of_d.of("X"), &of_d.of("Y")});
-    const auto& t = of_c.table.time_s;
-    const auto& other = of_d.table.time_s;
+    const auto& t = of_c.time_s;
+    const auto& other = of_d.time_s;
     const std::size_t count = std::min(t.size(), other.size());
     Rows rows;
     for (std::size_t k = 0; k < count; ++k) {
         const double step = k > 0 ? t[k] - t[k - 1] : t[std::min(k + 1, count - 1)] - t[k];
-        if (std::abs(other[k] - t[k] + of_d.table.begun_s - of_c.table.begun_s) > step / 100) {
+        if (std::abs(other[k] - t[k] + of_d.begun_s - of_c.begun_s) > step / 100) {
             return refused_value("--channel-d", options.channel_d_file,
                                  "its times are not those of channel C: export both demodulators "
                                  "with the same times");
         }
     }
     rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
-    const auto channel = [&](NamedColumns& from, const std::filesystem::path& file) {
+    const auto channel = [&](LogTable& from, const std::filesystem::path& file) {
         return phasors_of(file, {from.of("X"), from.of("Y"), own ? from.find("P") : nullptr},
                           choice);
     };

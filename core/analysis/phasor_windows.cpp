@@ -3,6 +3,7 @@
 #include "core/analysis/window_faults.h"
 #include "core/analysis/window_mean.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/numerics/kaiser.h"
 #include "core/numerics/median.h"
 #include "core/recording/checks/recording_check.h"
@@ -34,8 +35,19 @@ double gain_at(const std::vector<double>& half, double frequency) {
     return half[0] + 0.5 * x * next - after;
 }
 
-}  // namespace
+// What a band-pass makes of white noise in the means of windows at a carrier.
+struct FilteredNoise {
+    // Variance of a window's mean, in units of that which white noise of the density at the carrier
+    // gives it: h times the integral over frequency v from the carrier of |H(v)|^2 sinc^2(v h), H
+    // relative to the carrier, h the window.
+    double variance = 1;
+    // Correlation of the means of windows 0, 1, 2, ... window lengths apart, from 1 at lag 0, up to
+    // the last one above 1e-3: the same integral with cos(2 pi v h lag). The part that turns, from
+    // a carrier beside the band's middle, is left out.
+    std::vector<double> correlation;
+};
 
+// Precondition: 0 < band.low_hz <= f_hz <= band.high_hz < rate_hz / 2.
 FilteredNoise filtered_noise(const Band& band, double f_hz, std::int64_t window, double rate_hz) {
     constexpr double most_lags = 256;
     constexpr double least = 1e-3;
@@ -67,8 +79,6 @@ FilteredNoise filtered_noise(const Band& band, double f_hz, std::int64_t window,
     }
     return noise;
 }
-
-namespace {
 
 // A window whose noise power stands this many of its deviations above the median is disturbed, and
 // has its own noise; all others have the median, so that weights do not scatter.
@@ -147,9 +157,7 @@ Result<Pass> estimate_all(const ConditionedRecording& prepared, const WindowPlan
     if (!status) {
         return status.error();
     }
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, "", {}};
-    }
+    TRY(job.go_on());
     pass.estimate_s = std::accumulate(seconds.begin(), seconds.end(), 0.0) / threads;
     return pass;
 }
@@ -375,11 +383,7 @@ Error nothing_left(const SampleFaults& faults) {
             channels.push_back(english(finding.args[0]));
         }
     }
-    std::string names = channels.front();
-    for (std::size_t k = 1; k < channels.size(); ++k) {
-        names += ", " + channels[k];
-    }
-    return {ErrorCode::every_window_clipped, "", {names}};
+    return {ErrorCode::every_window_clipped, "", {joined(channels, ", ")}};
 }
 
 }  // namespace

@@ -9,21 +9,6 @@
 
 namespace vybeg {
 
-// What a band-pass makes of white noise in the means of windows at a carrier.
-struct FilteredNoise {
-    // Variance of a window's mean, in units of that which white noise of the density at the carrier
-    // gives it: h times the integral over frequency v from the carrier of |H(v)|^2 sinc^2(v h), H
-    // relative to the carrier, h the window.
-    double variance = 1;
-    // Correlation of the means of windows 0, 1, 2, ... window lengths apart, from 1 at lag 0, up to
-    // the last one above 1e-3: the same integral with cos(2 pi v h lag). The part that turns, from
-    // a carrier beside the band's middle, is left out.
-    std::vector<double> correlation;
-};
-
-// Precondition: 0 < band.low_hz <= f_hz <= band.high_hz < rate_hz / 2.
-FilteredNoise filtered_noise(const Band& band, double f_hz, std::int64_t window, double rate_hz);
-
 // The phasors of one recording, for the identification of its resonator (METHOD section 8).
 struct PhasorWindows {
     PhasorRun run;    // those of the windows that count
@@ -46,7 +31,7 @@ struct PhasorWindows {
 //
 // The deviations are those of the noise at the carrier: of the windows' residual where the noise is
 // white, else of the density between the lines (carrier_lines.h), behind a band-pass with what it
-// lets through of a window's bandwidth (filtered_noise.h). A window whose residual stands out has a
+// lets through of a window's bandwidth. A window whose residual stands out has a
 // deviation in proportion.
 //
 // Precondition: the plan's windows lie in the prepared range, hop = length, at least

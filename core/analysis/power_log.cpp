@@ -1,6 +1,6 @@
 #include "core/analysis/power_log.h"
 
-#include "core/base/messages.h"
+#include "core/base/read_value.h"
 #include "core/recording/open/log_columns.h"
 
 #include <cmath>
@@ -8,23 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
 namespace {
-
-// Column of a role among the wishes; null: not among them.
-LogColumn* column_of(const std::vector<ColumnWish>& wishes, LogTable& table,
-                     const std::string& role) {
-    for (std::size_t k = 0; k < wishes.size(); ++k) {
-        if (wishes[k].role.name == role) {
-            return &table.columns[k];
-        }
-    }
-    return nullptr;
-}
 
 // Refuses columns whose largest is another one than `role`, whose values `largest` are.
 Status check_largest(const LogChoice& choice, const char* role, const std::vector<double>& largest,
@@ -41,14 +29,13 @@ Status check_largest(const LogChoice& choice, const char* role, const std::vecto
     if (2 * smaller <= rows) {
         return {};
     }
-    return Error{ErrorCode::setting_invalid,
-                 "",
-                 {"--columns", choice.names,
-                  words(VYBEG_MESSAGE("Words",
-                                      "%1 is smaller than %2 in %3 rows of %4, which it cannot be: "
-                                      "the columns are exchanged or have unlike units"),
-                        {role, other, count_arg(static_cast<std::int64_t>(smaller)),
-                         count_arg(static_cast<std::int64_t>(rows))})}};
+    return refused_value(
+        "--columns", choice.names,
+        words(VYBEG_MESSAGE("Words",
+                            "%1 is smaller than %2 in %3 rows of %4, which it cannot be: "
+                            "the columns are exchanged or have unlike units"),
+              {role, other, count_arg(static_cast<std::int64_t>(smaller)),
+               count_arg(static_cast<std::int64_t>(rows))}));
 }
 
 // What the calibration says of D and of the electrodes' angle: (E + R)/2 and (E - R)/2 are |c|^2
@@ -104,28 +91,25 @@ Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOpt
     const auto wishes = TRY(waves ? waves : column_wishes(columns.names, roles_of_powers()));
     auto table = TRY(read_log(path, options, wishes, job));
     TRY(keep_times(path, from_s, to_s, table));
-    const auto column = [&](const char* role) -> LogColumn& {
-        return *column_of(wishes, table, role);
-    };
     PowerRun run;
     if (waves) {
-        LogColumn& theta = column("theta");
+        LogColumn& theta = table.of("theta");
         const auto factor = TRY(angle_factor(path, theta, columns.rad_per_angle_unit));
         for (double& value : theta.values) {
             value *= factor;
         }
-        bring_to_unit_of(column("a"), column("b"));
-        TRY(check_largest(columns, "a", column("a").values, "b", column("b").values));
-        run = powers_of_waves(std::move(table.time_s), column("a").values, column("b").values,
+        bring_to_unit_of(table.of("a"), table.of("b"));
+        TRY(check_largest(columns, "a", table.of("a").values, "b", table.of("b").values));
+        run = powers_of_waves(std::move(table.time_s), table.of("a").values, table.of("b").values,
                               theta.values);
     } else {
         for (const char* const other : {"R", "S", "Q"}) {
-            TRY(check_largest(columns, "E", column("E").values, other, column(other).values));
+            TRY(check_largest(columns, "E", table.of("E").values, other, table.of(other).values));
         }
-        run.e = std::move(column("E").values);
-        run.r = std::move(column("R").values);
-        run.s = std::move(column("S").values);
-        run.q = std::move(column("Q").values);
+        run.e = std::move(table.of("E").values);
+        run.r = std::move(table.of("R").values);
+        run.s = std::move(table.of("S").values);
+        run.q = std::move(table.of("Q").values);
         run.time_s = std::move(table.time_s);
     }
     TRY(calibrate(signal, run));
@@ -133,12 +117,11 @@ Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOpt
 }
 
 Error refused_delay(const char* option, double delay_s) {
-    return {ErrorCode::setting_invalid,
-            "",
-            {option, number_arg(delay_s, 3, "s"),
-             words(VYBEG_MESSAGE("Words",
-                                 "a log without a phase has no frequency, and a delay is a phase "
-                                 "at one: give the carrier f0, too"))}};
+    return refused_value(
+        option, number_arg(delay_s, 3, "s"),
+        words(VYBEG_MESSAGE("Words",
+                            "a log without a phase has no frequency, and a delay is a phase "
+                            "at one: give the carrier f0, too")));
 }
 
 }  // namespace vybeg

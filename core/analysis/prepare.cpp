@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace vybeg {
@@ -42,20 +41,13 @@ Result<Segment> read_segment(const SampleSource& source, std::int64_t first, std
     const auto count = static_cast<std::size_t>(std::min(end - first, search_frames));
     Segment segment{std::vector<double>(count), std::vector<double>(count)};
     for (std::size_t at = 0; at < count; at += block) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         const std::size_t length = std::min(block, count - at);
-        const Status read = source.read(first + static_cast<std::int64_t>(at),
-                                        std::span(segment.c).subspan(at, length),
-                                        std::span(segment.d).subspan(at, length));
-        if (!read) {
-            return read.error();
-        }
+        TRY(source.read(first + static_cast<std::int64_t>(at),
+                        std::span(segment.c).subspan(at, length),
+                        std::span(segment.d).subspan(at, length)));
     }
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, "", {}};
-    }
+    TRY(job.go_on());
     return segment;
 }
 
@@ -63,13 +55,7 @@ Result<Segment> read_segment(const SampleSource& source, std::int64_t first, std
 Result<Band> search_band(const SignalSettings& settings, std::size_t count, double rate_hz) {
     // Without a band: everything above the few lowest bins, which belong to drifts of the offset.
     const double lowest = 4 * rate_hz / static_cast<double>(count);
-    Band band{lowest, rate_hz / 2};
-    if (settings.filter) {
-        band = *settings.filter;
-    }
-    if (settings.band) {
-        band = *settings.band;
-    }
+    const Band band = settings.band.value_or(settings.filter.value_or(Band{lowest, rate_hz / 2}));
     // The spectrum of T seconds resolves 1/T.
     const double least = rate_hz / static_cast<double>(count);
     if (band.high_hz > band.low_hz && band.high_hz - band.low_hz < least &&
@@ -94,9 +80,8 @@ Result<double> carrier_of(const Segment& segment, const SignalSettings& settings
     if (settings.f0_hz) {
         return given_carrier(*settings.f0_hz, rate_hz);
     }
-    const Result<Band> band = search_band(settings, segment.c.size(), rate_hz);
-    return band ? find_carrier(segment.c, segment.d, rate_hz, band->low_hz, band->high_hz, job)
-                : band.error();
+    const auto band = TRY(search_band(settings, segment.c.size(), rate_hz));
+    return find_carrier(segment.c, segment.d, rate_hz, band.low_hz, band.high_hz, job);
 }
 
 // The carrier of the frames [first, end): the given one, otherwise that of zoom_carrier(), which
@@ -118,8 +103,8 @@ Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::i
             return *found;
         }
     }
-    const Result<Segment> segment = read_segment(source, first, end, job);
-    return segment ? carrier_of(*segment, settings, rate_hz, job) : segment.error();
+    const auto segment = TRY(read_segment(source, first, end, job));
+    return carrier_of(segment, settings, rate_hz, job);
 }
 
 // Mean over as many whole periods as the segment holds; missing samples do not count.
@@ -168,9 +153,7 @@ Status check_samples(const SampleSource& source, std::int64_t first, std::int64_
     bool in_c = false;
     bool in_d = false;
     for (std::int64_t at = first; at < end && !(in_c && in_d); at += block) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         const auto length = static_cast<std::size_t>(std::min(block, end - at));
         c.resize(length);
         d.resize(length);
@@ -221,21 +204,10 @@ Result<std::shared_ptr<const SampleSource>> condition(std::shared_ptr<const Samp
     return source;
 }
 
-}  // namespace
-
-std::string recording_name(const Recording& recording) {
-    return recording.path.filename().string();
-}
-
-Result<ConditionedRecording> prepare(const Recording& recording, const SignalSettings& settings,
-                                     const JobControl& job) {
+// prepare(), whose errors may name no file.
+Result<ConditionedRecording> made_ready(const Recording& recording, const SignalSettings& settings,
+                                        const JobControl& job) {
     const double rate = recording.rate_hz;
-    const auto named = [&recording](Error error) {
-        if (error.where.empty()) {
-            error.where = recording_name(recording);
-        }
-        return error;
-    };
     ConditionedRecording prepared;
     prepared.diagnostics = recording.diagnostics;
     prepared.calibration = settings.calibration;
@@ -243,60 +215,63 @@ Result<ConditionedRecording> prepare(const Recording& recording, const SignalSet
     const double begun = job.now();
     std::shared_ptr<const SampleSource> raw = recording.source;
     if (settings.repair_lost) {
-        const auto repaired = with_gaps_for_lost(recording, settings, prepared.diagnostics, job);
-        if (!repaired) {
-            return named(repaired.error());
-        }
-        raw = *repaired;
+        auto repaired = TRY(with_gaps_for_lost(recording, settings, prepared.diagnostics, job));
+        raw = std::move(repaired);
     }
-    if (const Status found = find_range(*raw, rate, settings, prepared); !found) {
-        return named(found.error());
-    }
-    if (const Status some = check_samples(*raw, prepared.first, prepared.end, job); !some) {
-        return named(some.error());
-    }
+    TRY(find_range(*raw, rate, settings, prepared));
+    TRY(check_samples(*raw, prepared.first, prepared.end, job));
     if (settings.calibration.offset_auto) {
         const auto segment = TRY(read_segment(*raw, prepared.first, prepared.end, job));
-        const Result<double> f0 = carrier_of(segment, settings, rate, job);
-        if (!f0) {
-            return named(f0.error());
-        }
-        prepared.calibration.offset_c = mean_over_periods(segment.c, *f0, rate);
-        prepared.calibration.offset_d = mean_over_periods(segment.d, *f0, rate);
+        const auto f0 = TRY(carrier_of(segment, settings, rate, job));
+        prepared.calibration.offset_c = mean_over_periods(segment.c, f0, rate);
+        prepared.calibration.offset_d = mean_over_periods(segment.d, f0, rate);
         prepared.calibration.offset_auto = false;
     }
-    const auto conditioned = condition(raw, prepared.calibration, settings.filter, rate);
-    if (!conditioned) {
-        return named(conditioned.error());
-    }
-    const Result<double> f0 =
-        carrier_in(**conditioned, prepared.first, prepared.end, settings, rate, job);
-    if (!f0) {
-        return named(f0.error());
-    }
-    prepared.f0_hz = *f0;
-    prepared.ahead = *condition(raw, prepared.calibration, settings.filter, rate, *f0);
+    const auto conditioned = TRY(condition(raw, prepared.calibration, settings.filter, rate));
+    const auto f0 =
+        TRY(carrier_in(*conditioned, prepared.first, prepared.end, settings, rate, job));
+    prepared.f0_hz = f0;
+    prepared.ahead = *condition(raw, prepared.calibration, settings.filter, rate, f0);
     prepared.rate_relative_sd = recording.rate_relative_sd;
     // What is read from here on goes into the windows, and past the check on its way.
-    prepared.check = std::make_shared<FaultCheck>(*f0, rate);
+    prepared.check = std::make_shared<FaultCheck>(f0, rate);
     const auto watched = std::make_shared<CheckedSource>(raw, prepared.check);
-    prepared.source = *condition(watched, prepared.calibration, settings.filter, rate, *f0);
+    prepared.source = *condition(watched, prepared.calibration, settings.filter, rate, f0);
     if (settings.filter) {
         const auto [low, high] = *settings.filter;
         prepared.filter = settings.filter;
         prepared.filter_reach = band_pass_reach(low, high, rate);
         const double lost = static_cast<double>(prepared.filter_reach) / rate;
         prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {number_arg(lost, 3)}});
-        const Result<double> noise = noise_in_band(**conditioned, prepared.first, prepared.end,
-                                                   *settings.filter, rate, job.silent());
-        if (!noise) {
-            return named(noise.error());
-        }
-        if (std::isfinite(*noise)) {
-            prepared.noise_in_band = *noise;
+        const auto noise = TRY(noise_in_band(*conditioned, prepared.first, prepared.end,
+                                             *settings.filter, rate, job.silent()));
+        if (std::isfinite(noise)) {
+            prepared.noise_in_band = noise;
         }
     }
     prepared.carrier_s = job.now() - begun;
+    return prepared;
+}
+
+}  // namespace
+
+std::string recording_name(const Recording& recording) {
+    return recording.path.filename().string();
+}
+
+Error about(const Recording& recording, Error error) {
+    if (error.where.empty()) {
+        error.where = recording_name(recording);
+    }
+    return error;
+}
+
+Result<ConditionedRecording> prepare(const Recording& recording, const SignalSettings& settings,
+                                     const JobControl& job) {
+    Result<ConditionedRecording> prepared = made_ready(recording, settings, job);
+    if (!prepared) {
+        return about(recording, prepared.error());
+    }
     return prepared;
 }
 

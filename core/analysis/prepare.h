@@ -53,4 +53,7 @@ Result<ConditionedRecording> prepare(const Recording& recording, const SignalSet
 // How a recording is called in messages.
 std::string recording_name(const Recording& recording);
 
+// The error, which is about the recording where it names nothing.
+Error about(const Recording& recording, Error error);
+
 }  // namespace vybeg

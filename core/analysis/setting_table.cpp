@@ -443,9 +443,8 @@ Result<LockIn> read_lock_in(const std::string& option, const std::string& text, 
 }
 
 const Bounds& bounds_of(const std::string& name, std::size_t number) {
-    const auto& rows = analysis_settings();
-    return std::ranges::find(rows, name, &SettingRow<Settings>::name) != rows.end()
-               ? bounds_in(rows, name, number)
+    return row_named(analysis_settings(), name) != nullptr
+               ? bounds_in(analysis_settings(), name, number)
                : bounds_in(identify_settings(), name, number);
 }
 
@@ -482,9 +481,7 @@ std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
         list[row].second = in_one(each, row);
     }
     std::erase_if(list, [](const NamedValue& each) {
-        const auto row =
-            std::ranges::find(log_settings(), each.first, &SettingRow<LogChoice>::name);
-        return row != log_settings().end() && each.second == not_set;
+        return row_named(log_settings(), each.first) != nullptr && each.second == not_set;
     });
     return list;
 }

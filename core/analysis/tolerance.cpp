@@ -1,25 +1,17 @@
 #include "core/analysis/tolerance.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace vybeg {
 namespace {
 
 constexpr const char* none = "none";
-
-std::string names() {
-    std::string list;
-    for (const char* name : tolerance_names) {
-        list += std::string(list.empty() ? "" : ", ") + name;
-    }
-    return list;
-}
 
 }  // namespace
 
@@ -61,7 +53,7 @@ std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double
 
 Result<Tolerance> read_tolerance(std::string_view text) {
     const auto wrong = [text](const std::string& allowed) {
-        return Error{ErrorCode::setting_invalid, "", {"--tolerance", std::string(text), allowed}};
+        return refused_value("--tolerance", std::string(text), allowed);
     };
     Tolerance tolerance;
     if (text == none) {
@@ -77,7 +69,7 @@ Result<Tolerance> read_tolerance(std::string_view text) {
         const auto parameter = std::ranges::find_if(
             tolerance_parameters, [&](const auto& known) { return name == known.name(); });
         if (parameter == tolerance_parameters.end()) {
-            return wrong("\"" + name + "\" is none of " + names());
+            return wrong("\"" + name + "\" is none of " + joined(tolerance_names, ", "));
         }
         if (!given.insert(name).second) {
             return wrong(name + " is given twice");

@@ -112,9 +112,8 @@ private:
             rows.append(more);
             return Status{};
         };
-        const auto done =
-            estimate_track(prepared_, part, settings, rate_hz_, threads, collect, job_);
-        return done ? Status() : Status(done.error());
+        TRY(estimate_track(prepared_, part, settings, rate_hz_, threads, collect, job_));
+        return {};
     }
 
     ConditionedRecording prepared_;

@@ -98,45 +98,37 @@ Result<ConditionedRecording> prepared_at(double f_hz, const ConditionedRecording
 Result<WindowChoice> choose_windows(const Recording& recording, const SignalSettings& settings,
                                     const PhasorWindowSettings& wished, const JobControl& job) {
     const double rate = recording.rate_hz;
-    Result<ConditionedRecording> prepared = prepare(recording, settings, job);
-    if (!prepared) {
-        return prepared.error();
-    }
-    const auto wish = TRY(wished_length(wished, *prepared, rate));
+    auto prepared = TRY(prepare(recording, settings, job));
+    const auto wish = TRY(wished_length(wished, prepared, rate));
     const double begun = job.now();
-    auto lines = TRY(carrier_lines(*prepared, settings, wish.samples, rate, job));
-    prepared->carrier_s += job.now() - begun;
-    const double given = prepared->f0_hz;
+    auto lines = TRY(carrier_lines(prepared, settings, wish.samples, rate, job));
+    prepared.carrier_s += job.now() - begun;
+    const double given = prepared.f0_hz;
     const double turn = farthest(lines, given) * static_cast<double>(wish.samples) / rate;
     if (turn > most_turn) {
-        prepared = prepared_at((lines.lowest_hz + lines.highest_hz) / 2, *prepared, recording,
-                               settings, job);
-        if (!prepared) {
-            return prepared.error();
-        }
+        auto moved = TRY(prepared_at((lines.lowest_hz + lines.highest_hz) / 2, prepared, recording,
+                                     settings, job));
+        prepared = std::move(moved);
     }
-    Result<std::int64_t> length = slow_enough(wish, lines, prepared->f0_hz, rate);
-    if (!length) {
-        return length.error();
-    }
+    auto length = TRY(slow_enough(wish, lines, prepared.f0_hz, rate));
     if (wished.snap) {
-        length = snap_window(*length, prepared->f0_hz, rate);
+        length = snap_window(length, prepared.f0_hz, rate);
     }
     const double lobe_hz = rate / static_cast<double>(wish.samples);
     if (settings.f0_hz && std::abs(lines.strongest_hz - given) > lobe_hz) {
-        prepared->diagnostics.push_back({DiagnosticKind::carrier_elsewhere,
-                                         {number_arg(given), number_arg(lines.strongest_hz)}});
+        prepared.diagnostics.push_back({DiagnosticKind::carrier_elsewhere,
+                                        {number_arg(given), number_arg(lines.strongest_hz)}});
     }
-    const auto start = TRY(start_findings(*recording.source, rate, prepared->f0_hz));
-    add_findings(start, prepared->diagnostics);
+    const auto start = TRY(start_findings(*recording.source, rate, prepared.f0_hz));
+    add_findings(start, prepared.diagnostics);
     WindowChoice choice;
-    choice.plan = plan_windows(prepared->first, prepared->end, *length, *length);
+    choice.plan = plan_windows(prepared.first, prepared.end, length, length);
     if (choice.plan.count == 0) {
         return Error{ErrorCode::window_too_long,
                      "",
-                     {count_arg(*length), count_arg(prepared->end - prepared->first)}};
+                     {count_arg(length), count_arg(prepared.end - prepared.first)}};
     }
-    choice.prepared = std::move(*prepared);
+    choice.prepared = std::move(prepared);
     choice.lines = std::move(lines);
     return choice;
 }

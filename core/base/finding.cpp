@@ -69,12 +69,8 @@ std::size_t count_warnings(std::span<const Finding> findings) {
 }
 
 std::string warning_kinds(std::span<const Finding> findings) {
-    std::string kinds;
-    for (const Finding& finding : findings.first(count_warnings(findings))) {
-        kinds += kinds.empty() ? "" : ";";
-        kinds += kind_name(finding.diagnostic.kind);
-    }
-    return kinds;
+    return joined(findings.first(count_warnings(findings)), ";",
+                  [](const Finding& finding) { return kind_name(finding.diagnostic.kind); });
 }
 
 std::string about_text(const Finding& finding) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/result.h"
+
 #include <functional>
 #include <stop_token>
 
@@ -17,6 +19,10 @@ public:
         : stop_(std::move(stop)), progress_(std::move(progress)), clock_(std::move(clock)) {}
 
     bool cancelled() const { return stop_.stop_requested(); }
+    // interrupted once it is to stop.
+    Status go_on() const {
+        return cancelled() ? Status(Error{ErrorCode::interrupted, {}, {}}) : Status();
+    }
     void report(double fraction) const {
         if (progress_) {
             progress_(fraction);

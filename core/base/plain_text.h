@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,18 @@ std::string plain_text(std::string_view text);
 // Whether a character is an ASCII digit, in any locale.
 constexpr bool is_digit(char c) {
     return c >= '0' && c <= '9';
+}
+
+// The texts that `text_of` makes of a list, with a separator between them; none after empty ones at
+// its begin.
+template <class List, class TextOf = std::identity>
+std::string joined(const List& list, std::string_view separator, const TextOf& text_of = {}) {
+    std::string text;
+    for (const auto& each : list) {
+        text += text.empty() ? "" : separator;
+        text += std::invoke(text_of, each);
+    }
+    return text;
 }
 
 // Small letters of the Latin alphabets of western Europe and of the Cyrillic ones, in UTF-8.

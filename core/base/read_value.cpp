@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -51,9 +52,9 @@ constexpr std::array<UnitSuffix, 25> suffixes{{
 
 }  // namespace
 
-Error refused_value(const std::string& option, const std::string& text,
-                    const std::string& allowed) {
-    return {ErrorCode::setting_invalid, "", {option, text, allowed}};
+Error refused_value(MessageArg option, MessageArg text, MessageArg allowed) {
+    return {
+        ErrorCode::setting_invalid, "", {std::move(option), std::move(text), std::move(allowed)}};
 }
 
 std::optional<double> number_with_unit(std::string_view text, std::string_view unit) {

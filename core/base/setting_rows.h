@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/base/result.h"
 
@@ -70,6 +71,13 @@ std::vector<NamedValue> listed(const std::vector<SettingRow<S>>& rows, const S& 
     return list;
 }
 
+// Null: there is none.
+template <class S>
+const SettingRow<S>* row_named(const std::vector<SettingRow<S>>& rows, const std::string& name) {
+    const auto found = std::ranges::find(rows, name, &SettingRow<S>::name);
+    return found == rows.end() ? nullptr : &*found;
+}
+
 // Kinds of rows. `access` returns a reference to the field: [](auto& s) -> auto& { return s.f; }.
 
 inline const std::string not_set = "none";
@@ -78,7 +86,7 @@ inline const std::string not_set = "none";
 template <class S>
 const Bounds& bounds_in(const std::vector<SettingRow<S>>& rows, const std::string& name,
                         std::size_t number = 0) {
-    return std::ranges::find(rows, name, &SettingRow<S>::name)->bounds.at(number);
+    return row_named(rows, name)->bounds.at(number);
 }
 
 inline Status within(const Bounds& bounds, const std::string& option, double value) {
@@ -208,12 +216,7 @@ SettingRow<S> switch_row(SettingRow<S> row, Access access) {
 inline constexpr auto any_value = [](const auto&) { return Status(); };
 
 inline std::string joined(std::initializer_list<double> numbers) {
-    std::string text;
-    for (const double number : numbers) {
-        text += text.empty() ? "" : ",";
-        append_round_trip(text, number);
-    }
-    return text;
+    return joined(numbers, ",", round_trip_text);
 }
 
 }  // namespace vybeg

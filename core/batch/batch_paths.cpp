@@ -1,6 +1,7 @@
 #include "core/batch/batch_paths.h"
 
 #include "core/analysis/set_conditions.h"
+#include "core/base/read_value.h"
 #include "core/base/system_reason.h"
 #include "core/batch/list_sets.h"
 #include "core/output/batch_csv.h"
@@ -23,10 +24,6 @@ namespace fs = std::filesystem;
 // The journal of SQLite beside a database.
 std::string rollback_of(const std::string& database) {
     return database + "-journal";
-}
-
-Error refused_path(const char* option, const std::string& path, const MessageArg& reason) {
-    return {ErrorCode::setting_invalid, "", {option, path, reason}};
 }
 
 }  // namespace
@@ -74,7 +71,7 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
             }
             const fs::path path = json_in(*folder, *name);
             if (path.filename().string().size() > NAME_MAX) {
-                return refused_path(
+                return refused_value(
                     option, *name,
                     words(VYBEG_MESSAGE("Words", "this name is too long for a file")));
             }
@@ -101,8 +98,8 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
         }
     }
     if (request.database == "-") {
-        return refused_path("--database", request.database,
-                            words(VYBEG_MESSAGE("Words", "it must be a file")));
+        return refused_value("--database", request.database,
+                             words(VYBEG_MESSAGE("Words", "it must be a file")));
     }
     const MessageArg by_table = words(VYBEG_MESSAGE("Words", "the table goes there already"));
     TRY(check_outputs({{"-o", request.output, by_table}, {"--database", request.database, ""}},
@@ -110,7 +107,7 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
     if (!request.database.empty()) {
         if (same_file(request.database, journal_of(request.output)) ||
             same_file(rollback_of(request.database), request.output)) {
-            return refused_path("--database", request.database, by_table);
+            return refused_value("--database", request.database, by_table);
         }
         inputs.push_back({request.database, ""});
     }
@@ -139,13 +136,13 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
                 continue;
             }
             if (!is_free(*path)) {
-                return refused_path(
+                return refused_value(
                     option, *path,
                     words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
             }
             std::error_code unknown;
             if (!files.insert(fs::weakly_canonical(*path, unknown).string()).second) {
-                return refused_path(
+                return refused_value(
                     option, *path,
                     words(VYBEG_MESSAGE("Words", "another result of this batch goes there")));
             }

@@ -29,16 +29,13 @@ namespace fs = std::filesystem;
 
 // The sets that are asked for.
 Result<MeasurementList> chosen_list(const BatchRequest& request, const BatchEvents& events) {
-    Result<MeasurementList> list = wanted_list(request);
-    if (!list) {
-        return list;
-    }
+    auto list = TRY(wanted_list(request));
     if (events.warned) {
-        events.warned(list->warnings);
+        events.warned(list.warnings);
     }
     if (!request.only.empty()) {
-        auto set = TRY(set_named(*list, "--only", request.only));
-        list->sets = {std::move(set)};
+        auto set = TRY(set_named(list, "--only", request.only));
+        list.sets = {std::move(set)};
     }
     return list;
 }
@@ -133,20 +130,17 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
     const bool limits = !request.limits.empty();
     const std::vector<std::string> names = batch_columns(limits);
     const auto passed = std::ranges::find(names, passed_column) - names.begin();
-    Status written = output.write((request.excel ? excel_head(head) : head) + "\n");
+    TRY(output.write((request.excel ? excel_head(head) : head) + "\n"));
     for (const SetTask& task : tasks) {
-        if (!written) {
-            return written;
-        }
         const auto row = TRY(journal.row(task.key));
         if (limits) {
             const std::string field = csv_fields(row).at(static_cast<std::size_t>(passed));
             counts.failed += field == passed_text(Conformity::outside) ? 1 : 0;
             counts.undecided += field == passed_text(Conformity::unknown) ? 1 : 0;
         }
-        written = output.write((request.excel ? excel_row(row, limits) : row) + "\n");
+        TRY(output.write((request.excel ? excel_row(row, limits) : row) + "\n"));
     }
-    return written ? output.commit() : written;
+    return output.commit();
 }
 
 // The error that ends a batch; one of an interruption that leaves rows names --resume. Removes a
@@ -214,10 +208,7 @@ private:
                 }
             }
             sets = std::ssize(list.sets);
-            Status done = list.sets.empty() ? Status() : compute(list);
-            if (!done) {
-                return done;
-            }
+            TRY(list.sets.empty() ? Status() : compute(list));
             pause(stop_, FolderWatch::pause_s);
         }
         return sets == 0 ? Error{ErrorCode::interrupted, {}, {}}
@@ -228,40 +219,30 @@ private:
 
     // The table of these sets. Of a folder that is watched it stays as it is where all rows are in.
     Status compute(const MeasurementList& list) {
-        Result<std::vector<SetTask>> tasks = tasks_of(request_, list, limits_);
-        const auto header = header_of(request_, job_);
-        if (!tasks || !header) {
-            return tasks ? header.error() : tasks.error();
-        }
-        Status possible = check_paths(request_, *tasks);
+        auto tasks = TRY(tasks_of(request_, list, limits_));
+        const auto header = TRY(header_of(request_, job_));
+        TRY(check_paths(request_, tasks));
         for (const std::string* folder : {&request_.json, &request_.new_passports}) {
-            possible = possible && !folder->empty() ? make_folder(*folder) : possible;
-        }
-        if (!possible) {
-            return possible;
+            TRY(folder->empty() ? Status() : make_folder(*folder));
         }
         const auto is_kept = [this](const SetTask& task) { return journal_->has(task.key); };
         if (journal_) {
-            possible = set_keys(request_, identity_, *tasks);
-            if (!possible || std::ranges::all_of(*tasks, is_kept)) {
-                return possible;
+            TRY(set_keys(request_, identity_, tasks));
+            if (std::ranges::all_of(tasks, is_kept)) {
+                return {};
             }
         }
         auto output = TRY(open_output(request_.output, job_));
         if (!journal_) {
-            if (possible = open_files(output); !possible) {
-                return possible;
-            }
-            if (possible = set_keys(request_, identity_, *tasks); !possible) {
-                return possible;
-            }
-            tell_other_rows(*tasks);
+            TRY(open_files(output));
+            TRY(set_keys(request_, identity_, tasks));
+            tell_other_rows(tasks);
         }
         if (events_.begun) {
             events_.begun(list);
         }
-        TRY(tell_kept_rows(*tasks, *journal_, events_));
-        return compute_rows(list, *tasks, *header, output);
+        TRY(tell_kept_rows(tasks, *journal_, events_));
+        return compute_rows(list, tasks, header, output);
     }
 
     Status open_files(const OutputFile& output) {

@@ -7,7 +7,7 @@
 
 namespace vybeg {
 
-// The resonators of all sets of a list, as the table RESULTS.csv of INTERFACE.md, which appears
+// The resonators of all sets of a list, as the table RESULTS.csv of the help, which appears
 // when its last row is there. The rows until then are in a journal beside it, and each is on the
 // disk when its event comes. A set without a result has a row, too. Errors: those of a list and
 // of settings; output_failed; out_of_memory and out_of_threads; interrupted, interrupted_midway

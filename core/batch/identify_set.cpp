@@ -7,6 +7,7 @@
 #include "core/analysis/set_conditions.h"
 #include "core/base/job_control.h"
 #include "core/base/number_text.h"
+#include "core/base/read_value.h"
 #include "core/output/passport_json.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
@@ -137,13 +138,11 @@ Status check_parts(const MeasurementSet& set) {
             const int channel = open.channel_d_file.empty() ? 0 : open.channel_d;
             const auto [one, is_new] = known.emplace(std::pair{part, channel}, &told);
             if (!is_new && one->second != &told) {
-                return Error{
-                    ErrorCode::setting_invalid,
-                    "",
-                    {open.channel_d_file.empty() ? "--join" : "--channel-d", part,
-                     words(VYBEG_MESSAGE("Words",
-                                         "it would belong to several recordings. Name one for "
-                                         "each in a measurement list"))}};
+                return refused_value(
+                    open.channel_d_file.empty() ? "--join" : "--channel-d", part,
+                    words(VYBEG_MESSAGE("Words",
+                                        "it would belong to several recordings. Name one for "
+                                        "each in a measurement list")));
             }
         }
     }

@@ -33,10 +33,7 @@ const ResonatorParameter* parameter_named(
 
 // Why a name is no parameter: those that there are, and the one that it resembles.
 MessageArg no_parameter(std::span<const ResonatorParameter> parameters, const std::string& name) {
-    std::string names;
-    for (const ResonatorParameter& parameter : parameters) {
-        names += (names.empty() ? "" : ", ") + std::string(parameter.name);
-    }
+    const std::string names = joined(parameters, ", ", &ResonatorParameter::name);
     const ResonatorParameter* const like = parameter_named(parameters, name, names_resemble);
     return like == nullptr
                ? words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2"), {name, names})
@@ -168,7 +165,7 @@ std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits
 
 Result<std::vector<PracticalLimit>> read_practical_limits(std::string_view text) {
     const auto wrong = [text](const MessageArg& allowed) {
-        return Error{ErrorCode::setting_invalid, "", {"--limit", std::string(text), allowed}};
+        return refused_value("--limit", std::string(text), allowed);
     };
     std::vector<PracticalLimit> limits;
     const auto named = named_texts(text);
@@ -198,15 +195,11 @@ Result<std::vector<PracticalLimit>> read_practical_limits(std::string_view text)
 }
 
 std::string practical_limits_text(const std::vector<PracticalLimit>& limits) {
-    std::string text;
-    for (const PracticalLimit& limit : limits) {
-        text += text.empty() ? "" : ",";
-        text += limit.parameter;
-        text += '=';
-        text +=
-            limit.relative ? round_trip_text(100 * limit.size) + "%" : round_trip_text(limit.size);
-    }
-    return text;
+    return joined(limits, ",", [](const PracticalLimit& limit) {
+        return limit.parameter + '=' +
+               (limit.relative ? round_trip_text(100 * limit.size) + "%"
+                               : round_trip_text(limit.size));
+    });
 }
 
 }  // namespace vybeg

@@ -86,31 +86,27 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
                             const std::string& database) {
     const MeasurementSet& set = *task.set;
     std::string text;
-    // The length before each part: no two lists of parts give the same text.
-    const auto add = [&text](const std::string& part) {
-        text += std::to_string(part.size()) + ":" + part;
-    };
     for (const std::string& part :
          {request.program, set.name, task.passport, file_stamp(task.passport),
           round_trip_text(request.compare.f_limit_ppm),
           practical_limits_text(request.compare.limits), task.json, task.new_passport, database}) {
-        add(part);
+        add_part(text, part);
     }
     if (task.limits) {
         for (const ParameterLimit& limit : *task.limits) {
-            add(limit.parameter);
+            add_part(text, limit.parameter);
             for (const std::optional<double>& end : {limit.lower, limit.upper}) {
-                add(end ? round_trip_text(*end) : "");
+                add_part(text, end ? round_trip_text(*end) : "");
             }
         }
     }
     // Rows of a table with other columns are computed again.
     for (const std::string& column : batch_columns(task.limits.has_value())) {
-        add(column);
+        add_part(text, column);
     }
     for (const auto& [name, value] : settings_list(set.settings)) {
-        add(name);
-        add(value);
+        add_part(text, name);
+        add_part(text, value);
     }
     for (const RecordingRef& recording : set.recordings) {
         const OpenOptions& open = recording.open;
@@ -118,16 +114,16 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
              {recording.file, recording.path.string(), file_stamp(recording.path),
               options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
               integer_text(open.channel_c), integer_text(open.channel_d)}) {
-            add(part);
+            add_part(text, part);
         }
         for (const std::filesystem::path& file : further_files(open)) {
-            add(file_stamp(file));
+            add_part(text, file_stamp(file));
         }
         for (const auto& [column, field] : fields_of(recording.conditions)) {
-            add(field);
+            add_part(text, field);
         }
         for (const auto& [column, other] : recording.others) {
-            add(other);
+            add_part(text, other);
         }
     }
     return text_sha256(text);

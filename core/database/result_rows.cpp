@@ -1,6 +1,7 @@
 #include "core/database/result_rows.h"
 
 #include "core/analysis/list_fields.h"
+#include "core/output/quantity_json.h"
 #include "core/output/stored_reason.h"
 #include "core/recording/samples/open_table.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,11 +16,6 @@ namespace vybeg {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// On one line; invalid UTF-8 of a file's name is replaced.
-std::string line_of(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Json parsed(const std::string& text) {
     try {
@@ -72,14 +67,6 @@ DateSource source_of(const std::string& name) {
         }
     }
     throw DamagedRow("a date is from \"" + name + "\"");
-}
-
-std::string args_of(const Reason& reason) {
-    Json args = Json::array();
-    for (const MessageArg& arg : reason.args) {
-        args.push_back(english(arg));
-    }
-    return line_of(args);
 }
 
 // Columns value, sd, u, reason, reason_args from `column` on.
@@ -151,7 +138,7 @@ std::string opening_of(const OpenOptions& options) {
             given.push_back({row.name, text});
         }
     }
-    return line_of(given);
+    return json_line(given);
 }
 
 // Pairs of a name and a value.
@@ -169,8 +156,8 @@ std::vector<std::pair<std::string, std::string>> pairs_in(const std::string& tex
 
 void read_opening(const std::string& text, OpenOptions& options) {
     for (const auto& [name, value] : pairs_in(text)) {
-        const auto row = std::ranges::find(open_settings(), name, &SettingRow<OpenOptions>::name);
-        if (row == open_settings().end() || !row->read(value, options)) {
+        const auto* row = row_named(open_settings(), name);
+        if (row == nullptr || !row->read(value, options)) {
             throw DamagedRow("--" + name + " " + value + " opens no recording");
         }
     }
@@ -193,7 +180,7 @@ void write_recordings(const SqliteConnection& connection, std::int64_t id,
         row.bind(std::int64_t{recording.open.channel_c});
         row.bind(std::int64_t{recording.open.channel_d});
         describe(Binder{row}, recording.conditions);
-        row.bind(line_of(others));
+        row.bind(json_line(others));
         row.bind(opening_of(recording.open));
         row.run();
     }
@@ -207,7 +194,7 @@ void write_parameters(const SqliteConnection& connection, std::int64_t id,
         row.bind(name).bind(id).bind(position++);
         row.bind(estimate.value).bind(estimate.sd).bind(estimate.u);
         row.bind(estimate.given() ? std::string() : reason_name(estimate.reason.code));
-        row.bind(args_of(estimate.reason));
+        row.bind(json_line(args_json(estimate.reason.args)));
         row.run();
     }
 }
@@ -291,8 +278,8 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
     write_recordings(connection, id, result);
     write_parameters(connection, id, result);
     SqliteStatement document(connection, "INSERT INTO document VALUES (?, ?, ?, ?, ?)");
-    document.bind(id).bind(line_of(result.raw.names)).bind(line_of(result.raw.values));
-    document.bind_packed(line_of(lower_part(result.raw))).bind_packed(result.json).run();
+    document.bind(id).bind(json_line(result.raw.names)).bind(json_line(result.raw.values));
+    document.bind_packed(json_line(lower_part(result.raw))).bind_packed(result.json).run();
     return id;
 }
 

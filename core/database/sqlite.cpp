@@ -1,7 +1,6 @@
 #include "core/database/sqlite.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <new>
 #include <sqlite3.h>

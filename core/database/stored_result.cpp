@@ -16,11 +16,6 @@
 namespace vybeg {
 namespace {
 
-// The length before each part: no two lists of parts give the same text.
-void add_part(std::string& text, const std::string& part) {
-    text += std::to_string(part.size()) + ":" + part;
-}
-
 std::string settings_text(IdentifySettings settings) {
     settings.threads = 0;
     settings.of_recordings.clear();

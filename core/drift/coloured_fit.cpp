@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
-#include <optional>
 #include <span>
 
 namespace vybeg {

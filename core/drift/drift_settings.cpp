@@ -3,7 +3,6 @@
 #include "core/drift/whole_angle_drift.h"
 #include "core/recording/samples/open_table.h"
 
-#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string>
@@ -72,8 +71,7 @@ std::vector<Row> rows_of_drift() {
     std::vector<Row> rows{columns_row(), angle_unit_row(), pick_offs_row()};
     for (const char* name :
          {"rate", "delimiter", "decimal", "skip-lines", "time-column", "time-unit"}) {
-        rows.push_back(
-            opening_row(*std::ranges::find(open_settings(), name, &SettingRow<OpenOptions>::name)));
+        rows.push_back(opening_row(*row_named(open_settings(), name)));
     }
     return rows;
 }

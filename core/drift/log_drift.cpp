@@ -320,9 +320,7 @@ Result<BinnedLog> log_drift(const WholeAngleLog& log, const JobControl& job) {
                     found.noise,
                     fit.effort(log.amplitude_effort),
                     fit.effort(log.quadrature_effort)};
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
+    TRY(job.go_on());
     return binned;
 }
 

@@ -15,7 +15,7 @@
 
 namespace vybeg {
 
-// The drift of a wave whose amplitude is held, against its angle (INPUTS.md section 3):
+// The drift of a wave whose amplitude is held, against its angle:
 //
 //     d theta_A/dt = m + c2 cos 2 theta + s2 sin 2 theta + c4 cos 4 theta + s4 sin 4 theta
 //

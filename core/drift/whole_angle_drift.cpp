@@ -1,5 +1,6 @@
 #include "core/drift/whole_angle_drift.h"
 
+#include "core/base/plain_text.h"
 #include "core/drift/held_resonator.h"
 #include "core/drift/log_drift.h"
 #include "core/numerics/dense_solvers.h"
@@ -247,11 +248,7 @@ void examine_logs(const ChannelTolerance& channels, WholeAngleDrift& found) {
                                   {found.logs[*found.left_out].name, count_arg(harmonic)}});
         return;
     }
-    std::string names;
-    for (const LogDrift& log : found.logs) {
-        names += names.empty() ? "" : ", ";
-        names += log.name;
-    }
+    const std::string names = joined(found.logs, ", ", &LogDrift::name);
     for (const LogAgreement& each : found.agreement) {
         if (each.harmonic != 0 && !each.agrees) {
             found.warnings.push_back(

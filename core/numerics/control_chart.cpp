@@ -131,13 +131,18 @@ Baseline baseline_of(std::span<const double> values, std::span<const double> u, 
     return baseline;
 }
 
+double mean_of(std::span<const double> z) {
+    double mean = 0;
+    for (const double each : z) {
+        mean += each / static_cast<double>(z.size());
+    }
+    return mean;
+}
+
 // Of z against the order: Student's t of its slope, with freedom z.size() - 2.
 double slope_t(std::span<const double> z) {
     const auto count = static_cast<double>(z.size());
-    double mean = 0;
-    for (const double each : z) {
-        mean += each / count;
-    }
+    const double mean = mean_of(z);
     double xx = 0;
     double xy = 0;
     double yy = 0;
@@ -155,10 +160,7 @@ double slope_t(std::span<const double> z) {
 // about its expectation (P. A. P. Moran, Biometrika 35 (1948) 255-260).
 double lag_deviations(std::span<const double> z) {
     const auto count = static_cast<double>(z.size());
-    double mean = 0;
-    for (const double each : z) {
-        mean += each / count;
-    }
+    const double mean = mean_of(z);
     double products = 0;
     double squares = 0;
     for (std::size_t k = 0; k < z.size(); ++k) {

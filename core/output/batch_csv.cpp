@@ -7,34 +7,23 @@
 #include "core/base/plain_text.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/csv_rows.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
 
 namespace vybeg {
 namespace {
 
-struct Parameter {
-    const char* name;
-    Estimate ResonatorEstimate::*member;
-};
-
-// Those of the table, each with its deviation beside it and its uncertainty u further on.
-constexpr std::array parameters{
-    Parameter{"f_mean_hz", &ResonatorEstimate::f_mean_hz},
-    Parameter{"split_hz", &ResonatorEstimate::split_hz},
-    Parameter{"theta_w_rad", &ResonatorEstimate::theta_w_rad},
-    Parameter{"tau_s", &ResonatorEstimate::tau_s},
-    Parameter{"q", &ResonatorEstimate::q},
-    Parameter{"damping_anisotropy_per_s", &ResonatorEstimate::damping_anisotropy_per_s},
-    Parameter{"theta_tau_rad", &ResonatorEstimate::theta_tau_rad},
-    Parameter{"angle_rate_rad_s", &ResonatorEstimate::angle_rate_rad_s},
-    Parameter{"kappa", &ResonatorEstimate::kappa}};
+// Those of the table, each with its deviation beside it and its uncertainty u further on: up to the
+// gain ratio.
+constexpr std::span parameters = std::span(resonator_parameters).first<9>();
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -55,17 +44,6 @@ std::string field(const std::string& text, char separator) {
     return field + "\"";
 }
 
-std::string in_row(const std::vector<std::string>& texts, char separator = ',') {
-    std::string row;
-    for (const std::string& text : texts) {
-        if (&text != &texts.front()) {
-            row += separator;
-        }
-        row += field(text, separator);
-    }
-    return row;
-}
-
 // An empty field is "not told".
 std::string number(double value) {
     return std::isfinite(value) ? round_trip_text(value) : "";
@@ -75,22 +53,14 @@ std::string number(double value) {
 std::string whole_row(const MeasurementSet& set, const std::string& status,
                       const std::string& message, const std::vector<std::string>& results,
                       const LimitVerdict* limits) {
-    std::string files;
-    for (const RecordingRef& recording : set.recordings) {
-        files += (files.empty() ? "" : ";") + recording.file;
-    }
-    std::vector<std::string> texts{set.name, gyro_of(set), list_date_of(set),
-                                   files,    status,       message};
+    std::vector<std::string> texts{
+        set.name, gyro_of(set), list_date_of(set), joined(set.recordings, ";", &RecordingRef::file),
+        status,   message};
     texts.insert(texts.end(), results.begin(), results.end());
     const auto conditions = conditions_of(set);
     texts.resize(batch_columns().size() - conditions.size());
     if (limits != nullptr) {
-        std::string failed;
-        for (const std::string& name : limits->failed) {
-            failed += failed.empty() ? "" : ";";
-            failed += name;
-        }
-        texts.insert(texts.end(), {passed_text(limits->conformity), failed});
+        texts.insert(texts.end(), {passed_text(limits->conformity), joined(limits->failed, ";")});
     }
     for (const auto& [column, field] : conditions) {
         texts.push_back(field);
@@ -98,7 +68,7 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
     for (std::size_t k = 0; k < set.recordings.front().others.size(); ++k) {
         texts.push_back(other_of(set, k));
     }
-    return in_row(texts);
+    return csv_row(texts);
 }
 
 // The verdict about the gyro, and the names of the parameters that have changed, without Q, which
@@ -142,12 +112,12 @@ const char* passed_text(const std::optional<Conformity>& conformity) {
 
 std::vector<std::string> batch_columns(bool limits) {
     std::vector<std::string> names{"set", "gyro", "date", "files", "status", "message", "model"};
-    for (const Parameter& parameter : parameters) {
+    for (const ResonatorParameter& parameter : parameters) {
         names.emplace_back(parameter.name);
         names.push_back(std::string("sd_") + parameter.name);
     }
     names.insert(names.end(), {"noise", "chi2_per_dof", "verdict", "changed"});
-    for (const Parameter& parameter : parameters) {
+    for (const ResonatorParameter& parameter : parameters) {
         names.push_back(std::string("u_") + parameter.name);
     }
     names.emplace_back("warnings");
@@ -183,7 +153,7 @@ std::string batch_head(std::span<const std::string> header,
         }
         names.push_back(name);
     }
-    return text + in_row(names);
+    return text + csv_row(names);
 }
 
 std::string batch_row(const MeasurementSet& set, const Error& error, const LimitVerdict* limits) {
@@ -195,7 +165,7 @@ std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
     const ResonatorFit& fit = found.fit;
     std::vector<std::string> results{fit.model == ResonatorModel::structured ? "structured"
                                                                              : "free"};
-    for (const Parameter& parameter : parameters) {
+    for (const ResonatorParameter& parameter : parameters) {
         const Estimate& estimate = fit.resonator.*parameter.member;
         results.push_back(estimate.given() ? number(estimate.value) : "");
         results.push_back(estimate.given() ? number(estimate.sd) : "");
@@ -206,7 +176,7 @@ std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
     const auto [judged, changed] = verdict(doubtful ? std::nullopt : result.comparison);
     results.insert(results.end(), {fit.noise.white() ? "white" : "coloured",
                                    number(fit.chi2_per_dof), judged, changed});
-    for (const Parameter& parameter : parameters) {
+    for (const ResonatorParameter& parameter : parameters) {
         const Estimate& estimate = fit.resonator.*parameter.member;
         results.push_back(estimate.given() ? number(estimate.u) : "");
     }
@@ -216,7 +186,7 @@ std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
 
 std::string excel_head(const std::string& head) {
     return std::string(byte_order_mark) +
-           in_row(csv_fields(head.substr(head.rfind('\n') + 1)), ';');
+           csv_row(csv_fields(head.substr(head.rfind('\n') + 1)), ';');
 }
 
 std::string excel_row(const std::string& row, bool limits) {
@@ -237,7 +207,7 @@ std::string excel_row(const std::string& row, bool limits) {
             std::ranges::replace(fields[k], '.', ',');
         }
     }
-    return in_row(fields, ';');
+    return csv_row(fields, ';');
 }
 
 LimitVerdict limit_verdict(const Identification* found, const std::vector<ParameterLimit>& limits) {
@@ -249,8 +219,15 @@ LimitVerdict limit_verdict(const Identification* found, const std::vector<Parame
     return verdict;
 }
 
-std::string csv_row(const std::vector<std::string>& texts) {
-    return in_row(texts);
+std::string csv_row(const std::vector<std::string>& texts, char separator) {
+    std::string row;
+    for (const std::string& text : texts) {
+        if (&text != &texts.front()) {
+            row += separator;
+        }
+        row += field(text, separator);
+    }
+    return row;
 }
 
 }  // namespace vybeg

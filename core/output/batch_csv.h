@@ -53,6 +53,6 @@ std::string excel_row(const std::string& row, bool limits);
 LimitVerdict limit_verdict(const Identification* found, const std::vector<ParameterLimit>& limits);
 
 // Texts as a row of such a table: in quotes where they hold a separator.
-std::string csv_row(const std::vector<std::string>& texts);
+std::string csv_row(const std::vector<std::string>& texts, char separator = ',');
 
 }  // namespace vybeg

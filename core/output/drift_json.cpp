@@ -101,10 +101,7 @@ std::string drift_json(const std::string& program, std::span<const WholeAngleLog
     }
     Json warnings = Json::array();
     for (const Finding& finding : findings_of(drift.warnings)) {
-        warnings.push_back({{"kind", kind_name(finding.diagnostic.kind)},
-                            {"severity", severity_name(severity(finding.diagnostic.kind))},
-                            {"count", finding.count},
-                            {"text", english(finding.diagnostic)}});
+        warnings.push_back(finding_json(finding));
     }
     Json harmonics;
     for (std::size_t k = 0; k < drift.harmonics.size(); ++k) {

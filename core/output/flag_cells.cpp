@@ -6,7 +6,7 @@ namespace vybeg {
 
 Result<FlagCounts> count_flags(const TrackColumns& columns) {
     FlagCounts counts;
-    const Status read = columns.flags([&counts](std::span<const Flags> rows) -> Status {
+    TRY(columns.flags([&counts](std::span<const Flags> rows) -> Status {
         // Neighbours have the same flags more often than not.
         for (auto at = rows.begin(); at != rows.end();) {
             const auto other = std::find_if(at, rows.end(), [&](Flags f) { return f != *at; });
@@ -14,8 +14,8 @@ Result<FlagCounts> count_flags(const TrackColumns& columns) {
             at = other;
         }
         return {};
-    });
-    return read ? Result(counts) : read.error();
+    }));
+    return counts;
 }
 
 std::size_t longest_text(const FlagCounts& counts) {

@@ -39,11 +39,8 @@ Json warnings_json(const Identification& identification, std::span<const Recordi
     std::ranges::stable_sort(findings, std::ranges::greater(), weight);
     Json list = Json::array();
     for (const auto& [finding, input] : findings) {
-        Json warning{{"kind", kind_name(finding.diagnostic.kind)},
-                     {"severity", severity_name(severity(finding.diagnostic.kind))},
-                     {"count", finding.count},
-                     {"text", english(finding.diagnostic)},
-                     {"input", input}};
+        Json warning = finding_json(finding);
+        warning["input"] = input;
         for (const Diagnostic& other : finding.more) {
             warning["more"].push_back(english(other));
         }
@@ -52,14 +49,19 @@ Json warnings_json(const Identification& identification, std::span<const Recordi
     return list;
 }
 
+template <class Owner, class Parameters>
+Json parameters_json(const Owner& owner, const Parameters& parameters) {
+    Json object;
+    for (const auto& parameter : parameters) {
+        object[parameter.name] = quantity_json(owner.*parameter.member);
+    }
+    return object;
+}
+
 Json modes_json(const ResonatorFit& fit) {
     Json list = Json::array();
     for (const ModeEstimate& mode : fit.modes) {
-        Json object;
-        for (const ModeParameter& parameter : mode_parameters) {
-            object[parameter.name] = quantity_json(mode.*parameter.member);
-        }
-        list.push_back(object);
+        list.push_back(parameters_json(mode, mode_parameters));
     }
     return list;
 }
@@ -112,14 +114,6 @@ Json resonator_json(const Identification& identification) {
     return object;
 }
 
-Json wave_json(const WaveMotion& wave) {
-    Json object;
-    for (const WaveParameter& parameter : wave_parameters) {
-        object[parameter.name] = quantity_json(wave.*parameter.member);
-    }
-    return object;
-}
-
 // Where Q depends on the amplitude, with the one at which it holds, and with Q at both ends.
 Json q_envelope_json(const RunEstimate& run) {
     Json quantity = quantity_json(run.q_envelope);
@@ -140,7 +134,7 @@ Json runs_json(const Identification& identification, std::span<const RecordingRe
         const RunEstimate& run = identification.fit.runs[k];
         const IdentifiedRun& input = identification.runs[k];
         list.push_back({{"name", inputs[k].name()},
-                        {"wave", wave_json(input.wave)},
+                        {"wave", parameters_json(input.wave, wave_parameters)},
                         {"f_offset_hz", quantity_json(run.f_offset_hz)},
                         {"a_A", quantity_json(run.a_A)},
                         {"a_B", quantity_json(run.a_B)},
@@ -327,19 +321,6 @@ void refer_to_recorded(double calibrated, RawParameters& raw) {
 }
 
 }  // namespace
-
-std::vector<IdentifyWarning> all_warnings(const Identification& identification) {
-    std::vector<IdentifyWarning> warnings;
-    for (std::size_t k = 0; k < identification.runs.size(); ++k) {
-        for (const Diagnostic& diagnostic : identification.runs[k].diagnostics) {
-            warnings.push_back({diagnostic, static_cast<int>(k)});
-        }
-    }
-    for (const Diagnostic& diagnostic : identification.fit.warnings) {
-        warnings.push_back({diagnostic, -1});
-    }
-    return warnings;
-}
 
 std::vector<Finding> findings_of(const Identification& identification) {
     std::vector<NamedWarnings> all{{"", identification.fit.warnings}};

@@ -8,16 +8,7 @@
 
 namespace vybeg {
 
-// A warning of an identification and its recording.
-struct IdentifyWarning {
-    Diagnostic diagnostic;
-    int input = -1;  // index of the recording; -1: the fit
-};
-
-// Warnings of the recordings in their order, then those of the fit.
-std::vector<IdentifyWarning> all_warnings(const Identification& identification);
-
-// The same, each kind once, the worst first: of the result, then of the recordings.
+// Warnings of the result, then of its recordings, each kind once, the worst first.
 std::vector<Finding> findings_of(const Identification& identification);
 
 // Result of `identify` as JSON, with the drift function and the channel balance; a comparison adds

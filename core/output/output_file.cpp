@@ -125,19 +125,17 @@ Status OutputFile::wait_until_writable() const {
 Status OutputFile::write(std::string_view bytes) {
     // Large pieces are written without copying.
     if (bytes.size() >= least_direct) {
-        const Status flushed = flush();
-        return flushed ? write_out(bytes) : flushed;
+        TRY(flush());
+        return write_out(bytes);
     }
     buffer_.append(bytes);
     return buffer_.size() < buffer_size ? Status{} : flush();
 }
 
 Status OutputFile::flush() {
-    const Status written = write_out(buffer_);
-    if (written) {
-        buffer_.clear();
-    }
-    return written;
+    TRY(write_out(buffer_));
+    buffer_.clear();
+    return {};
 }
 
 Status OutputFile::write_out(std::string_view left) {
@@ -283,8 +281,8 @@ Result<OutputFile> open_output(const std::string& name, const JobControl& job) {
 Status write_file(const std::filesystem::path& target, std::string_view bytes,
                   const JobControl& job) {
     auto file = TRY(OutputFile::create(target, job));
-    const Status written = file.write(bytes);
-    return written ? file.commit() : written;
+    TRY(file.write(bytes));
+    return file.commit();
 }
 
 }  // namespace vybeg

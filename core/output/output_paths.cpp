@@ -1,5 +1,7 @@
 #include "core/output/output_paths.h"
 
+#include "core/base/read_value.h"
+
 #include <algorithm>
 #include <optional>
 #include <sys/stat.h>
@@ -107,7 +109,7 @@ Status check_outputs(const std::vector<OutputPath>& outputs, const std::vector<I
             continue;
         }
         const auto refused = [&output](const MessageArg& reason) {
-            return Error{ErrorCode::setting_invalid, "", {output.option, output.path, reason}};
+            return refused_value(output.option, output.path, reason);
         };
         for (const InputPath& input : inputs) {
             if (!input.path.empty() && same_file(input.path, output.path)) {

@@ -41,14 +41,6 @@ constexpr std::array<TrackColumn, 8> track_columns{{
     {"sd_f_hz", &RunTrack::sd_f_hz},
 }};
 
-Json args_json(const std::vector<MessageArg>& args) {
-    Json list = Json::array();
-    for (const MessageArg& arg : args) {
-        list.push_back(english(arg));
-    }
-    return list;
-}
-
 Json written(const Estimate& estimate) {
     Json json = quantity_json(estimate);
     if (!estimate.given()) {
@@ -172,7 +164,7 @@ private:
         if (json_.is_array()) {
             return words(VYBEG_MESSAGE("Words", "a list"));
         }
-        return short_quote(json_.dump(-1, ' ', false, Json::error_handler_t::replace));
+        return short_quote(json_line(json_));
     }
 
     const Json& json_;
@@ -240,6 +232,15 @@ Json written_parameters(const Owner& owner, const Parameters& parameters) {
         json[parameter.name] = written(owner.*parameter.member);
     }
     return json;
+}
+
+template <class Owner, class Parameters>
+Json written_list(const std::vector<Owner>& owners, const Parameters& parameters) {
+    Json list = Json::array();
+    for (const Owner& owner : owners) {
+        list.push_back(written_parameters(owner, parameters));
+    }
+    return list;
 }
 
 template <class Owner, class Parameters>
@@ -356,14 +357,6 @@ Passport read_all(const Node& json, int schema) {
 }
 
 Json passport_object(const Passport& passport) {
-    Json modes = Json::array();
-    for (const ModeEstimate& mode : passport.modes) {
-        modes.push_back(written_parameters(mode, mode_parameters));
-    }
-    Json runs = Json::array();
-    for (const RunEstimate& run : passport.runs) {
-        runs.push_back(written_parameters(run, run_parameters));
-    }
     Json tracks = Json::array();
     for (const RunTrack& track : passport.tracks) {
         Json columns;
@@ -382,10 +375,10 @@ Json passport_object(const Passport& passport) {
             {"settings", named_json(passport.settings)},
             {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
             {"resonator", written_parameters(passport.resonator, resonator_parameters)},
-            {"modes", modes},
+            {"modes", written_list(passport.modes, mode_parameters)},
             {"modes_by",
              passport.mode_order ? Json(mode_order_name(*passport.mode_order)) : Json(nullptr)},
-            {"runs", runs},
+            {"runs", written_list(passport.runs, run_parameters)},
             {"parameters",
              {{"names", passport.raw.names},
               {"values", numbers_json(passport.raw.values)},
@@ -408,30 +401,28 @@ Passport read_any(const Node& whole) {
 template <class Read>
 auto reading(std::string_view text, const std::string& where, const Read& read)
     -> Result<decltype(read(Json()))> {
+    const auto damaged = [&where](const MessageArg& reason) {
+        return Error{ErrorCode::passport_damaged, where, {reason}};
+    };
     try {
         return read(Json::parse(text));
     } catch (const Json::parse_error& error) {
-        return Error{ErrorCode::passport_damaged,
-                     where,
-                     {words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
-                            {count_arg(static_cast<std::int64_t>(error.byte))})}};
+        return damaged(words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
+                             {count_arg(static_cast<std::int64_t>(error.byte))}));
     } catch (const Json::exception&) {
-        return Error{ErrorCode::passport_damaged,
-                     where,
-                     {words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges"))}};
+        return damaged(words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges")));
     } catch (const LaterSchema& later) {
         return Error{ErrorCode::passport_schema,
                      where,
                      {count_arg(later.schema), count_arg(Passport::schema)}};
     } catch (const Fault& fault) {
-        return Error{ErrorCode::passport_damaged, where, {fault.reason}};
+        return damaged(fault.reason);
     }
 }
 
-Json warning_json(const IdentifyWarning& warning) {
-    return {{"kind", kind_name(warning.diagnostic.kind)},
-            {"args", args_json(warning.diagnostic.args)},
-            {"input", warning.input}};
+// `input`: index of the recording that it concerns; -1: the fit.
+Json warning_json(const Diagnostic& warning, int input) {
+    return {{"kind", kind_name(warning.kind)}, {"args", args_json(warning.args)}, {"input", input}};
 }
 
 Json run_json(const IdentifiedRun& run) {
@@ -516,14 +507,17 @@ std::string saved_result_json(const SetResult& result) {
         track = {};
     }
     Json runs = Json::array();
+    Json warnings = Json::array();
     for (const IdentifiedRun& run : result.identification.runs) {
+        for (const Diagnostic& warning : run.diagnostics) {
+            warnings.push_back(warning_json(warning, static_cast<int>(runs.size())));
+        }
         runs.push_back(run_json(run));
     }
-    Json warnings = Json::array();
-    for (const IdentifyWarning& warning : all_warnings(result.identification)) {
-        warnings.push_back(warning_json(warning));
-    }
     const ResonatorFit& fit = result.identification.fit;
+    for (const Diagnostic& warning : fit.warnings) {
+        warnings.push_back(warning_json(warning, -1));
+    }
     return json_text(
         {{"passport", passport_object(passport)},
          {"no_modes",

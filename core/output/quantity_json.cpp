@@ -1,5 +1,7 @@
 #include "core/output/quantity_json.h"
 
+#include "core/base/messages.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -55,8 +57,28 @@ Json inputs_json(std::span<const RecordingRef> inputs) {
     return list;
 }
 
+Json args_json(std::span<const MessageArg> args) {
+    Json list = Json::array();
+    for (const MessageArg& arg : args) {
+        list.push_back(english(arg));
+    }
+    return list;
+}
+
+Json finding_json(const Finding& finding) {
+    const DiagnosticKind kind = finding.diagnostic.kind;
+    return {{"kind", kind_name(kind)},
+            {"severity", severity_name(severity(kind))},
+            {"count", finding.count},
+            {"text", english(finding.diagnostic)}};
+}
+
 std::string json_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string json_line(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace vybeg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/measurement_list.h"
+#include "core/base/finding.h"
 #include "core/base/setting_rows.h"
 #include "core/resonator/model/reason.h"
 
@@ -27,8 +28,17 @@ nlohmann::ordered_json quantity_json(const Estimate& estimate);
 // The recordings of a set: names and what they contain.
 nlohmann::ordered_json inputs_json(std::span<const RecordingRef> inputs);
 
+// Arguments of a message, in English.
+nlohmann::ordered_json args_json(std::span<const MessageArg> args);
+
+// A line of a list of warnings.
+nlohmann::ordered_json finding_json(const Finding& finding);
+
 // The JSON as text, indented, with a line feed at its end. Invalid UTF-8 in names from files is
 // replaced.
 std::string json_text(const nlohmann::ordered_json& json);
+
+// The same on one line, without a line feed.
+std::string json_line(const nlohmann::ordered_json& json);
 
 }  // namespace vybeg

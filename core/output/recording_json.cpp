@@ -1,6 +1,7 @@
 #include "core/output/recording_json.h"
 
 #include "core/base/messages.h"
+#include "core/output/quantity_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,8 +34,7 @@ std::string recording_json(const Recording& recording, const std::string& sha256
     if (recording.rate_relative_sd > 0) {
         info["rate_relative_sd"] = recording.rate_relative_sd;
     }
-    // Invalid UTF-8 in names from files is replaced.
-    return info.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(info);
 }
 
 }  // namespace vybeg

@@ -66,8 +66,8 @@ Result<RowJournal> RowJournal::open(const std::filesystem::path& path, bool resu
         close(journal.descriptor_);  // removed by its owner before it was locked
         journal.descriptor_ = -1;
     }
-    const Status begun = journal.begin(resume);
-    return begun ? Result(std::move(journal)) : begun.error();
+    TRY(journal.begin(resume));
+    return journal;
 }
 
 RowJournal::RowJournal(RowJournal&& other) noexcept
@@ -165,11 +165,9 @@ Result<std::string> RowJournal::row(const std::string& key) const {
 Status RowJournal::append(const std::string& key, std::string_view row) {
     const auto line = TRY(line_of(key, row));
     const auto offset = end_ + static_cast<std::int64_t>(line.size() - row.size()) - 1;
-    const Status written = write(line);
-    if (written) {
-        rows_[key] = {offset, row.size()};
-    }
-    return written;
+    TRY(write(line));
+    rows_[key] = {offset, row.size()};
+    return {};
 }
 
 Status RowJournal::write(std::string_view bytes) {

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <system_error>
 #include <unistd.h>
 
 namespace vybeg {
@@ -56,18 +55,14 @@ Status Spool::spill() {
     if (descriptor_ < 0) {
         TRY(create());
     }
-    const Status written = write_out(memory_);
-    if (written) {
-        memory_.clear();
-    }
-    return written;
+    TRY(write_out(memory_));
+    memory_.clear();
+    return {};
 }
 
 Status Spool::write_out(std::string_view left) {
     while (!left.empty()) {
-        if (job_.cancelled()) {
-            return Error{ErrorCode::interrupted, {}, {}};
-        }
+        TRY(job_.go_on());
         const ssize_t written = ::write(descriptor_, left.data(), std::min(left.size(), piece));
         if (written < 0 && errno != EINTR) {
             return failed(errno);
@@ -80,9 +75,7 @@ Status Spool::write_out(std::string_view left) {
 
 Status Spool::read(std::int64_t from, std::span<std::byte> to) const {
     while (!to.empty() && from < spilled_) {
-        if (job_.cancelled()) {
-            return Error{ErrorCode::interrupted, {}, {}};
-        }
+        TRY(job_.go_on());
         const auto wanted = std::min(static_cast<std::size_t>(spilled_ - from), to.size());
         const ssize_t got = pread(descriptor_, to.data(), wanted, from);
         if (got <= 0 && errno != EINTR) {

@@ -28,11 +28,10 @@ auto column_of(AnyTrack& track, std::size_t column) {
 
 template <class Values, class Sink>
 Status pass(Values values, const Sink& sink) {
-    Status taken;
-    for (std::size_t at = 0; at < values.size() && taken; at += rows_at_once) {
-        taken = sink(values.subspan(at, std::min(rows_at_once, values.size() - at)));
+    for (std::size_t at = 0; at < values.size(); at += rows_at_once) {
+        TRY(sink(values.subspan(at, std::min(rows_at_once, values.size() - at))));
     }
-    return taken;
+    return {};
 }
 
 }  // namespace

@@ -115,15 +115,11 @@ Status write_track_csv(OutputFile& file, const Track& track, std::span<const std
 
 Status write_track_csv(OutputFile& file, const TrackSpool& rows,
                        std::span<const std::string> header) {
-    const Status written = file.write(head_text(header));
-    return written ? rows.whole_rows(rows_per_block * blocks_at_once,
-                                     [&file](const Track& track) {
-                                         return write_rows(
-                                             track, [&file](std::string_view text, std::size_t) {
-                                                 return file.write(text);
-                                             });
-                                     })
-                   : written;
+    TRY(file.write(head_text(header)));
+    return rows.whole_rows(rows_per_block * blocks_at_once, [&file](const Track& track) {
+        return write_rows(track,
+                          [&file](std::string_view text, std::size_t) { return file.write(text); });
+    });
 }
 
 }  // namespace vybeg

@@ -34,18 +34,11 @@ Result<TrackFormat> track_format(const std::filesystem::path& target) {
                                           "a NumPy file has room for one array only; let its name "
                                           "end in .npz"))}};
     }
-    if (const Status known =
-            check_ending(target, {"", ".csv", ".txt", ".mat", ".h5", ".hdf5", ".npz"});
-        !known) {
-        return known.error();
-    }
-    if (ending == ".mat") {
-        return TrackFormat::mat;
-    }
-    if (ending == ".h5" || ending == ".hdf5") {
-        return TrackFormat::hdf5;
-    }
-    return ending == ".npz" ? TrackFormat::npz : TrackFormat::csv;
+    TRY(check_ending(target, {"", ".csv", ".txt", ".mat", ".h5", ".hdf5", ".npz"}));
+    return ending == ".mat"                       ? TrackFormat::mat
+           : ending == ".h5" || ending == ".hdf5" ? TrackFormat::hdf5
+           : ending == ".npz"                     ? TrackFormat::npz
+                                                  : TrackFormat::csv;
 }
 
 Status write_track(OutputFile& file, TrackFormat format, const Track& track,

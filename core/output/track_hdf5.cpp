@@ -92,30 +92,26 @@ Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
     LayoutBytes own(file, layout);
     const FlagCells cells =
         make_cells(counts, [width](const std::string& text) { return padded(text, width); });
-    Status written;
-    for (std::size_t k = 0; k < arrays.size() && written; ++k) {
+    for (std::size_t k = 0; k < arrays.size(); ++k) {
         if (arrays[k].rows == 0) {
             continue;  // has no place
         }
-        written = own.write_up_to(layout.places[k]);
+        TRY(own.write_up_to(layout.places[k]));
         own.skip(arrays[k].bytes());
-        if (!written) {
-            break;
-        }
         if (k < track_number_columns) {
-            written = columns.numbers(k, [&file](std::span<const double> values) {
+            TRY(columns.numbers(k, [&file](std::span<const double> values) {
                 return file.write(bytes_of(values));
-            });
+            }));
         } else if (k == track_number_columns) {
-            written = pass_cells(columns, cells,
-                                 [&file](std::string_view bytes) { return file.write(bytes); });
+            TRY(pass_cells(columns, cells,
+                           [&file](std::string_view bytes) { return file.write(bytes); }));
         } else {
-            for (std::size_t line = 0; line < header.size() && written; ++line) {
-                written = file.write(padded(header[line], longest));
+            for (const std::string& line : header) {
+                TRY(file.write(padded(line, longest)));
             }
         }
     }
-    return written ? own.write_up_to(layout.size) : written;
+    return own.write_up_to(layout.size);
 }
 
 }  // namespace vybeg

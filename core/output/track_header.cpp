@@ -41,8 +41,7 @@ std::vector<std::string> track_header(const std::string& program, const std::fil
     for (const auto& [name, value] : settings_list(settings)) {
         constexpr std::array of_both{"window", "from", "to", "kappa", "delay", "f0", "angle-zero"};
         if (std::ranges::find(of_both, name) != of_both.end() ||
-            std::ranges::find(log_settings(), name, &SettingRow<LogChoice>::name) !=
-                log_settings().end()) {
+            row_named(log_settings(), name) != nullptr) {
             lines.push_back(name + ": " + value);
         }
     }

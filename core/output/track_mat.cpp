@@ -22,26 +22,21 @@ Status write_track_mat(OutputFile& file, const TrackColumns& columns,
                                                 "room for any number"),
                                   {count_arg(rows)}));
     }
-    Status written = file.write(mat_file_head());
-    for (std::size_t k = 0; k < track_number_columns && written; ++k) {
-        written = file.write(mat_column_head(track_column_name(k), rows));
-        written = written ? columns.numbers(k,
-                                            [&file](std::span<const double> values) {
-                                                return file.write(bytes_of(values));
-                                            })
-                          : written;
+    TRY(file.write(mat_file_head()));
+    for (std::size_t k = 0; k < track_number_columns; ++k) {
+        TRY(file.write(mat_column_head(track_column_name(k), rows)));
+        TRY(columns.numbers(
+            k, [&file](std::span<const double> values) { return file.write(bytes_of(values)); }));
     }
-    written = written ? file.write(mat_cells_head(flag_column_name, rows, cell_bytes)) : written;
-    written = written ? pass_cells(columns, cells,
-                                   [&file](std::string_view bytes) { return file.write(bytes); })
-                      : written;
+    TRY(file.write(mat_cells_head(flag_column_name, rows, cell_bytes)));
+    TRY(pass_cells(columns, cells, [&file](std::string_view bytes) { return file.write(bytes); }));
     std::string lines;
     for (const std::string& line : header) {
         lines += mat_text_cell(line);
     }
     const std::string head = mat_cells_head(header_name, static_cast<std::int64_t>(header.size()),
                                             static_cast<std::int64_t>(lines.size()));
-    return written ? file.write(head + lines) : written;
+    return file.write(head + lines);
 }
 
 }  // namespace vybeg

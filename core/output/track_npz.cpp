@@ -37,15 +37,13 @@ Status write_member(OutputFile& file, StoredZip& zip, const NpyMember& member) {
     const std::string head =
         npy_head(member.type, integer_text(static_cast<std::int64_t>(member.rows)) + ",");
     std::uint32_t crc = crc_of(0, head);
-    Status done = member.pass([&crc](std::string_view bytes) -> Status {
+    TRY(member.pass([&crc](std::string_view bytes) -> Status {
         crc = crc_of(crc, bytes);
         return {};
-    });
-    done = done ? zip.begin(member.name + ".npy", head.size() + member.rows * member.bytes_per_row,
-                            crc)
-                : done;
-    done = done ? file.write(head) : done;
-    return done ? member.pass([&file](std::string_view bytes) { return file.write(bytes); }) : done;
+    }));
+    TRY(zip.begin(member.name + ".npy", head.size() + member.rows * member.bytes_per_row, crc));
+    TRY(file.write(head));
+    return member.pass([&file](std::string_view bytes) { return file.write(bytes); });
 }
 
 // A text of so many characters, as NumPy keeps it: 4 bytes for each, zeros behind the last.
@@ -94,11 +92,10 @@ Status write_track_npz(OutputFile& file, const TrackColumns& columns,
                        longest * sizeof(char32_t),
                        [&lines](const ByteSink& sink) { return sink(lines); }});
     StoredZip zip(file);
-    Status written;
-    for (std::size_t k = 0; k < members.size() && written; ++k) {
-        written = write_member(file, zip, members[k]);
+    for (const NpyMember& member : members) {
+        TRY(write_member(file, zip, member));
     }
-    return written ? zip.finish() : written;
+    return zip.finish();
 }
 
 }  // namespace vybeg

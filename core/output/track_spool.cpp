@@ -4,50 +4,46 @@ namespace vybeg {
 
 Status TrackSpool::append(const Track& rows) {
     blocks_.push_back({rows_, rows.rows(), bytes_});
-    Status written;
-    for (std::size_t column = 0; column < track_number_columns && written; ++column) {
-        written = spool_.write(std::as_bytes(track_column(rows, column)));
+    for (std::size_t column = 0; column < track_number_columns; ++column) {
+        TRY(spool_.write(std::as_bytes(track_column(rows, column))));
     }
     rows_ += rows.rows();
     bytes_ += static_cast<std::int64_t>(rows.rows() *
                                         (track_number_columns * sizeof(double) + sizeof(Flags)));
-    return written ? spool_.write(std::as_bytes(rows.flags())) : written;
+    return spool_.write(std::as_bytes(rows.flags()));
 }
 
 Status TrackSpool::numbers(std::size_t column, const NumberSink& sink) const {
     std::vector<double> piece;
-    Status taken;
-    for (std::size_t k = 0; k < blocks_.size() && taken; ++k) {
-        piece.resize(blocks_[k].rows);
-        taken = spool_.read(blocks_[k].place_of(column), std::as_writable_bytes(std::span(piece)));
-        taken = taken ? sink(piece) : taken;
+    for (const Block& block : blocks_) {
+        piece.resize(block.rows);
+        TRY(spool_.read(block.place_of(column), std::as_writable_bytes(std::span(piece))));
+        TRY(sink(piece));
     }
-    return taken;
+    return {};
 }
 
 Status TrackSpool::flags(const FlagSink& sink) const {
     std::vector<Flags> piece;
-    Status taken;
-    for (std::size_t k = 0; k < blocks_.size() && taken; ++k) {
-        piece.resize(blocks_[k].rows);
-        taken = read_flags(blocks_[k], piece);
-        taken = taken ? sink(piece) : taken;
+    for (const Block& block : blocks_) {
+        piece.resize(block.rows);
+        TRY(read_flags(block, piece));
+        TRY(sink(piece));
     }
-    return taken;
+    return {};
 }
 
 Status TrackSpool::whole_rows(std::size_t at_once, const TrackSink& sink) const {
-    Status taken;
-    for (std::size_t k = 0; k < blocks_.size() && taken;) {
+    for (std::size_t k = 0; k < blocks_.size();) {
         Track track;
         do {
             Track rows(blocks_[k].rows);
-            taken = read_block(blocks_[k++], rows);
+            TRY(read_block(blocks_[k++], rows));
             track.append(rows);
-        } while (taken && k < blocks_.size() && track.rows() + blocks_[k].rows <= at_once);
-        taken = taken ? sink(track) : taken;
+        } while (k < blocks_.size() && track.rows() + blocks_[k].rows <= at_once);
+        TRY(sink(track));
     }
-    return taken;
+    return {};
 }
 
 Status TrackSpool::read_flags(const Block& block, std::span<Flags> flags) const {
@@ -58,12 +54,11 @@ Status TrackSpool::read_flags(const Block& block, std::span<Flags> flags) const 
 }
 
 Status TrackSpool::read_block(const Block& block, Track& rows) const {
-    Status read;
-    for (std::size_t column = 0; column < track_number_columns && read; ++column) {
-        read =
-            spool_.read(block.place_of(column), std::as_writable_bytes(track_column(rows, column)));
+    for (std::size_t column = 0; column < track_number_columns; ++column) {
+        TRY(spool_.read(block.place_of(column),
+                        std::as_writable_bytes(track_column(rows, column))));
     }
-    return read ? read_flags(block, rows.flags()) : read;
+    return read_flags(block, rows.flags());
 }
 
 }  // namespace vybeg

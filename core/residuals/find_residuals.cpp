@@ -57,9 +57,7 @@ Result<ResidualSpectrum> spectrum_of(const ResidualSamples& samples, double rate
         const auto c = samples.c_of(part);
         const auto d = samples.d_of(part);
         for (const std::size_t begin : segments_of(c.size(), size)) {
-            if (job.cancelled()) {
-                return Error{ErrorCode::interrupted, "", {}};
-            }
+            TRY(job.go_on());
             const std::size_t middle = samples.part_begins[part] + begin + size / 2;
             const std::size_t half = 2 * middle < samples.c.size() ? 0 : 1;
             density.add_to(spectrum.halves[half], c.subspan(begin, size), d.subspan(begin, size));
@@ -125,9 +123,7 @@ Result<Residuals> find_residuals(const Recording& recording, const Analysis& ana
     auto spectrum = TRY(spectrum_of(samples, recording.rate_hz, job));
     LaggedProducts products(std::min(most_lags, samples.c.size() / 4));
     for (std::size_t part = 0; part < samples.parts(); ++part) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         products.add(samples.c_of(part), samples.d_of(part));
     }
     found.lines = residual_lines(spectrum, recording, analysis);

@@ -18,8 +18,9 @@ double rounded_down(double value) {
     return std::floor(value / unit) * unit;
 }
 
-}  // namespace
-
+// The widest band-pass about the carrier (settings.f0_hz) that takes out a line, inside the filter
+// that is in effect. None where the filter takes it out already, or where its transients would
+// take more than a tenth of the recording at either end.
 std::optional<Band> filter_without(double line_hz, const SignalSettings& settings,
                                    const Recording& recording) {
     const double f0 = *settings.f0_hz;
@@ -49,8 +50,6 @@ std::optional<Band> filter_without(double line_hz, const SignalSettings& setting
     }
     return band;
 }
-
-namespace {
 
 constexpr std::size_t least_bins = 64;
 constexpr std::size_t most_peaks = 400;

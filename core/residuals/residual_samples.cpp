@@ -113,9 +113,7 @@ Result<ResidualSamples> residual_samples(const Recording& recording, const Analy
         whole ? (all.count() + block_frames - 1) / block_frames : most_frames / block_frames;
     Collector collector(recording, analysis, *prepared.ahead, found);
     for (std::int64_t b = 0; b < blocks; ++b) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         const std::int64_t first =
             all.first +
             (whole ? b * block_frames : (all.count() - block_frames) / (blocks - 1) * b);

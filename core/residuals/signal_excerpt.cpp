@@ -47,9 +47,7 @@ Result<SignalSource> signal_source(const Recording& recording,
 
 Result<SignalExcerpt> signal_excerpt(const SignalSource& source, std::int64_t first,
                                      std::int64_t count, const JobControl& job) {
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, "", {}};
-    }
+    TRY(job.go_on());
     SignalExcerpt excerpt;
     excerpt.first = std::clamp<std::int64_t>(first, 0, source.samples->frames());
     excerpt.rate_hz = source.rate_hz;

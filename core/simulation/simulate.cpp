@@ -5,18 +5,116 @@
 #include "core/simulation/check_decay.h"
 #include "core/simulation/decay_motion.h"
 #include "core/simulation/gaussian_noise.h"
-#include "core/simulation/pick_offs.h"
-#include "core/simulation/recorder.h"
+#include "core/simulation/turns.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <new>
+#include <numbers>
 #include <optional>
 #include <utility>
 
 namespace vybeg {
 namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+double bent(double signal, double cubic) {
+    return signal + cubic * signal * signal * signal;
+}
+
+// Pick-off signals of the wave: errors of the channels, modes beside, cubic, offsets, hum, as
+// defined in FreeDecay. The phasor of D already contains its delay.
+class PickOffs {
+public:
+    explicit PickOffs(const FreeDecay& decay)
+        : decay_(decay),
+          from_c_(std::sin(decay.skew_deg * pi / 180), decay.crosstalk),
+          drifts_(decay.phase_drift_rad != 0 || decay.gain_drift != 0) {}
+
+    // Signals of both channels at a frame, from the phasors with their carrier.
+    std::pair<double, double> signals(const Eigen::Vector2cd& z, std::int64_t frame) const {
+        const auto at = static_cast<double>(frame);
+        Complex of_d = z(1) + decay_.same_projection * (z(0) - z(1));
+        if (drifts_) {
+            const double share = at / (decay_.rate_hz * decay_.seconds);
+            of_d *=
+                (1 + decay_.gain_drift * share) * std::polar(1.0, decay_.phase_drift_rad * share);
+        }
+        if (from_c_ != Complex{}) {
+            of_d += from_c_ * z(0);
+        }
+        double c = z(0).real();
+        double d = of_d.real() / decay_.kappa;
+        for (const ModeBeside& mode : decay_.modes_beside) {
+            const double left = std::exp(-at / (decay_.rate_hz * mode.tau_s));
+            const double phase = 2 * pi * turns_at(at, mode.f_hz, decay_.rate_hz);
+            c += mode.a_C * left * std::cos(phase - mode.phase_C);
+            d += mode.a_D * left * std::cos(phase - mode.phase_D);
+        }
+        if (decay_.pick_off_cubic != 0) {
+            c = bent(c, decay_.pick_off_cubic);
+            d = bent(d, decay_.pick_off_cubic);
+        }
+        c += decay_.offset_c;
+        d += decay_.offset_d;
+        if (decay_.hum != 0) {
+            const double phase = 2 * pi * turns_at(at, decay_.hum_hz, decay_.rate_hz);
+            const double hum = decay_.hum * std::cos(phase - decay_.hum_phase);
+            c += hum;
+            d += hum;
+        }
+        return {c, d};
+    }
+
+private:
+    FreeDecay decay_;
+    Complex from_c_;  // sin skew + i crosstalk
+    bool drifts_;
+};
+
+// Loses and doubles samples of one channel. Blocks are consecutive from frame 0 on.
+class Recorder {
+public:
+    explicit Recorder(const std::vector<LostSamples>& lost) : lost_(lost) {}
+
+    // The recorded samples of the next block.
+    void record(std::vector<double>& samples) {
+        if (next_ == lost_.size()) {
+            return;
+        }
+        passed_.clear();
+        for (const double sample : samples) {
+            const std::int64_t frame = frame_++;
+            const bool inside = next_ < lost_.size() && frame >= lost_[next_].frame;
+            if (!inside) {
+                passed_.push_back(sample);
+                continue;
+            }
+            const LostSamples& fault = lost_[next_];
+            if (fault.count < 0) {
+                passed_.push_back(sample);
+                twice_.push_back(sample);
+            }
+            if (frame + 1 == fault.frame + std::abs(fault.count)) {
+                passed_.insert(passed_.end(), twice_.begin(), twice_.end());
+                twice_.clear();
+                ++next_;
+            }
+        }
+        std::swap(samples, passed_);
+    }
+
+private:
+    std::vector<LostSamples> lost_;
+    std::size_t next_ = 0;        // present or next fault
+    std::int64_t frame_ = 0;      // of the next sample
+    std::vector<double> twice_;   // of the present doubling
+    std::vector<double> passed_;  // kept to reuse its memory
+};
 
 constexpr std::int64_t most_in_memory = std::int64_t{1} << 28;  // 4 GiB of samples
 constexpr std::int64_t at_once = 16384;                         // frames for the sink
@@ -51,9 +149,7 @@ Status run(const FreeDecay& decay,
     std::vector<double> c;
     std::vector<double> d;
     for (std::int64_t begin = 0; begin < frames; begin += at_once) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, {}, {}};
-        }
+        TRY(job.go_on());
         c.clear();
         d.clear();
         const std::int64_t end = std::min(begin + at_once, frames);

@@ -72,16 +72,11 @@ Status read_range(ConditionedRecording& prepared, const JobControl& job) {
     std::vector<double> c(count);
     std::vector<double> d(count);
     for (std::int64_t at = prepared.first; at < prepared.end; at += block) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         const auto frames = static_cast<std::size_t>(std::min(block, prepared.end - at));
         const auto offset = static_cast<std::size_t>(held ? at - prepared.first : 0);
-        const Status read = prepared.source->read(at, std::span(c).subspan(offset, frames),
-                                                  std::span(d).subspan(offset, frames));
-        if (!read) {
-            return read;
-        }
+        TRY(prepared.source->read(at, std::span(c).subspan(offset, frames),
+                                  std::span(d).subspan(offset, frames)));
     }
     prepared.source = prepared.ahead;
     if (held) {
@@ -129,8 +124,8 @@ Result<std::vector<WaveState>> waves_of(const ConditionedRecording& prepared,
         }
         return {};
     };
-    const auto done = estimate_track(prepared, plan, likely, rate_hz, 1, collect, job.silent());
-    return done ? Result<std::vector<WaveState>>(std::move(waves)) : done.error();
+    TRY(estimate_track(prepared, plan, likely, rate_hz, 1, collect, job.silent()));
+    return waves;
 }
 
 class Sweep {
@@ -156,8 +151,8 @@ public:
             scatter.take(rows);
             return {};
         };
-        const auto done = TRY(estimate_track(prepared_, plan, settings_, rate_hz_,
-                                             threads_of(settings_.threads), sink, job));
+        TRY(estimate_track(prepared_, plan, settings_, rate_hz_, threads_of(settings_.threads),
+                           sink, job));
         SweepLength found = scatter.finish();
         for (std::size_t k = 0; k < closed_form_algorithms.size() && !waves_.empty(); ++k) {
             const auto leakage = form_leakage(closed_form_algorithms[k], waves_, plan.length,

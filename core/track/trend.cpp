@@ -2,7 +2,6 @@
 
 #include "core/track/trend_points.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace vybeg {

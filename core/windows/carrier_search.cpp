@@ -1,6 +1,5 @@
 #include "core/windows/carrier_search.h"
 
-#include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/median.h"
 #include "core/windows/carrier_zoom.h"
@@ -90,20 +89,13 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     }
     // A million samples take some tenths of a second, so the stop token is checked between the
     // steps.
-    const Error interrupted{ErrorCode::interrupted, "", {}};
     std::vector<std::complex<double>> data =
         windowed(c, d, mean_of_finite(c), mean_of_finite(d), size);
-    if (job.cancelled()) {
-        return interrupted;
-    }
+    TRY(job.go_on());
     const Fft transform(size);
-    if (job.cancelled()) {
-        return interrupted;
-    }
+    TRY(job.go_on());
     transform.forward(data);
-    if (job.cancelled()) {
-        return interrupted;
-    }
+    TRY(job.go_on());
     const std::vector<double> power = summed_power(data);
     const auto begin = power.begin();
     const auto peak =

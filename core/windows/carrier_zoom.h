@@ -47,8 +47,8 @@ inline double mean_of_finite(std::span<const double> x) {
 }
 
 // Carrier of a long range, coarse to fine, with the accuracy of the spectrum of all samples
-// (carrier.h) in a fortieth of the time. A short spectrum yields the approximate frequency; the
-// samples, filtered and decimated about it in one pass, have a short spectrum of the full
+// (carrier_search.h) in a fortieth of the time. A short spectrum yields the approximate frequency;
+// the samples, filtered and decimated about it in one pass, have a short spectrum of the full
 // resolution.
 //
 // Empty if the result is not certain: power outside the band could make a peak as high; few

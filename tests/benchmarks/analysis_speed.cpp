@@ -140,10 +140,10 @@ void read_and_write(benchmark::State& state, const fs::path& from, std::vector<c
 
 // A command as its program runs it: from opening its files to the last rename, which waits for the
 // disk.
-void run(benchmark::State& state, const std::function<int(cli::Log&)>& command) {
+void run(benchmark::State& state, const std::function<Status(cli::Log&)>& command) {
     cli::Log log(false, true);
     for ([[maybe_unused]] const auto _ : state) {
-        if (command(log) != 0) {
+        if (!command(log)) {
             state.SkipWithError("the command failed");
         }
     }
@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
             return cli::run_analyze(request, log, {});
         };
         cli::Log log(false, true);
-        if (analyze(log) != 0) {
+        if (!analyze(log)) {
             fail("the recording cannot be analysed");
         }
         for (const auto& [name, output] : {std::pair("read and write", Output::plain),

@@ -247,11 +247,7 @@ Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
     };
     std::array<char, 12> start{};
     const auto start_size = std::min<std::int64_t>(bytes.size(), start.size());
-    if (const Status status =
-            bytes.read(0, std::span(start).first(static_cast<std::size_t>(start_size)));
-        !status) {
-        return status.error();
-    }
+    TRY(bytes.read(0, std::span(start).first(static_cast<std::size_t>(start_size))));
     if (start_size < 10 || !is_npy({start.data(), start.size()})) {
         return damaged(VYBEG_MESSAGE("Words", "its first bytes are not those of an array"));
     }

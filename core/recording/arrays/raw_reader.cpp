@@ -6,7 +6,6 @@
 #include "core/recording/samples/reader_rules.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace vybeg {

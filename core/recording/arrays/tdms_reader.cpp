@@ -83,24 +83,20 @@ public:
         TdmsFile tdms(file_, job_);
         std::vector<std::optional<TdmsRawIndex>> first;  // of each object with values
         std::vector<std::size_t> order;
-        const Status status =
-            tdms.walk([&](const TdmsSegment&, const std::vector<TdmsRawIndex>& chunk) -> Status {
-                first.resize(tdms.objects().size());
-                for (const TdmsRawIndex& index : chunk) {
-                    auto& known = first[index.object];
-                    if (!known) {
-                        known = index;
-                        order.push_back(index.object);
-                    } else if (!alike(*known, index)) {
-                        return unsupported(
-                            VYBEG_MESSAGE("Words", "a channel whose type of number changes"));
-                    }
+        TRY(tdms.walk([&](const TdmsSegment&, const std::vector<TdmsRawIndex>& chunk) -> Status {
+            first.resize(tdms.objects().size());
+            for (const TdmsRawIndex& index : chunk) {
+                auto& known = first[index.object];
+                if (!known) {
+                    known = index;
+                    order.push_back(index.object);
+                } else if (!alike(*known, index)) {
+                    return unsupported(
+                        VYBEG_MESSAGE("Words", "a channel whose type of number changes"));
                 }
-                return {};
-            });
-        if (!status) {
-            return status.error();
-        }
+            }
+            return {};
+        }));
         Contents contents{tdms.objects(), {}, {}, tdms.open_ended()};
         for (const std::size_t object : order) {
             const Channel named = name_and_unit(contents.objects[object].channel);
@@ -148,7 +144,7 @@ public:
         TdmsFile tdms(file_, job_);
         const auto most_ranges =
             static_cast<std::size_t>((file_->size() + held_bytes) / held_bytes_of_run);
-        const Status status = tdms.walk(
+        TRY(tdms.walk(
             [&](const TdmsSegment& segment, const std::vector<TdmsRawIndex>& chunk) -> Status {
                 for (TdmsRanges* ranges : {&ranges_c, &ranges_d}) {
                     if (const auto wrong = ranges->take(segment, chunk)) {
@@ -162,10 +158,7 @@ public:
                                  VYBEG_MESSAGE("Words",
                                                "its samples lie in more than %1 separate pieces"),
                                  most_ranges));
-            });
-        if (!status) {
-            return status.error();
-        }
+            }));
         const auto bytes = file_part(file_, 0, file_->size());
         Columns both{{}, {}, ranges_c.promised(), ranges_d.promised()};
         both.c = {bytes, c.type, ranges_c.take_ranges(), c.scaling.linear};

@@ -99,11 +99,7 @@ Status TdmsFile::walk(const Visitor& visit) {
         const auto metadata_size = static_cast<std::int64_t>(lead_in.raw);
         const bool big_endian = lead_in.has(is_big_endian);
         if (lead_in.has(has_metadata)) {
-            const Status status =
-                take_metadata(metadata_at, metadata_size, big_endian, lead_in.has(has_new_list));
-            if (!status) {
-                return status;
-            }
+            TRY(take_metadata(metadata_at, metadata_size, big_endian, lead_in.has(has_new_list)));
         }
         const auto daqmx = std::count_if(chunk_.begin(), chunk_.end(),
                                          [](const TdmsRawIndex& index) { return index.is_daqmx; });

@@ -48,9 +48,7 @@ Result<std::optional<SampleRate>> rate_of_times(const SampleColumn& column, doub
     UniformTimeDetector detector(step_s, expected);
     double before = block.front() - step_s;
     for (std::int64_t at = 0; at < frames; at += times_at_once) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+        TRY(job.go_on());
         const auto times =
             std::span(block).first(static_cast<std::size_t>(std::min(times_at_once, frames - at)));
         TRY(read_column(column, at, times));

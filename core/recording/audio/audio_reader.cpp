@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

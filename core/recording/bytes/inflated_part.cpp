@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 #include <utility>
 #include <vector>
 #include <zlib.h>

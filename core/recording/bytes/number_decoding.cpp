@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <type_traits>
 
 namespace vybeg {
 namespace {

@@ -95,4 +95,9 @@ Result<std::string> files_sha256(std::span<const FileBytes* const> files, const 
     return sha256_of(files, files.empty() ? std::filesystem::path() : files[0]->path(), job);
 }
 
+void add_part(std::string& text, std::string_view part) {
+    text += std::to_string(part.size()) + ":";
+    text += part;
+}
+
 }  // namespace vybeg

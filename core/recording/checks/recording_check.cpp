@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iterator>
 #include <string>
-#include <utility>
 
 namespace vybeg {
 namespace {
@@ -78,25 +77,6 @@ void report_steps(double rate_hz, SampleFaults& faults) {
         }
         faults.findings.push_back(finding_of(step, rate_hz));
     }
-}
-
-// All frames in order, a portion at a time, to look(first_frame, c, d).
-template <class Look>
-Status read_through(const SampleSource& source, const JobControl& job, Look look) {
-    std::vector<double> c;
-    std::vector<double> d;
-    const std::int64_t frames = source.frames();
-    for (std::int64_t first = 0; first < frames; first += chunk_frames) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
-        c.resize(static_cast<std::size_t>(std::min(chunk_frames, frames - first)));
-        d.resize(c.size());
-        TRY(source.read(first, c, d));
-        look(first, std::span<const double>(c), std::span<const double>(d));
-        job.report(static_cast<double>(first) / static_cast<double>(frames));
-    }
-    return {};
 }
 
 // Extremes and sums of a portion of a channel's samples.
@@ -276,25 +256,37 @@ Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, doubl
     return findings;
 }
 
+namespace {
+
+// What the check says after all frames of a source, in order.
+Result<FaultCheck> checked(const SampleSource& source, double rate_hz, std::optional<double> f0_hz,
+                           const JobControl& job) {
+    FaultCheck check(f0_hz, rate_hz);
+    std::vector<double> c;
+    std::vector<double> d;
+    const std::int64_t frames = source.frames();
+    for (std::int64_t first = 0; first < frames; first += chunk_frames) {
+        TRY(job.go_on());
+        c.resize(static_cast<std::size_t>(std::min(chunk_frames, frames - first)));
+        d.resize(c.size());
+        TRY(source.read(first, c, d));
+        check.add(first, c, d);
+        job.report(static_cast<double>(first) / static_cast<double>(frames));
+    }
+    return check;
+}
+
+}  // namespace
+
 Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
                                  std::optional<double> f0_hz, const JobControl& job) {
-    FaultCheck check(f0_hz, rate_hz);
-    const Status read = read_through(
-        source, job, [&](std::int64_t first, auto c, auto d) { check.add(first, c, d); });
-    if (!read) {
-        return read.error();
-    }
+    auto check = TRY(checked(source, rate_hz, f0_hz, job));
     return check.finish();
 }
 
 Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
                                      std::optional<double> f0_hz, const JobControl& job) {
-    FaultCheck check(f0_hz, rate_hz);
-    const Status read = read_through(
-        source, job, [&](std::int64_t first, auto c, auto d) { check.add(first, c, d); });
-    if (!read) {
-        return read.error();
-    }
+    auto check = TRY(checked(source, rate_hz, f0_hz, job));
     SampleFaults faults = check.finish();
     const auto start = TRY(start_findings(source, rate_hz, f0_hz));
     for (const std::vector<Diagnostic>& more : {check.offsets(), start}) {

@@ -3,7 +3,6 @@
 #include "core/numerics/phase.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -10,10 +10,7 @@ CheckedSource::CheckedSource(std::shared_ptr<const SampleSource> source,
     : source_(std::move(source)), watch_(Watch{std::move(check)}) {}
 
 Status CheckedSource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
-    Status status = source_->read(first, c, d);
-    if (!status) {
-        return status;
-    }
+    TRY(source_->read(first, c, d));
     const auto watch = watch_.hold();
     const auto end = first + static_cast<std::int64_t>(c.size());
     if (end > watch->next) {
@@ -22,7 +19,7 @@ Status CheckedSource::read(std::int64_t first, std::span<double> c, std::span<do
                           d.subspan(seen));
         watch->next = end;
     }
-    return status;
+    return {};
 }
 
 }  // namespace vybeg

@@ -1,6 +1,5 @@
 #include "core/recording/conditioning/filtered_source.h"
 
-#include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
 #include "core/recording/samples/recent_blocks.h"

@@ -48,11 +48,8 @@ public:
             const std::int64_t to = std::min(end, segment->first + segment->count);
             const auto at = static_cast<std::size_t>(from - first);
             const auto count = static_cast<std::size_t>(to - from);
-            const Status status = source_->read(segment->source_first + from - segment->first,
-                                                c.subspan(at, count), d.subspan(at, count));
-            if (!status) {
-                return status;
-            }
+            TRY(source_->read(segment->source_first + from - segment->first, c.subspan(at, count),
+                              d.subspan(at, count)));
         }
         return {};
     }

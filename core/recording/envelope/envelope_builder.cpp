@@ -33,16 +33,13 @@ public:
 
     Status look() {
         const std::int64_t frames = source_.frames();
-        auto seen = sparse_scan(
-            std::min(most_looks, frames / frames_per_part), job_,
-            [&](std::int64_t part, std::int64_t parts) -> Result<ScannedPlace> {
-                const Status read = read_frames(frames * part / parts, frames_per_look);
-                if (!read) {
-                    return read.error();
-                }
-                return ScannedPlace{static_cast<double>(part) / static_cast<double>(parts),
-                                    bucket_of(c_, d_)};
-            });
+        auto seen = sparse_scan(std::min(most_looks, frames / frames_per_part), job_,
+                                [&](std::int64_t part, std::int64_t parts) -> Result<ScannedPlace> {
+                                    TRY(read_frames(frames * part / parts, frames_per_look));
+                                    return ScannedPlace{
+                                        static_cast<double>(part) / static_cast<double>(parts),
+                                        bucket_of(c_, d_)};
+                                });
         if (!seen) {
             return seen.error();
         }
@@ -74,9 +71,7 @@ public:
 
 private:
     Status read_frames(std::int64_t first, std::int64_t length) {
-        if (job_.cancelled()) {
-            return Error{.code = ErrorCode::interrupted, .where = "", .args = {}};
-        }
+        TRY(job_.go_on());
         c_.resize(static_cast<std::size_t>(length));
         d_.resize(c_.size());
         return source_.read(first, c_, d_);

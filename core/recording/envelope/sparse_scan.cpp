@@ -1,7 +1,6 @@
 #include "core/recording/envelope/sparse_scan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace vybeg {
@@ -39,9 +38,7 @@ Result<std::vector<EnvelopeBucket>> sparse_scan(
         // Even parts were read with half as many parts.
         const std::int64_t step = parts > least_parts ? 2 : 1;
         for (std::int64_t part = step - 1; part < parts; part += step) {
-            if (job.cancelled()) {
-                return Error{.code = ErrorCode::interrupted, .where = "", .args = {}};
-            }
+            TRY(job.go_on());
             if (job.now() > until) {
                 return complete > 0 ? in_parts(looks, complete) : std::vector<EnvelopeBucket>{};
             }

@@ -1,6 +1,5 @@
 #include "core/recording/mat_hdf5/hdf5_open.h"
 
-#include "core/base/number_text.h"
 #include "core/recording/variables/reader_protocol.h"
 
 #include <algorithm>

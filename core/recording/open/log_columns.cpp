@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/base/read_value.h"
 #include "core/numerics/median.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/zip_directory.h"
@@ -53,6 +54,14 @@ Error missing_column(const FileBytes& file, const ColumnWish& wish,
     }
     return file.error(ErrorCode::column_missing,
                       {wish.column.empty() ? wish.role.name : wish.column, all});
+}
+
+LogTable empty_table(std::span<const ColumnWish> wishes) {
+    LogTable table;
+    for (const ColumnWish& wish : wishes) {
+        table.columns.push_back({wish.role.name, "", "", {}});
+    }
+    return table;
 }
 
 // Leaves the rows for which keep(row) is true.
@@ -206,8 +215,7 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
             return missing_column(*file, wishes[k], format.names);
         }
     }
-    LogTable table;
-    table.columns.resize(wishes.size());
+    LogTable table = empty_table(wishes);
     for (std::size_t k = 0; k < wanted.size(); k += 2) {
         const std::array pair{wanted[k], wanted[std::min(k + 1, wanted.size() - 1)]};
         const TextColumns columns{
@@ -238,8 +246,7 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
 // Variables are asked for by name, two at a time, as if they were C and D.
 Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOptions& options,
                                 std::span<const ColumnWish> wishes, const JobControl& job) {
-    LogTable table;
-    table.columns.resize(wishes.size());
+    LogTable table = empty_table(wishes);
     std::string beside;  // a variable that is there
     for (std::size_t k = 0; k < wishes.size(); ++k) {
         if (is_time(wishes[k])) {
@@ -265,8 +272,9 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
             missing.reset();
             const auto frames = static_cast<std::size_t>(found->frames());
             std::vector<double> other(frames);
-            table.columns[k] = {name, found->channels.front().unit, std::vector<double>(frames)};
-            TRY(found->source->read(0, table.columns[k].values, other));
+            LogColumn& column = table.columns[k];
+            column = {column.role, name, found->channels.front().unit, std::vector<double>(frames)};
+            TRY(found->source->read(0, column.values, other));
             table.time_s.resize(frames);
             for (std::size_t row = 0; row < frames; ++row) {
                 table.time_s[row] = static_cast<double>(row) / found->rate_hz;
@@ -301,11 +309,6 @@ Result<File> unpacked(File file) {
 Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                               std::span<const ColumnRole> roles) {
     std::vector<ColumnWish> wishes;
-    std::string allowed;
-    for (const ColumnRole& role : roles) {
-        allowed += allowed.empty() ? "" : ", ";
-        allowed += role.name;
-    }
     for (std::size_t at = 0; !text.empty() && at <= text.size();) {
         const std::size_t end = std::min(text.find(',', at), text.size());
         const std::string entry = text.substr(at, end - at);
@@ -320,13 +323,12 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                        each.names, [&](const char* usual) { return name == normal_name(usual); });
         });
         if (role == roles.end()) {
-            return Error{ErrorCode::setting_invalid,
-                         "",
-                         {"--columns", text,
-                          words(VYBEG_MESSAGE("Words",
-                                              "it names %1, with commas between them, each with "
-                                              "=COLUMN where the file calls it otherwise"),
-                                {allowed})}};
+            return refused_value(
+                "--columns", text,
+                words(VYBEG_MESSAGE("Words",
+                                    "it names %1, with commas between them, each with "
+                                    "=COLUMN where the file calls it otherwise"),
+                      {joined(roles, ", ", &ColumnRole::name)}));
         }
         wishes.push_back({*role, column, true});
         at = end + 1;
@@ -336,10 +338,8 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
             return wish.role.name == std::string_view(role.name);
         });
         if (!told && role.needed && !text.empty()) {
-            return Error{
-                ErrorCode::setting_invalid,
-                "",
-                {"--columns", text, words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name})}};
+            return refused_value("--columns", text,
+                                 words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name}));
         }
         if (!told) {
             wishes.push_back({role, ""});

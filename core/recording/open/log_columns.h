@@ -4,9 +4,11 @@
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,7 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                               std::span<const ColumnRole> roles);
 
 struct LogColumn {
+    std::string role;            // ColumnRole::name
     std::string name;            // in the file; empty where the column is not there
     std::string unit;            // of the header, or of the end of the name
     std::vector<double> values;  // NaN where missing; empty where the column is not there
@@ -45,6 +48,16 @@ struct LogTable {
     std::vector<double> time_s;  // rising
     double begun_s = 0;  // by the clock that the times of files of one device have in common
     std::vector<LogColumn> columns;  // of the wishes, in their order; that of the time is empty
+
+    // Precondition: the role is among the wishes.
+    LogColumn& of(std::string_view role) {
+        return *std::ranges::find(columns, role, &LogColumn::role);
+    }
+    // Null: the file has no such column.
+    const LogColumn* find(std::string_view role) const {
+        const auto found = std::ranges::find(columns, role, &LogColumn::role);
+        return found == columns.end() || found->values.empty() ? nullptr : &*found;
+    }
 };
 
 // Reads the columns of a text, of NPZ, MAT or HDF5. A text without names has them in the order of

@@ -1,5 +1,6 @@
 #include "core/recording/open/open_parts.h"
 
+#include "core/base/read_value.h"
 #include "core/recording/samples/channel_pair.h"
 #include "core/recording/text/text_clock.h"
 #include "core/recording/times/time_grid.h"
@@ -228,10 +229,8 @@ Result<Recording> open_pair(const std::filesystem::path& path, const OpenOptions
     auto c = TRY(std::move(opened_c));
     auto d = TRY(std::move(opened_d));
     if (is_same_file(path, path_d) && c.channel_c == d.channel_c) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--channel-d", options.channel_d_file,
-                      words(VYBEG_MESSAGE("Words", "it is the channel that is read as C"))}};
+        return refused_value("--channel-d", options.channel_d_file,
+                             words(VYBEG_MESSAGE("Words", "it is the channel that is read as C")));
     }
     const std::string name_d = d.path.filename().string();
     return pair_channels(std::move(c), std::move(d), name_d);
@@ -246,9 +245,8 @@ Result<Recording> open_pieces(const std::filesystem::path& path, const OpenOptio
     std::vector<std::filesystem::path> pieces{path};
     for (const std::string& name : options.join) {
         if (std::ranges::any_of(pieces, [&](const auto& one) { return is_same_file(one, name); })) {
-            return Error{ErrorCode::setting_invalid,
-                         "",
-                         {"--join", name, words(VYBEG_MESSAGE("Words", "it is a piece already"))}};
+            return refused_value("--join", name,
+                                 words(VYBEG_MESSAGE("Words", "it is a piece already")));
         }
         pieces.emplace_back(name);
         auto piece = TRY(open(name, alone));

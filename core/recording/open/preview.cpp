@@ -276,11 +276,8 @@ Result<RecordingPreview> preview_recording(const std::filesystem::path& path,
     const bool text =
         further_files(options).empty() &&
         (options.text || (!options.raw && preview.file_format && preview.file_format->is_text));
-    const Status status = text ? preview_text(file, options, job, preview)
-                               : preview_opened(*file, options, job, preview);
-    if (!status) {
-        return status.error();
-    }
+    TRY(text ? preview_text(file, options, job, preview)
+             : preview_opened(*file, options, job, preview));
     if (!options.unit.empty()) {
         for (auto* const named : {&preview.channels, &preview.columns}) {
             for (Channel& channel : *named) {

@@ -1,6 +1,5 @@
 #include "core/recording/samples/channel_pair.h"
 
-#include "core/base/number_text.h"
 #include "core/recording/samples/delayed_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/scaled_source.h"

@@ -5,7 +5,6 @@
 #include "core/base/translatable.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -336,58 +335,45 @@ std::string options_text(const OpenOptions& options) {
 
 Status check_scale(double scale) {
     if (!std::isfinite(scale) || scale == 0) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--scale", number_arg(scale),
-                      words(VYBEG_MESSAGE("Words", "it must be a number other than 0"))}};
+        return refused_value("--scale", number_arg(scale),
+                             words(VYBEG_MESSAGE("Words", "it must be a number other than 0")));
     }
     return {};
 }
 
 Status check_layout(const RawLayout& layout) {
     if (!within(raw_channels_bounds, "--raw-channels", layout.channels)) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--raw-channels", count_arg(layout.channels),
-                      words(VYBEG_MESSAGE("Words", "it must lie between 2 and %1"),
-                            {count_arg(most_raw_channels)})}};
+        return refused_value("--raw-channels", count_arg(layout.channels),
+                             words(VYBEG_MESSAGE("Words", "it must lie between 2 and %1"),
+                                   {count_arg(most_raw_channels)}));
     }
     if (!within(skip_bounds, "--skip", static_cast<double>(layout.skip_bytes))) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--skip", count_arg(layout.skip_bytes),
-                      words(VYBEG_MESSAGE("Words", "it must be 0 to 1e15 bytes"))}};
+        return refused_value("--skip", count_arg(layout.skip_bytes),
+                             words(VYBEG_MESSAGE("Words", "it must be 0 to 1e15 bytes")));
     }
     return {};
 }
 
 Status check_options(const OpenOptions& options) {
     if (options.rate_hz && !within(rate_bounds, "--rate", *options.rate_hz)) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--rate", number_arg(*options.rate_hz),
-                      words(VYBEG_MESSAGE("Words", "it must lie between 1e-6 and 1e12 Hz"))}};
+        return refused_value("--rate", number_arg(*options.rate_hz),
+                             words(VYBEG_MESSAGE("Words", "it must lie between 1e-6 and 1e12 Hz")));
     }
     if (options.channel_c == options.channel_d && options.channel_d_file.empty()) {
         const std::string channel = std::to_string(options.channel_c);
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--channels", channel + "," + channel,
-                      words(VYBEG_MESSAGE("Words", "C and D must be two channels"))}};
+        return refused_value("--channels", channel + "," + channel,
+                             words(VYBEG_MESSAGE("Words", "C and D must be two channels")));
     }
     if (!options.channel_d_file.empty() && !options.join.empty()) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--join", names_text(options.join),
-                      words(VYBEG_MESSAGE("Words",
-                                          "it is for files with both channels, not for a file for "
-                                          "each channel"))}};
+        return refused_value(
+            "--join", names_text(options.join),
+            words(VYBEG_MESSAGE("Words",
+                                "it is for files with both channels, not for a file for "
+                                "each channel")));
     }
     if (options.text && options.raw) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--raw", options_text({.text = options.text}),
-                      words(VYBEG_MESSAGE("Words", "a file is read as text or as raw"))}};
+        return refused_value("--raw", options_text({.text = options.text}),
+                             words(VYBEG_MESSAGE("Words", "a file is read as text or as raw")));
     }
     TRY(check_scale(options.scale));
     if (options.raw) {

@@ -1,6 +1,5 @@
 #include "core/recording/samples/reader_rules.h"
 
-#include "core/base/number_text.h"
 #include "core/recording/samples/partner_file.h"
 #include "core/recording/samples/scaled_source.h"
 #include "core/recording/samples/vocabulary.h"

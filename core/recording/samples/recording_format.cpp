@@ -1,5 +1,6 @@
 #include "core/recording/samples/recording_format.h"
 
+#include "core/base/plain_text.h"
 #include "core/base/translatable.h"
 
 namespace vybeg {
@@ -24,12 +25,7 @@ FormatPart byte_order_part(bool big_endian) {
 }
 
 std::string english(const RecordingFormat& format) {
-    std::string text;
-    for (const FormatPart& part : format) {
-        text += text.empty() ? "" : ", ";
-        text += english(part);
-    }
-    return text;
+    return joined(format, ", ", [](const FormatPart& part) { return english(part); });
 }
 
 }  // namespace vybeg

@@ -1,10 +1,10 @@
 #include "core/recording/samples/text_choice.h"
 
 #include "core/base/number_text.h"
+#include "core/base/read_value.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace vybeg {
 namespace {
@@ -33,28 +33,25 @@ std::string name_of(const std::array<Named<Value>, count>& list, Value value) {
     return found == list.end() ? "" : std::string(found->name);
 }
 
-Error invalid(const char* option, const std::string& value, const std::string& allowed) {
-    return Error{ErrorCode::setting_invalid, "", {option, value, allowed}};
-}
-
 }  // namespace
 
 Status check_choice(const TextChoice& choice) {
     if (choice.delimiter && delimiter_name(*choice.delimiter).empty()) {
-        return invalid("--delimiter", std::string(1, *choice.delimiter),
-                       "it is comma, semicolon, tab, space or bar");
+        return refused_value("--delimiter", std::string(1, *choice.delimiter),
+                             "it is comma, semicolon, tab, space or bar");
     }
     if (choice.lines_to_skip &&
         (*choice.lines_to_skip < 0 || *choice.lines_to_skip > most_skipped_lines)) {
-        return invalid("--skip-lines", integer_text(*choice.lines_to_skip),
-                       "it must lie between 0 and " + integer_text(most_skipped_lines));
+        return refused_value("--skip-lines", integer_text(*choice.lines_to_skip),
+                             "it must lie between 0 and " + integer_text(most_skipped_lines));
     }
     if (choice.time_column && *choice.time_column < 0) {
-        return invalid("--time-column", std::to_string(*choice.time_column),
-                       "it is the number of a column, from 1, or none");
+        return refused_value("--time-column", std::to_string(*choice.time_column),
+                             "it is the number of a column, from 1, or none");
     }
     if (choice.time_unit_s && time_unit_name(*choice.time_unit_s).empty()) {
-        return invalid("--time-unit", short_text(*choice.time_unit_s), "it is s, ms, us or ns");
+        return refused_value("--time-unit", short_text(*choice.time_unit_s),
+                             "it is s, ms, us or ns");
     }
     return {};
 }

@@ -1,6 +1,7 @@
 #include "core/recording/text/csv_rows.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/text_fields.h"
@@ -169,10 +170,7 @@ private:
         auto found = TRY(names_with(needed));
         const SplitRow& names = found;
         if (!has_name(names.fields, needed)) {
-            std::string told;
-            for (const std::string& name : names.fields) {
-                told += (told.empty() ? "" : ", ") + name;
-            }
+            const std::string told = joined(names.fields, ", ");
             return invalid(
                 rows_.begun_at(), needed,
                 told.empty() ? words(VYBEG_MESSAGE("Words", "the list needs this column"))

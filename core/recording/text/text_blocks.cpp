@@ -38,13 +38,10 @@ std::int64_t TextBlocks::count() const {
 Status TextBlocks::append(std::int64_t from, std::int64_t to, std::string& bytes) const {
     const auto length = static_cast<std::size_t>(to - from);
     const auto fill = [&](std::span<char> out) -> Status {
-        const auto got = file_->read(from, out);
-        if (!got) {
-            return got.error();
-        }
-        return *got == to - from ? Status{}
-                                 : file_->error(ErrorCode::file_read_failed,
-                                                {"the file became shorter while it was read"});
+        const auto got = TRY(file_->read(from, out));
+        return got == to - from ? Status{}
+                                : file_->error(ErrorCode::file_read_failed,
+                                               {"the file became shorter while it was read"});
     };
     if (encoding_ == TextEncoding::bytes) {
         const std::size_t before = bytes.size();

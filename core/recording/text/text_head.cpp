@@ -1,6 +1,5 @@
 #include "core/recording/text/text_head.h"
 
-#include "core/base/number_text.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/text_fields.h"

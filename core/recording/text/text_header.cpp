@@ -8,7 +8,6 @@
 #include "core/recording/text/text_rate.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace vybeg {

@@ -1,7 +1,6 @@
 #include "core/recording/text/text_lines.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 

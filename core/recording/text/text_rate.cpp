@@ -6,7 +6,6 @@
 #include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>

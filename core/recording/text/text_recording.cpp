@@ -1,6 +1,6 @@
 #include "core/recording/text/text_recording.h"
 
-#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/reader_rules.h"
@@ -170,12 +170,7 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
 }
 
 void note_words(const TextFormat& format, FoundSamples& found) {
-    std::string columns;
-    for (const std::string& name : format.words) {
-        columns += columns.empty() ? "" : ", ";
-        columns += name;
-    }
-    if (!columns.empty()) {
+    if (const std::string columns = joined(format.words, ", "); !columns.empty()) {
         found.diagnostics.push_back({DiagnosticKind::words_passed_over, {columns}, -1, 0});
     }
 }

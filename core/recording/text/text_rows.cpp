@@ -1,6 +1,5 @@
 #include "core/recording/text/text_rows.h"
 
-#include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/text_fields.h"
@@ -9,7 +8,6 @@
 
 #include <fast_float/fast_float.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>

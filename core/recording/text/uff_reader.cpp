@@ -1,6 +1,5 @@
 #include "core/recording/text/uff_reader.h"
 
-#include "core/base/number_text.h"
 #include "core/base/translatable.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
@@ -99,13 +98,10 @@ Result<bool> UffLines::fill() {
     begin_ = 0;
     const std::size_t held = buffer_.size();
     buffer_.resize(held + uff_chunk_bytes);
-    const auto got = file_->read(offset_, std::span(buffer_).subspan(held));
-    if (!got) {
-        return got.error();
-    }
-    buffer_.resize(held + static_cast<std::size_t>(*got));
-    offset_ += *got;
-    return *got > 0;
+    const auto got = TRY(file_->read(offset_, std::span(buffer_).subspan(held)));
+    buffer_.resize(held + static_cast<std::size_t>(got));
+    offset_ += got;
+    return got > 0;
 }
 
 constexpr std::string_view separator = "-1";  // before and behind each dataset
@@ -403,11 +399,7 @@ Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOpti
         if (!line) {
             return content.finish();
         }
-        if (const Status status =
-                content.take(*line, lines.number(), lines.ended(), lines.position());
-            !status) {
-            return status.error();
-        }
+        TRY(content.take(*line, lines.number(), lines.ended(), lines.position()));
         lines.skip(content.bytes_to_skip());
         if (lines.number() % lines_per_report == 0) {
             if (job.cancelled()) {

@@ -1,6 +1,5 @@
 #include "core/recording/variables/variable_choice.h"
 
-#include "core/base/number_text.h"
 #include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
@@ -21,10 +20,7 @@ public:
         : file_(file), catalogue_(catalogue), options_(options) {}
 
     Status choose() {
-        const Status status = name(0).empty() ? choose_longest() : choose_named(name(0), name(1));
-        if (!status) {
-            return status;
-        }
+        TRY(name(0).empty() ? choose_longest() : choose_named(name(0), name(1)));
         const FileVariable& first = variable(choice_.channels[0].variable);
         choice_.frames = first.frames;
         for (const ChannelPlace& place : choice_.channels) {

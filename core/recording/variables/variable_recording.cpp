@@ -142,12 +142,9 @@ Status take_uneven(const Opening& opening, const TimeResolution& resolution, Fou
             return std::span(column).subspan(at, count);
         };
         const auto first = static_cast<std::int64_t>(at);
-        Status status = opening.time->read(reader, first, block(samples.time_s));
-        status = status ? reader.read(opening.c, first, block(samples.c)) : status;
-        status = status ? reader.read(opening.d, first, block(samples.d)) : status;
-        if (!status) {
-            return status;
-        }
+        TRY(opening.time->read(reader, first, block(samples.time_s)));
+        TRY(reader.read(opening.c, first, block(samples.c)));
+        TRY(reader.read(opening.d, first, block(samples.d)));
     }
     auto grid = TRY(to_uniform_grid(samples, opening.variables.file->path().string()));
     found.own_rate = SampleRate{grid.rate_hz, RateOrigin::time_column, grid.rate_relative_sd};
@@ -161,15 +158,14 @@ Status take_uneven(const Opening& opening, const TimeResolution& resolution, Fou
 Status check_times(const Opening& opening, double rate_hz) {
     const VariableReader& reader = *opening.variables.reader;
     std::array<double, 2> ends{};
-    Status read = opening.time->read(reader, 0, std::span(ends).first(1));
-    read = read ? opening.time->read(reader, opening.choice.frames - 1, std::span(ends).last(1))
-                : read;
+    TRY(opening.time->read(reader, 0, std::span(ends).first(1)));
+    TRY(opening.time->read(reader, opening.choice.frames - 1, std::span(ends).last(1)));
     const double step_s = (ends[1] - ends[0]) / static_cast<double>(opening.choice.frames - 1);
     const bool is_time = step_s > 0 && step_s < longest_step_s;
-    return read && is_time && !same_rate(1 / step_s, rate_hz)
+    return is_time && !same_rate(1 / step_s, rate_hz)
                ? two_rates(*opening.variables.file, opening.variables.catalogue, rate_hz,
                            1 / step_s)
-               : read;
+               : Status();
 }
 
 // Whether D's own times, of which C has others, begin and end as C's do.

@@ -129,6 +129,8 @@ Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rat
     return p;
 }
 
+}  // namespace
+
 double chi_square_at(const FitProblem& problem, const Eigen::VectorXd& p) {
     double sum = 0;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
@@ -137,8 +139,6 @@ double chi_square_at(const FitProblem& problem, const Eigen::VectorXd& p) {
     }
     return sum;
 }
-
-}  // namespace
 
 std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind,
                                             const JobControl& job) {

@@ -1,6 +1,7 @@
 #include "core/resonator/fit/refit_in_phase.h"
 
 #include "core/resonator/fit/fit_start.h"
+#include "core/resonator/fit/pencil_start.h"
 #include "core/resonator/fit/score_test.h"
 
 #include <cmath>
@@ -49,16 +50,6 @@ Turned turned_by(const FitProblem& problem, const MapFit& fit) {
     return turned;
 }
 
-// chi^2 of the runs as measured.
-double chi2_of(const FitProblem& problem, const Eigen::VectorXd& p) {
-    double sum = 0;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        sum += chi_square(problem.runs[k], p.head(shared_count), own_of(problem.layout, p, k),
-                          problem.runs[k].size());
-    }
-    return sum;
-}
-
 // Fit of the rotated runs, from p, with their chi2.
 MapFit fit_turned(const FitProblem& problem, const Turned& turned, const Eigen::VectorXd& p,
                   const JobControl& job) {
@@ -76,7 +67,7 @@ MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobCon
         return fit;
     }
     MapFit again = fit_turned(problem, turned, fit.p, job);
-    again.chi2 = chi2_of(problem, again.p);
+    again.chi2 = chi_square_at(problem, again.p);
     return again;
 }
 
@@ -102,7 +93,7 @@ std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit
     if (above_noise(fit.chi2, 0.75 * dof)) {
         return {};
     }
-    fit.chi2 = chi2_of(problem, fit.p);
+    fit.chi2 = chi_square_at(problem, fit.p);
     // Rates that leave only noise are replaced only by a settling that fits as well.
     constexpr double as_well = 25;
     if (fine) {

@@ -6,7 +6,7 @@
 
 namespace vybeg {
 
-// What a controller writes down of one free decay when it keeps no phase (INPUTS.md section 3):
+// What a controller writes down of one free decay when it keeps no phase:
 // with c and d the phasors of both channels,
 //     E = |c|^2 + |d|^2    R = |c|^2 - |d|^2    S = 2 Re(c conj d)    Q = 2 Im(c conj d) = 2 a_A
 //     a_B

@@ -2,7 +2,6 @@
 
 #include "core/numerics/median.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 

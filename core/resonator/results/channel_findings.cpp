@@ -1,6 +1,5 @@
 #include "core/resonator/results/channel_findings.h"
 
-#include "core/base/number_text.h"
 #include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/score_test.h"
 
@@ -15,7 +14,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double most_tolerances = 3;
-constexpr double clear_fall = 25;      // of chi^2: five standard deviations
 constexpr double by_chance = 2e-3;     // probability of a quadrature that follows the angle
 constexpr std::size_t least_runs = 4;  // for the line through the quadratures and its scatter
 constexpr double least_spread = 0.1;   // of the angles: sum of squares of an error's shape

@@ -1,6 +1,5 @@
 #include "core/resonator/results/describe_fit.h"
 
-#include "core/base/number_text.h"
 #include "core/resonator/fit/run_information.h"
 #include "core/resonator/fit/unseen_directions.h"
 #include "core/resonator/noise/noise_claim.h"
@@ -15,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <string>
@@ -41,8 +39,7 @@ constexpr std::array<const char*, shared_count> shared_names{"split_cos4_hz",
 constexpr std::array<const char*, own_count> own_names{"c_re", "c_im", "d_re",
                                                        "d_im", "f_hz", "drift_hz_per_s"};
 
-}  // namespace
-
+// The fitted parameters that are not held, in recording units, with their covariance of all parts.
 RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> runs) {
     const ParameterLayout& layout = set.problem->layout;
     const Posterior& at = set.posterior;
@@ -82,8 +79,6 @@ RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> ru
     }
     return raw;
 }
-
-namespace {
 
 // Least size of a given split or anisotropy, standard deviations.
 constexpr double vector_needs = 3;

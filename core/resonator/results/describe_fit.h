@@ -9,9 +9,6 @@
 
 namespace vybeg {
 
-// The fitted parameters that are not held, in recording units, with their covariance of all parts.
-RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> runs);
-
 // A set of runs with its most likely parameters.
 struct SolvedSet {
     std::span<const PhasorRun> runs;  // as fitted

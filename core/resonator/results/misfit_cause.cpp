@@ -1,6 +1,5 @@
 #include "core/resonator/results/misfit_cause.h"
 
-#include "core/base/number_text.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/results/channel_findings.h"
 
@@ -9,7 +8,6 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <string>
 #include <vector>
 
 namespace vybeg {

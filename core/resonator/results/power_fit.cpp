@@ -12,9 +12,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 namespace vybeg {
 namespace {
@@ -268,9 +266,7 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
         fit = minimise(last.problem, examination.p, power_steps, job);
     }
     turn_to(last.problem, fit.p, last.scaled);
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
+    TRY(job.go_on());
     ChannelTolerance tolerance = options.tolerance;
     for (const ChannelError& error : channel_errors) {
         double& size = tolerance.*error.tolerance;

@@ -13,7 +13,7 @@
 
 namespace vybeg {
 
-// The resonator of free decays of which E, R, S, Q are kept (INPUTS.md section 3): all of it but
+// The resonator of free decays of which E, R, S, Q are kept: all of it but
 // the frequency, which has no place in them.
 
 // 2/tau, g cos 4theta_tau, g sin 4theta_tau, dw sin 4theta_w, dw cos 4theta_w, 2r of the slow

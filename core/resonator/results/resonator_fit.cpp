@@ -1,6 +1,5 @@
 #include "core/resonator/results/resonator_fit.h"
 
-#include "core/base/number_text.h"
 #include "core/resonator/results/run_parameters.h"
 #include "core/resonator/results/set_fit.h"
 #include "core/resonator/runs/merge_windows.h"
@@ -261,9 +260,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     if (whole) {
         add_foreign(*whole, runs.size(), fit);
     }
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
+    TRY(job.go_on());
     return fit;
 }
 

@@ -31,12 +31,16 @@ inline constexpr std::array<ResonatorParameter, 12> resonator_parameters{{
     {"frequency_per_power", "Hz per squared unit", &ResonatorEstimate::frequency_per_power, 0},
 }};
 
-// Of each mode.
-struct ModeParameter {
+// A parameter of something else.
+template <class Owner>
+struct ParameterOf {
     const char* name;
     const char* unit;
-    Estimate ModeEstimate::*member;
+    Estimate Owner::*member;
 };
+
+// Of each mode.
+using ModeParameter = ParameterOf<ModeEstimate>;
 
 inline constexpr std::array<ModeParameter, 3> mode_parameters{{
     {"f_hz", "Hz", &ModeEstimate::f_hz},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/results/resonator_result.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/wave_motion.h"
 
 #include <array>
@@ -13,11 +13,7 @@ inline const char* mode_order_name(ModeOrder order) {
 }
 
 // Parameters of each run. Those of the direction refer to the start angle of the wave.
-struct RunParameter {
-    const char* name;
-    const char* unit;
-    Estimate RunEstimate::*member;
-};
+using RunParameter = ParameterOf<RunEstimate>;
 
 inline constexpr std::array<RunParameter, 9> run_parameters{{
     {"f_offset_hz", "Hz", &RunEstimate::f_offset_hz},
@@ -32,11 +28,7 @@ inline constexpr std::array<RunParameter, 9> run_parameters{{
 }};
 
 // Model-free parameters of the wave of each run.
-struct WaveParameter {
-    const char* name;
-    const char* unit;
-    Estimate WaveMotion::*member;
-};
+using WaveParameter = ParameterOf<WaveMotion>;
 
 inline constexpr std::array<WaveParameter, 4> wave_parameters{{
     {"f_hz", "Hz", &WaveMotion::f_hz},

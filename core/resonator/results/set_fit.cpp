@@ -1,6 +1,5 @@
 #include "core/resonator/results/set_fit.h"
 
-#include "core/base/number_text.h"
 #include "core/resonator/fit/fit_start.h"
 #include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"

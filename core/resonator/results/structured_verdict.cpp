@@ -1,6 +1,5 @@
 #include "core/resonator/results/structured_verdict.h"
 
-#include "core/base/number_text.h"
 #include "core/resonator/fit/fit_start.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/noise/residual_noise.h"

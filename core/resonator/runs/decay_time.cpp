@@ -1,7 +1,5 @@
 #include "core/resonator/runs/decay_time.h"
 
-#include "core/base/number_text.h"
-
 namespace vybeg {
 
 Estimate decay_time(double per_s, double sd, double u) {

@@ -9,7 +9,6 @@
 #include "core/resonator/runs/merge_windows.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
