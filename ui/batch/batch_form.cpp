@@ -1,8 +1,9 @@
 #include "ui/batch/batch_form.h"
 
+#include "ui/widgets/keep_translated.h"
+
 #include <QCheckBox>
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -39,7 +40,7 @@ BatchForm::BatchForm(QWidget* parent) : QWidget(parent) {
     grid->addWidget(panel_, 3, columns_of_line, 1, columns_of_line);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(columns_of_line + 1, 1);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 BatchForm::Line BatchForm::addLine(BatchPath which, const char* name, int row, int column) {
@@ -106,13 +107,6 @@ BatchRequest BatchForm::request() const {
     request.database = absolute(path(BatchPath::database));
     request.json = absolute(path(BatchPath::json));
     return request;
-}
-
-void BatchForm::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void BatchForm::retranslate() {

@@ -2,13 +2,13 @@
 
 #include "core/recording/samples/open_table.h"
 #include "ui/drift/drift_text.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
 #include <QDir>
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -160,7 +160,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
         edit([value](DriftSettings& settings) { settings.tolerance.skew_deg = value; });
     });
     connect(&document_.drift(), &DriftStore::changed, this, &DriftPanel::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 QLabel* DriftPanel::addRow(QFormLayout* form, QWidget* field) {
@@ -222,13 +222,6 @@ void DriftPanel::refresh() {
     const ChannelTolerance usual = usual_pick_offs();
     kappa_->setPlaceholderText(QLocale().toString(usual.kappa));
     skew_->setPlaceholderText(QLocale().toString(usual.skew_rad * 180 / std::numbers::pi));
-}
-
-void DriftPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void DriftPanel::retranslate() {

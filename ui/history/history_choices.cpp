@@ -1,10 +1,10 @@
 #include "ui/history/history_choices.h"
 
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
@@ -73,7 +73,7 @@ HistoryChoices::HistoryChoices(QWidget* parent)
         QSettings().setValue(baseline_key, count);
         emit limitsChanged();
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 std::optional<std::string> HistoryChoices::gyro() const {
@@ -110,13 +110,6 @@ void HistoryChoices::setGyros(const std::vector<StoredGyro>& gyros) {
         }
     }
     retranslate();
-}
-
-void HistoryChoices::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 // So many choices stand beside each other.

@@ -3,9 +3,9 @@
 #include "core/recording/samples/partner_file.h"
 #include "ui/import/import_memory.h"
 #include "ui/import/import_preview.h"
+#include "ui/widgets/keep_translated.h"
 
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -64,7 +64,7 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
             enableOpen();
         }
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
     choices->setMinimumWidth(fields_->sizeHint().width() + 20);
     resize(980, 620);
     refresh();
@@ -155,13 +155,6 @@ void ImportDialog::accept() {
     rememberImport(importKind(path_, *preview_, chosen_options.raw.has_value()), of_kind);
     emit chosen(path_, chosen_options);
     QDialog::accept();
-}
-
-void ImportDialog::changeEvent(QEvent* event) {
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void ImportDialog::retranslate() {

@@ -8,6 +8,7 @@
 #include "ui/import/import_preview.h"
 #include "ui/import/log_files.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
@@ -17,7 +18,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -164,7 +164,7 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     connect(files_, &LogFiles::looked, this, &LogDialog::take);
     connect(files_, &LogFiles::changed, this, &LogDialog::changeFiles);
     guardFromWheel(*this);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
     resize(980, 560);
     kind_->setFocus();
     look();
@@ -427,13 +427,6 @@ void LogDialog::accept() {
     if (buttons_->button(QDialogButtonBox::Open)->isEnabled()) {
         emit chosen(set());
         QDialog::accept();
-    }
-}
-
-void LogDialog::changeEvent(QEvent* event) {
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
     }
 }
 

@@ -1,10 +1,10 @@
 #include "ui/panels/cursor_times.h"
 
 #include "ui/panels/measuring.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/words/number_label.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -34,7 +34,7 @@ CursorTimes::CursorTimes(QWidget* parent) : QWidget(parent), difference_(new QLa
     difference_->setObjectName(QStringLiteral("cursorDifference"));
     difference_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     line->addWidget(difference_);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void CursorTimes::setTimes(std::optional<double> a_s, std::optional<double> b_s,
@@ -59,13 +59,6 @@ void CursorTimes::showDifference() {
                                .replace('-', QChar(0x2212)),
                            groupedDigits(QLocale().toString(1 / std::abs(*b_s_ - *a_s_), 'g', 6)))
                 : QString());
-}
-
-void CursorTimes::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void CursorTimes::retranslate() {

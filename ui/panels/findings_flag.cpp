@@ -2,10 +2,10 @@
 
 #include "ui/panels/recording_facts.h"
 #include "ui/widgets/check_list.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -65,7 +65,7 @@ FindingsFlag::FindingsFlag(Document& document, QWidget* parent)
         connect(&document_, changed, this, &FindingsFlag::refresh);
     }
     connect(&document_, &Document::recordingChanged, this, &FindingsFlag::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void FindingsFlag::setAnalysis(AnalysisId analysis_id) {
@@ -137,13 +137,6 @@ void FindingsFlag::fillEvents(const AnalysisEntry* entry) {
         items << item;
     }
     events_->addTopLevelItems(items);
-}
-
-void FindingsFlag::changeEvent(QEvent* event) {
-    QToolButton::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void FindingsFlag::retranslate() {

@@ -1,8 +1,9 @@
 #include "ui/panels/ledger_head.h"
 
+#include "ui/widgets/keep_translated.h"
+
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QToolButton>
 
@@ -33,7 +34,7 @@ LedgerHead::LedgerHead(QWidget* parent) : QWidget(parent), kind_(new QComboBox(t
             [this](int at) { emit readAtChosen(static_cast<ReadAt>(at)); });
     connect(kind_, &QComboBox::activated, this,
             [this](int kind) { emit kindChosen(static_cast<TrendKind>(kind)); });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void LedgerHead::show(ReadAt at, const Measuring& measuring) {
@@ -45,13 +46,6 @@ void LedgerHead::show(ReadAt at, const Measuring& measuring) {
     buttons_[static_cast<std::size_t>(at)]->setChecked(true);
     kind_->setCurrentIndex(static_cast<int>(measuring.kind));
     kind_->setVisible(measuring.both());
-}
-
-void LedgerHead::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void LedgerHead::retranslate() {

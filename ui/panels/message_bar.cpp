@@ -1,6 +1,7 @@
 #include "ui/panels/message_bar.h"
 
-#include <QEvent>
+#include "ui/widgets/keep_translated.h"
+
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -24,6 +25,7 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayo
     layout_->setContentsMargins(0, 0, 0, 0);
     layout_->setSpacing(2);
     hide();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void MessageBar::add(const Message& message) {
@@ -128,13 +130,6 @@ QStringList MessageBar::texts() const {
         texts << row.text->text();
     }
     return texts;
-}
-
-void MessageBar::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void MessageBar::retranslate() {

@@ -4,9 +4,9 @@
 #include "ui/charts/round_view.h"
 #include "ui/panels/reading.h"
 #include "ui/plots/plot_content.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/rich_text.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -70,7 +70,7 @@ WavePanel::WavePanel(Document& document, QWidget* parent)
     connect(pattern_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(ellipse_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(&document_, &Document::analysesChanged, this, &WavePanel::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void WavePanel::setTime(std::optional<double> time_s) {
@@ -132,13 +132,6 @@ void WavePanel::refresh() {
 void WavePanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     refresh();
-}
-
-void WavePanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void WavePanel::retranslate() {

@@ -3,6 +3,7 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/difference_text.h"
 #include "ui/resonator/resonator_plots.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
@@ -11,7 +12,6 @@
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -54,7 +54,7 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     connect(tracks_, &XYPlotView::exportWanted, this, &ComparisonView::exportWanted);
     connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
     connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::rebuild);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void ComparisonView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
@@ -106,13 +106,6 @@ void ComparisonView::rebuild() {
         tracks_->setContent(trackPlot(*shown_, passport->passport,
                                       static_cast<TrackVariable>(track_choice_->currentIndex()),
                                       units_));
-    }
-}
-
-void ComparisonView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
     }
 }
 

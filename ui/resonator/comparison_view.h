@@ -34,9 +34,6 @@ public:
 signals:
     void exportWanted(const Figure& figure);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void rebuild();
     void retranslate();

@@ -4,13 +4,13 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QResizeEvent>
@@ -32,7 +32,7 @@ FiguresView::FiguresView(QWidget* parent) : QWidget(parent), hint_(sentence(this
         connect(plot, &XYPlotView::exportWanted, this, &FiguresView::exportWanted);
     }
     connect(balance_axis_, &QComboBox::activated, this, &FiguresView::showBalance);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 QWidget* FiguresView::buildPlots() {
@@ -137,13 +137,6 @@ void FiguresView::showBalance() {
     if (shown_) {
         const auto axis = static_cast<BalanceAxis>(balance_axis_->currentIndex());
         balance_plot_->setContent(balancePlot(*shown_, axis, units_));
-    }
-}
-
-void FiguresView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
     }
 }
 

@@ -37,7 +37,6 @@ signals:
     void exportWanted(const Figure& figure);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:

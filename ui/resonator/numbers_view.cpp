@@ -2,11 +2,11 @@
 
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/warning_list.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -56,7 +56,7 @@ NumbersView::NumbersView(QWidget* parent)
     sensitivities_section_ = addSection(*column, {sensitivities_});
     modes_section_ = addSection(*column, {modes_});
     runs_section_ = addSection(*column, {runs_});
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 QuantityTable* NumbersView::table(const char* name) {
@@ -124,13 +124,6 @@ QString NumbersView::modesTitle(const ResonatorFit& fit) {
         return tr("Modes");
     }
     return fit.mode_order == ModeOrder::decay ? tr("Modes, by decay") : tr("Modes, by frequency");
-}
-
-void NumbersView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void NumbersView::retranslate() {

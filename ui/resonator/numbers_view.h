@@ -34,9 +34,6 @@ public:
 signals:
     void gainRatioChosen(const vybeg::Estimate& kappa);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QuantityTable* table(const char* name);
     void rebuild();

@@ -2,6 +2,7 @@
 
 #include "core/analysis/setting_table.h"
 #include "ui/resonator/conditions_text.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -147,7 +148,7 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::recordingsChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::recordingChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SetPanel::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void SetPanel::refresh() {
@@ -205,13 +206,6 @@ void SetPanel::refreshMembers(const RecordingSet* set) {
     }
     members_->setCurrentRow(std::min(row, members_->count() - 1));
     members_->updateGeometry();
-}
-
-void SetPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void SetPanel::retranslate() {

@@ -2,7 +2,6 @@
 
 #include "ui/words/rich_text.h"
 
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -139,13 +138,6 @@ void SettingsFields::retranslate() {
         }
     }
     refresh();
-}
-
-void SettingsFields::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 }  // namespace vybeg::ui

@@ -61,7 +61,6 @@ protected:
     const SettingsState& state() const { return state_; }
     virtual void refresh() = 0;
     virtual void retranslate();
-    void changeEvent(QEvent* event) override;
 
 private:
     struct Entry {

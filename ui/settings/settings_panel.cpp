@@ -4,6 +4,7 @@
 #include "ui/settings/signal_fields.h"
 #include "ui/settings/start_fields.h"
 #include "ui/settings/window_fields.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/algorithm_text.h"
@@ -124,7 +125,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::settingsChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
@@ -190,13 +191,6 @@ void SettingsPanel::showStaleness() {
     stale_->setVisible(!differences.isEmpty());
     stale_->setText(tr("The plots are older than these settings. Changed since: %1.")
                         .arg(differences.join(QStringLiteral(", "))));
-}
-
-void SettingsPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void SettingsPanel::retranslate() {

@@ -1,6 +1,7 @@
 #include "ui/settings/signal_fields.h"
 
 #include "core/analysis/setting_table.h"
+#include "ui/widgets/keep_translated.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -50,7 +51,7 @@ RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
         emit edited(settings);
     });
     connect(visible_, &QPushButton::clicked, this, &RangeFields::visibleRangeWanted);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void RangeFields::retranslate() {
@@ -106,7 +107,7 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
                     [this, &fields] { editBand(fields); });
         }
     }
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void CarrierFields::editBand(const BandFields& fields) {
@@ -214,7 +215,7 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
         emit edited(settings);
     });
     addTolerances();
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void CalibrationFields::addTolerances() {

@@ -1,6 +1,7 @@
 #include "ui/settings/start_fields.h"
 
 #include "core/analysis/setting_table.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/rich_text.h"
 
 #include <QCheckBox>
@@ -43,7 +44,7 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
         settings.start = every ? StartRule::first : StartRule::previous;
         emit edited(settings);
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void StartFields::chooseStart(int start) {

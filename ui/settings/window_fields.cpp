@@ -2,6 +2,7 @@
 
 #include "core/analysis/setting_table.h"
 #include "core/windows/window_plan.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -105,7 +106,7 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
         emit edited(settings);
     });
     connect(snap_, &QPushButton::clicked, this, &WindowFields::snap);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 WindowFields::Unit WindowFields::unit() const {

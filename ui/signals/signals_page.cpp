@@ -4,10 +4,10 @@
 #include "ui/plots/track_view.h"
 #include "ui/signals/signal_stack.h"
 #include "ui/signals/signals_view.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -61,7 +61,7 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     connect(&document_, &Document::currentRecordingChanged, this, &SignalsPage::refresh);
     connect(&document_, &Document::envelopeGrown, this, &SignalsPage::refresh);
     connect(&document_, &Document::analysesChanged, this, &SignalsPage::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 const RecordingEntry* SignalsPage::recording() const {
@@ -265,13 +265,6 @@ void SignalsPage::hideEvent(QHideEvent* event) {
     pause_.stop();
     job_.forget(job_key);
     reading_ = false;
-}
-
-void SignalsPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void SignalsPage::retranslate() {

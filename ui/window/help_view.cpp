@@ -1,7 +1,8 @@
 #include "ui/window/help_view.h"
 
+#include "ui/widgets/keep_translated.h"
+
 #include <QAction>
-#include <QEvent>
 #include <QFile>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -45,7 +46,7 @@ HelpView::HelpView(const QString& language, QWidget* parent)
     back_->setEnabled(false);
     forward_->setEnabled(false);
     setLanguage(language);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void HelpView::setLanguage(const QString& language) {
@@ -58,13 +59,6 @@ void HelpView::setLanguage(const QString& language) {
         page = QStringLiteral("index.html");
     }
     browser_->setSource(pageUrl(language, page));
-}
-
-void HelpView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void HelpView::retranslate() {

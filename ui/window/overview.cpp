@@ -4,8 +4,8 @@
 #include "ui/panels/findings_flag.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
+#include "ui/widgets/keep_translated.h"
 
-#include <QEvent>
 #include <QVBoxLayout>
 
 namespace vybeg::ui {
@@ -54,7 +54,7 @@ Overview::Overview(Document& document, TrackView& tracks, QWidget* parent)
         signal_->setMargins(left, right + signal_->width() - tracks_.width());
         flag_->setFixedWidth(std::max(40, left - 8));
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
     showRecording();
 }
 
@@ -123,13 +123,6 @@ void Overview::editAnalysedRange(double from_s, double to_s) {
 
 void Overview::setTheme(const Theme& theme) {
     signal_->setTheme(theme);
-}
-
-void Overview::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void Overview::retranslate() {

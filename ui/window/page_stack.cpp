@@ -1,7 +1,8 @@
 #include "ui/window/page_stack.h"
 
+#include "ui/widgets/keep_translated.h"
+
 #include <QCoreApplication>
-#include <QEvent>
 #include <QKeySequence>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -73,6 +74,7 @@ PageStack::PageStack(QWidget* welcome, QWidget* parent)
     column->addWidget(stack_, 1);
     connect(tabs_, &QTabBar::currentChanged, this, &PageStack::showTab);
     showTab();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void PageStack::add(QWidget* page) {
@@ -110,13 +112,6 @@ void PageStack::showTab() {
     tabs_->setVisible(!welcomes());
     stack_->setCurrentIndex(welcomes() ? 0 : tabs_->currentIndex() + 1);
     emit pageShown();
-}
-
-void PageStack::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void PageStack::retranslate() {

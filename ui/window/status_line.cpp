@@ -1,8 +1,8 @@
 #include "ui/window/status_line.h"
 
 #include "ui/document/document.h"
+#include "ui/widgets/keep_translated.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -65,7 +65,7 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
             tell(message.text);
         }
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 QString StatusLine::text() const {
@@ -111,13 +111,6 @@ void StatusLine::refresh() {
     if (busy) {
         tell([] { return tr("Analysing…"); });
         analysing_ = true;
-    }
-}
-
-void StatusLine::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
     }
 }
 

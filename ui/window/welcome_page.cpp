@@ -1,9 +1,9 @@
 #include "ui/window/welcome_page.h"
 
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/rich_text.h"
 
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -55,7 +55,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     });
     connect(recent_, &QListWidget::itemClicked, recent_, &QListWidget::itemActivated);
     setRecent({});
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void WelcomePage::setRecent(const QStringList& paths) {
@@ -70,13 +70,6 @@ void WelcomePage::setRecent(const QStringList& paths) {
     }
     recent_name_->setVisible(!paths.isEmpty());
     recent_->setVisible(!paths.isEmpty());
-}
-
-void WelcomePage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void WelcomePage::retranslate() {
