@@ -12,17 +12,12 @@
 
 namespace vybeg::ui {
 
-QString reportText(const char* text) {
-    return QCoreApplication::translate("Report", text);
-}
-
 QStringList budgetHeaders(const Identification& found) {
-    QStringList headers{reportText(QT_TRANSLATE_NOOP("Report", "Statistical"))};
+    QStringList headers{ReportWords::tr("Statistical")};
     for (const ErrorSource source : sources_of(uncertainty_budget(found.fit))) {
         headers << toleranceName(source, found.settings);
     }
-    headers << reportText(QT_TRANSLATE_NOOP("Report", "Combined u"))
-            << reportText(QT_TRANSLATE_NOOP("Report", "Expanded U = 2u"));
+    headers << ReportWords::tr("Combined u") << ReportWords::tr("Expanded U = 2u");
     return headers;
 }
 

@@ -86,8 +86,8 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
     Shown shown;
     for (const Texts& texts : parameter_texts) {
         if (name == texts.name) {
-            shown.title = resonatorText(texts.title);
-            shown.tip = resonatorText(texts.tip);
+            shown.title = ResonatorWords::tr(texts.title);
+            shown.tip = ResonatorWords::tr(texts.tip);
         }
     }
     if (QLatin1String(unit) == QLatin1String("rad")) {
@@ -103,20 +103,17 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
 }
 
 QString modeTitle(int index, const std::string& parameter) {
-    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "Mode %1: %2"))
-        .arg(index + 1)
-        .arg(symbolOf(parameter));
+    return ResonatorWords::tr("Mode %1: %2").arg(index + 1).arg(symbolOf(parameter));
 }
 
 QString directionTitle(int index, const std::string& parameter) {
-    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "Run %1: %2 of its direction"))
+    return ResonatorWords::tr("Run %1: %2 of its direction")
         .arg(index + 1)
         .arg(symbolOf(parameter));
 }
 
 QString angleUnit(const DisplayUnits& units) {
-    return units.angle == AngleUnit::degrees ? QStringLiteral("°")
-                                             : resonatorText(QT_TRANSLATE_NOOP("Resonator", "rad"));
+    return units.angle == AngleUnit::degrees ? QStringLiteral("°") : ResonatorWords::tr("rad");
 }
 
 double angleFactor(const DisplayUnits& units) {
@@ -124,9 +121,8 @@ double angleFactor(const DisplayUnits& units) {
 }
 
 QString angleRateUnit(const DisplayUnits& units) {
-    return units.angle == AngleUnit::degrees
-               ? resonatorText(QT_TRANSLATE_NOOP("Resonator", "°/h"))
-               : resonatorText(QT_TRANSLATE_NOOP("Resonator", "rad/s"));
+    return units.angle == AngleUnit::degrees ? ResonatorWords::tr("°/h")
+                                             : ResonatorWords::tr("rad/s");
 }
 
 double angleRateFactor(const DisplayUnits& units) {

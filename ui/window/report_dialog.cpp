@@ -48,7 +48,7 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     for (std::size_t k = 0; k < title_fields.size(); ++k) {
         fields_[k] = new QLineEdit(this);
         fields_[k]->setObjectName(QLatin1String(title_fields[k].option));
-        add(reportText(title_fields[k].name), fields_[k], by_hand);
+        add(ReportWords::tr(title_fields[k].name), fields_[k], by_hand);
     }
     all_plots_->setToolTip(tr("Off: the five slow variables"));
     form->addRow(summary_);
