@@ -31,12 +31,10 @@ DriftPage::DriftPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
       panel_(new DriftPanel(document, this)),
-      export_(new QPushButton(this)),
+      export_(withName(new QPushButton(this), "driftExport")),
       state_(sentence(this, "driftState")),
-      hint_(new QLabel(this)) {
+      hint_(withName(new QLabel(this), "driftHint")) {
     setObjectName(QStringLiteral("driftPage"));
-    export_->setObjectName(QStringLiteral("driftExport"));
-    hint_->setObjectName(QStringLiteral("driftHint"));
     hint_->setWordWrap(true);
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMaximumWidth(hint_width);
@@ -70,11 +68,10 @@ DriftPage::DriftPage(Document& document, QWidget* parent)
 QWidget* DriftPage::buildContent() {
     auto* content = new QWidget(this);
     plot_ = addPlot("driftPlot", least_plot_height);
-    warnings_ = new WarningList(content);
-    warnings_->setObjectName(QStringLiteral("driftWarnings"));
-    harmonics_ = table("driftHarmonics");
+    warnings_ = withName(new WarningList(content), "driftWarnings");
+    harmonics_ = withName(new QuantityTable(this), "driftHarmonics");
     agreement_ = sentence(content, "driftAgreement");
-    resonator_ = table("driftResonator");
+    resonator_ = withName(new QuantityTable(this), "driftResonator");
     statistical_ = sentence(content, "driftStatistical");
     auto* numbers = new QVBoxLayout;
     numbers->setSpacing(2);
@@ -88,12 +85,6 @@ QWidget* DriftPage::buildContent() {
     layout->addWidget(plot_, 3);
     layout->addWidget(scrolled(numbers), 2);
     return content;
-}
-
-QuantityTable* DriftPage::table(const char* name) {
-    auto* made = new QuantityTable(this);
-    made->setObjectName(QLatin1String(name));
-    return made;
 }
 
 void DriftPage::setUnits(const DisplayUnits& units) {

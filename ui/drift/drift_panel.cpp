@@ -4,6 +4,7 @@
 #include "ui/drift/drift_text.h"
 #include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
@@ -81,23 +82,17 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       logs_(new DriftLogs(document, this)),
-      open_(new QPushButton(this)),
-      remove_(new QPushButton(this)),
-      columns_(new QLineEdit(this)),
-      fault_(new QLabel(this)),
-      angle_unit_(new QComboBox(this)),
-      time_unit_(new QComboBox(this)),
+      open_(withName(new QPushButton(this), "driftOpen")),
+      remove_(withName(new QPushButton(this), "driftRemove")),
+      columns_(withName(new QLineEdit(this), "driftColumns")),
+      fault_(withName(new QLabel(this), "driftFault")),
+      angle_unit_(withName(new QComboBox(this), "driftAngleUnit")),
+      time_unit_(withName(new QComboBox(this), "driftTimeUnit")),
       rate_(makeNumber("driftRate")),
       kappa_(makeNumber("driftKappa")),
       skew_(makeNumber("driftSkew")) {
-    open_->setObjectName(QStringLiteral("driftOpen"));
-    remove_->setObjectName(QStringLiteral("driftRemove"));
-    columns_->setObjectName(QStringLiteral("driftColumns"));
-    fault_->setObjectName(QStringLiteral("driftFault"));
     fault_->setWordWrap(true);
-    angle_unit_->setObjectName(QStringLiteral("driftAngleUnit"));
     angle_unit_->addItems(QStringList(static_cast<qsizetype>(angle_units.size())));
-    time_unit_->setObjectName(QStringLiteral("driftTimeUnit"));
     time_unit_->addItems(QStringList(static_cast<qsizetype>(log_time_units.size())));
     for (QComboBox* box : {angle_unit_, time_unit_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -172,8 +167,7 @@ QLabel* DriftPanel::addRow(QFormLayout* form, QWidget* field) {
 }
 
 NumberField* DriftPanel::makeNumber(const char* name) {
-    auto* field = new NumberField(this);
-    field->setObjectName(QLatin1String(name));
+    auto* field = withName(new NumberField(this), name);
     field->setOptional(true);
     return field;
 }

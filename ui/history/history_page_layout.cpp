@@ -21,10 +21,6 @@ constexpr int plot_height = 240;
 QLayout* HistoryPage::buildHead() {
     database_->setTextFormat(Qt::PlainText);
     database_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    open_->setObjectName(QStringLiteral("historyOpen"));
-    new_->setObjectName(QStringLiteral("historyNew"));
-    add_->setObjectName(QStringLiteral("historyAdd"));
-    export_->setObjectName(QStringLiteral("historyExport"));
     auto* first = new QHBoxLayout;
     first->addWidget(database_, 1);
     first->addWidget(open_);
@@ -64,8 +60,7 @@ QWidget* HistoryPage::buildContent() {
     auto* content = new QWidget(this);
     verdict_ = sentence(content, "historyVerdict", QMargins());
     point_ = sentence(content, "historyPoint", QMargins());
-    recordings_ = new QPushButton(content);
-    recordings_->setObjectName(QStringLiteral("historyRecordings"));
+    recordings_ = withName(new QPushButton(content), "historyRecordings");
     values_ = addPlot("historyValues", plot_height + 20);
     ranges_ = addPlot("historyRanges", plot_height);
     average_ = addPlot("historyAverage", plot_height);

@@ -10,6 +10,7 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
@@ -79,14 +80,12 @@ QString beside(const QString& file, const QString& other) {
 
 LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent)
     : QDialog(parent),
-      files_(new LogFiles(job, paths, this)),
+      files_(withName(new LogFiles(job, paths, this), "logFiles")),
       form_(new QFormLayout),
-      lacking_(new QLabel(this)),
+      lacking_(withName(new QLabel(this), "lacking")),
       preview_(new ImportPreview(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
-    files_->setObjectName(QStringLiteral("logFiles"));
-    lacking_->setObjectName(QStringLiteral("lacking"));
     lacking_->setTextFormat(Qt::PlainText);
     lacking_->setWordWrap(true);
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);

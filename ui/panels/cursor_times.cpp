@@ -3,6 +3,7 @@
 #include "ui/panels/measuring.h"
 #include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/number_label.h"
 
 #include <QHBoxLayout>
@@ -13,7 +14,8 @@
 
 namespace vybeg::ui {
 
-CursorTimes::CursorTimes(QWidget* parent) : QWidget(parent), difference_(new QLabel(this)) {
+CursorTimes::CursorTimes(QWidget* parent)
+    : QWidget(parent), difference_(withName(new QLabel(this), "cursorDifference")) {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(4, 0, 4, 0);
     line->setSpacing(4);
@@ -31,7 +33,6 @@ CursorTimes::CursorTimes(QWidget* parent) : QWidget(parent), difference_(new QLa
         connect(field, &NumberField::valueEdited, this,
                 [this] { emit edited(fields_[0]->value(), fields_[1]->value()); });
     }
-    difference_->setObjectName(QStringLiteral("cursorDifference"));
     difference_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     line->addWidget(difference_);
     keepTranslated(*this, [this] { retranslate(); });

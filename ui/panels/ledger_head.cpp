@@ -1,6 +1,7 @@
 #include "ui/panels/ledger_head.h"
 
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -9,7 +10,8 @@
 
 namespace vybeg::ui {
 
-LedgerHead::LedgerHead(QWidget* parent) : QWidget(parent), kind_(new QComboBox(this)) {
+LedgerHead::LedgerHead(QWidget* parent)
+    : QWidget(parent), kind_(withName(new QComboBox(this), "trend")) {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(2, 0, 2, 0);
     line->setSpacing(1);
@@ -25,7 +27,6 @@ LedgerHead::LedgerHead(QWidget* parent) : QWidget(parent), kind_(new QComboBox(t
         line->addWidget(button);
         buttons_[at] = button;
     }
-    kind_->setObjectName(QStringLiteral("trend"));
     kind_->addItems(QStringList(trend_kinds));
     kind_->setFrame(false);
     line->addWidget(kind_);

@@ -5,6 +5,7 @@
 #include "ui/panels/reading.h"
 #include "ui/plots/plot_content.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QLabel>
@@ -53,11 +54,9 @@ WavePanel::WavePanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       time_(new QLabel(this)),
-      pattern_(new RoundView(true, this)),
-      ellipse_(new RoundView(false, this)) {
+      pattern_(withName(new RoundView(true, this), "pattern")),
+      ellipse_(withName(new RoundView(false, this), "ellipse")) {
     time_->setContentsMargins(6, 2, 6, 2);
-    pattern_->setObjectName(QStringLiteral("pattern"));
-    ellipse_->setObjectName(QStringLiteral("ellipse"));
     // The ledger below is the legend of the tracks, too.
     pattern_->setLegendShown(false);
     ellipse_->setLegendShown(false);

@@ -38,12 +38,11 @@ constexpr QMargins beside{6, 0, 6, 0};  // of a sentence
 ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
-      range_(new QComboBox(this)),
+      range_(withName(new QComboBox(this), "residualRange")),
       range_label_(new QLabel(this)),
       time_(new NumberField(this)),
       state_(sentence(this, "residualState", beside)) {
     setObjectName(QStringLiteral("residuals"));
-    range_->setObjectName(QStringLiteral("residualRange"));
     range_->addItems({QString(), QString(), QString()});
     range_->setCurrentIndex(static_cast<int>(Range::whole));
     time_->hide();
@@ -76,17 +75,14 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
 QWidget* ResidualsPage::buildContent() {
     auto* content = new QWidget(this);
     spectrum_ = addPlot("spectrum", least_spectrum_height);
-    lines_ = new QComboBox(content);
-    lines_->setObjectName(QStringLiteral("residualLines"));
+    lines_ = withName(new QComboBox(content), "residualLines");
     lines_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     lines_->setMinimumContentsLength(16);
-    filter_ = new QPushButton(content);
-    filter_->setObjectName(QStringLiteral("residualFilter"));
+    filter_ = withName(new QPushButton(content), "residualFilter");
     sentence_ = sentence(content, "residualLine", beside);
     histogram_ = addPlot("histogram", least_plot_height);
     correlation_ = addPlot("correlation", least_plot_height);
-    numbers_ = new QuantityTable(content);
-    numbers_->setObjectName(QStringLiteral("residualNumbers"));
+    numbers_ = withName(new QuantityTable(content), "residualNumbers");
     auto* choice = new QHBoxLayout;
     choice->setContentsMargins(6, 0, 6, 0);
     choice->addWidget(lines_, 1);

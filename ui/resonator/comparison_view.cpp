@@ -25,13 +25,11 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
       theme_(lightTheme()),
       passport_(sentence(this, "passport")),
       other_gyro_(sentence(this, "otherGyro")),
-      differences_(new QuantityTable(this)),
+      differences_(withName(new QuantityTable(this), "differences")),
       incomparable_(sentence(this, "incomparable")),
       track_choice_(new QComboBox(this)),
-      tracks_(new XYPlotView(this)),
+      tracks_(withName(new XYPlotView(this), "tracks")),
       close_(new QPushButton(this)) {
-    differences_->setObjectName(QStringLiteral("differences"));
-    tracks_->setObjectName(QStringLiteral("tracks"));
     auto* limit = new QWidget(this);
     limit_label_ = new QLabel(limit);
     limit_ = new NumberField(limit);

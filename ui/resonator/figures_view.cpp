@@ -43,15 +43,11 @@ QWidget* FiguresView::buildPlots() {
     for (QLabel** name : {&rim_name_, &drift_name_, &balance_name_}) {
         *name = sentence(plots, "");
     }
-    rim_ = new RoundView(true, plots);
-    rim_->setObjectName(QStringLiteral("rim"));
+    rim_ = withName(new RoundView(true, plots), "rim");
     rim_->setMinimumSize(240, 300);
-    drift_plot_ = new XYPlotView(plots);
-    drift_plot_->setObjectName(QStringLiteral("drift"));
-    drift_ = new QuantityTable(plots);
-    drift_->setObjectName(QStringLiteral("harmonics"));
-    balance_plot_ = new XYPlotView(plots);
-    balance_plot_->setObjectName(QStringLiteral("balance"));
+    drift_plot_ = withName(new XYPlotView(plots), "drift");
+    drift_ = withName(new QuantityTable(plots), "harmonics");
+    balance_plot_ = withName(new XYPlotView(plots), "balance");
     balance_axis_ = new QComboBox(plots);
     balance_axis_->addItems({QString(), QString()});  // in the order of BalanceAxis
     balance_name_->setBuddy(balance_axis_);

@@ -34,16 +34,14 @@ QStringList markedNames(const ResonatorOutcome& outcome) {
 NumbersView::NumbersView(QWidget* parent)
     : QWidget(parent),
       theme_(lightTheme()),
-      findings_(new WarningList(this)),
-      warnings_(new WarningList(this)),
+      findings_(withName(new WarningList(this), "findings")),
+      warnings_(withName(new WarningList(this), "warnings")),
       statistical_(sentence(this, "statistical")),
-      waves_(table("waves")),
-      resonator_(table("resonator")),
-      sensitivities_(table("sensitivities")),
-      modes_(table("modes")),
-      runs_(table("runs")) {
-    findings_->setObjectName(QStringLiteral("findings"));
-    warnings_->setObjectName(QStringLiteral("warnings"));
+      waves_(withName(new QuantityTable(this), "waves")),
+      resonator_(withName(new QuantityTable(this), "resonator")),
+      sensitivities_(withName(new QuantityTable(this), "sensitivities")),
+      modes_(withName(new QuantityTable(this), "modes")),
+      runs_(withName(new QuantityTable(this), "runs")) {
     statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(statistical_, &QLabel::linkActivated, this,
             [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
@@ -57,12 +55,6 @@ NumbersView::NumbersView(QWidget* parent)
     modes_section_ = addSection(*column, {modes_});
     runs_section_ = addSection(*column, {runs_});
     keepTranslated(*this, [this] { retranslate(); });
-}
-
-QuantityTable* NumbersView::table(const char* name) {
-    auto* made = new QuantityTable(this);
-    made->setObjectName(QLatin1String(name));
-    return made;
 }
 
 void NumbersView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {

@@ -35,7 +35,6 @@ signals:
     void gainRatioChosen(const vybeg::Estimate& kappa);
 
 private:
-    QuantityTable* table(const char* name);
     void rebuild();
     void retranslate();
     static QString modesTitle(const ResonatorFit& fit);

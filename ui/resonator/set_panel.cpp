@@ -3,6 +3,7 @@
 #include "core/analysis/setting_table.h"
 #include "ui/resonator/conditions_text.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -74,26 +75,22 @@ QString SetMembers::hint() const {
 SetPanel::SetPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      sets_(new QComboBox(this)),
+      sets_(withName(new QComboBox(this), "sets")),
       add_(new QToolButton(this)),
       remove_(new QToolButton(this)),
       members_(new SetMembers(document, this)),
-      listed_(new QLabel(this)),
+      listed_(withName(new QLabel(this), "listed")),
       model_label_(new QLabel(this)),
-      model_(new QComboBox(this)),
-      identify_(new QPushButton(this)) {
-    sets_->setObjectName(QStringLiteral("sets"));
+      model_(withName(new QComboBox(this), "model")),
+      identify_(withName(new QPushButton(this), "identify")) {
     sets_->setEditable(true);
     sets_->setInsertPolicy(QComboBox::NoInsert);
     sets_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     add_->setText(QStringLiteral("+"));
     remove_->setText(QStringLiteral("−"));
-    listed_->setObjectName(QStringLiteral("listed"));
     listed_->setWordWrap(true);
     model_label_->setBuddy(model_);
-    model_->setObjectName(QStringLiteral("model"));
     model_->addItems({QString(), QString(), QString()});
-    identify_->setObjectName(QStringLiteral("identify"));
 
     auto* names = new QHBoxLayout;
     names->addWidget(sets_, 1);

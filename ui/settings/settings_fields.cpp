@@ -1,5 +1,6 @@
 #include "ui/settings/settings_fields.h"
 
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QFormLayout>
@@ -79,8 +80,7 @@ std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first
 
 // A line below the fields with their fault.
 void SettingsFields::addFaults(const std::vector<NumberField*>& fields) {
-    auto* line = new QLabel(this);
-    line->setObjectName(QStringLiteral("fault"));
+    auto* line = withName(new QLabel(this), "fault");
     line->setWordWrap(true);
     line->hide();
     form_->addRow(line);

@@ -5,6 +5,7 @@
 #include "ui/settings/start_fields.h"
 #include "ui/settings/window_fields.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/algorithm_text.h"
@@ -55,8 +56,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     sections_->setContentsMargins(2, 4, 2, 2);
     sections_->setSpacing(4);
 
-    algorithm_ = new QComboBox(content);
-    algorithm_->setObjectName(QStringLiteral("algorithm"));
+    algorithm_ = withName(new QComboBox(content), "algorithm");
     algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const Algorithm algorithm : all_algorithms) {
         algorithm_->addItem({}, static_cast<int>(algorithm));
@@ -84,14 +84,11 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     scroll_ = scroll;
     content->installEventFilter(this);
 
-    stale_ = new QLabel(this);
-    stale_->setObjectName(QStringLiteral("stale"));
+    stale_ = withName(new QLabel(this), "stale");
     stale_->setWordWrap(true);
     stale_->setContentsMargins(8, 0, 4, 0);
-    live_ = new QCheckBox(this);
-    live_->setObjectName(QStringLiteral("live"));
-    analyse_ = new QPushButton(this);
-    analyse_->setObjectName(QStringLiteral("analyse"));
+    live_ = withName(new QCheckBox(this), "live");
+    analyse_ = withName(new QPushButton(this), "analyse");
     analyse_->setDefault(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 4);

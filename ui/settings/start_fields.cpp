@@ -2,6 +2,7 @@
 
 #include "core/analysis/setting_table.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QCheckBox>
@@ -12,8 +13,7 @@
 namespace vybeg::ui {
 
 StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
-    start_ = new QComboBox(this);
-    start_->setObjectName(QStringLiteral("start"));
+    start_ = withName(new QComboBox(this), "start");
     start_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     start_->addItems({{}, {}, {}});
     addWide(start_, {QT_TR_NOOP("Start from"), "",

@@ -3,6 +3,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/windows/window_plan.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -50,25 +51,21 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
                     "variables are constant inside it. At least 5 samples and three quarters of a "
                     "period. The article varies T from 1 to 10 periods, which may be fractions.")});
     length_->setDigits(6);
-    unit_ = new QComboBox(length);
-    unit_->setObjectName(QStringLiteral("lengthUnit"));
+    unit_ = withName(new QComboBox(length), "lengthUnit");
     unit_->addItems({QString(), QString(), QString()});
     unit_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     length_line->addWidget(length_, 1);
     length_line->addWidget(unit_);
     addWide(length);
     addFaults({length_});
-    others_ = new QLabel(this);
-    others_->setObjectName(QStringLiteral("otherLengths"));
+    others_ = withName(new QLabel(this), "otherLengths");
     addWide(others_);
 
     auto* check = new QWidget(this);
     auto* line = new QHBoxLayout(check);
     line->setContentsMargins(0, 0, 0, 0);
-    residual_ = new QLabel(check);
-    residual_->setObjectName(QStringLiteral("residual"));
-    snap_ = new QPushButton(check);
-    snap_->setObjectName(QStringLiteral("snap"));
+    residual_ = withName(new QLabel(check), "residual");
+    snap_ = withName(new QPushButton(check), "snap");
     line->addWidget(residual_, 1);
     line->addWidget(snap_);
     addWide(check,

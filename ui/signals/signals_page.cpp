@@ -5,6 +5,7 @@
 #include "ui/signals/signal_stack.h"
 #include "ui/signals/signals_view.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
@@ -35,11 +36,10 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     : QWidget(parent),
       document_(document),
       tracks_(tracks),
-      state_(new QLabel(this)),
+      state_(withName(new QLabel(this), "signalsState")),
       view_(new SignalsView(tracks, this)),
       theme_(lightTheme()) {
     setObjectName(QStringLiteral("signals"));
-    state_->setObjectName(QStringLiteral("signalsState"));
     state_->setWordWrap(true);
     state_->setContentsMargins(6, 2, 6, 2);
     state_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

@@ -34,16 +34,11 @@ constexpr int progress_steps = 1000;
 QLayout* SweepPage::buildHead() {
     recording_->setTextFormat(Qt::PlainText);
     recording_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    algorithm_->setObjectName(QStringLiteral("sweepAlgorithm"));
     for ([[maybe_unused]] const Algorithm each : all_algorithms) {
         algorithm_->addItem(QString());
     }
     algorithm_label_->setBuddy(algorithm_);
-    snap_->setObjectName(QStringLiteral("sweepSnap"));
-    lengths_->setObjectName(QStringLiteral("sweepLengths"));
     lengths_label_->setBuddy(lengths_);
-    compute_->setObjectName(QStringLiteral("computeSweep"));
-    cancel_->setObjectName(QStringLiteral("sweepCancel"));
     progress_->setRange(0, progress_steps);
     progress_->setMaximumHeight(compute_->sizeHint().height());
     auto* first = new QHBoxLayout;
@@ -69,24 +64,20 @@ QLayout* SweepPage::buildHead() {
 QWidget* SweepPage::buildContent() {
     auto* content = new QWidget(this);
     variable_label_ = new QLabel(content);
-    variable_ = new QComboBox(content);
-    variable_->setObjectName(QStringLiteral("sweepVariable"));
+    variable_ = withName(new QComboBox(content), "sweepVariable");
     variable_->setItemDelegate(new IndexDelegate(variable_));
     for ([[maybe_unused]] const SlowVariable each : main_slow_variables) {
         variable_->addItem(QString());
     }
     variable_->setCurrentIndex(2);
     variable_label_->setBuddy(variable_);
-    copy_ = new QPushButton(content);
-    copy_->setObjectName(QStringLiteral("sweepCopy"));
+    copy_ = withName(new QPushButton(content), "sweepCopy");
     scatter_ = addPlot("sweepScatter", least_plot_height);
     residual_ = addPlot("sweepResidual", least_plot_height);
     advice_ = sentence(content, "sweepAdvice", QMargins());
     point_ = sentence(content, "sweepPoint", QMargins());
-    use_ = new QPushButton(content);
-    use_->setObjectName(QStringLiteral("sweepUse"));
-    table_ = new QuantityTable(content);
-    table_->setObjectName(QStringLiteral("sweepTable"));
+    use_ = withName(new QPushButton(content), "sweepUse");
+    table_ = withName(new QuantityTable(content), "sweepTable");
     auto* choice = new QHBoxLayout;
     choice->addWidget(variable_label_);
     choice->addWidget(variable_);

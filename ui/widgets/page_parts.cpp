@@ -10,8 +10,7 @@
 namespace vybeg::ui {
 
 QLabel* sentence(QWidget* parent, const char* name, const QMargins& around) {
-    auto* label = new QLabel(parent);
-    label->setObjectName(QLatin1String(name));
+    auto* label = withName(new QLabel(parent), name);
     makeSentence(*label);
     label->setContentsMargins(around);
     return label;

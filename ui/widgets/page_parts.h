@@ -17,6 +17,13 @@ class Section;
 
 // Parts of pages.
 
+// A widget under the name by which others find it.
+template <class Widget>
+Widget* withName(Widget* widget, const char* name) {
+    widget->setObjectName(QLatin1String(name));
+    return widget;
+}
+
 // A label of whole sentences, rich text.
 constexpr QMargins around_sentence{6, 2, 6, 2};
 QLabel* sentence(QWidget* parent, const char* name, const QMargins& around = around_sentence);

@@ -1,6 +1,7 @@
 #include "ui/window/page_stack.h"
 
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QCoreApplication>
 #include <QKeySequence>
@@ -61,8 +62,9 @@ std::optional<Page> pageOfWord(const QString& word) {
 }
 
 PageStack::PageStack(QWidget* welcome, QWidget* parent)
-    : QWidget(parent), tabs_(new QTabBar(this)), stack_(new QStackedWidget(this)) {
-    tabs_->setObjectName(QStringLiteral("pages"));
+    : QWidget(parent),
+      tabs_(withName(new QTabBar(this), "pages")),
+      stack_(new QStackedWidget(this)) {
     tabs_->setDocumentMode(true);
     tabs_->setExpanding(false);
     tabs_->setDrawBase(false);

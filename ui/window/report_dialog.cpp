@@ -1,6 +1,7 @@
 #include "ui/window/report_dialog.h"
 
 #include "ui/report/budget_text.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -59,8 +60,7 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     connect(subject_, &QComboBox::currentIndexChanged, this, &ReportDialog::propose);
     propose();
     auto* buttons = new QDialogButtonBox(this);
-    auto* save = new QPushButton(tr("&Save…"), this);
-    save->setObjectName(QStringLiteral("save"));
+    auto* save = withName(new QPushButton(tr("&Save…"), this), "save");
     save->setToolTip(tr("As a PDF document"));
     save->setDefault(true);
     buttons->addButton(save, QDialogButtonBox::AcceptRole);

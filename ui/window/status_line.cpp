@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -28,11 +29,10 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
       status_(new QLabel(this)),
       time_left_(new QLabel(this)),
       progress_(new QProgressBar(this)),
-      cancel_(new QPushButton(this)) {
+      cancel_(withName(new QPushButton(this), "cancel")) {
     progress_->setRange(0, 1000);
     progress_->setFixedWidth(180);
     progress_->setTextVisible(false);
-    cancel_->setObjectName(QStringLiteral("cancel"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(status_, 1);

@@ -1,6 +1,7 @@
 #include "ui/window/welcome_page.h"
 
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QDir>
@@ -17,17 +18,15 @@ WelcomePage::WelcomePage(QWidget* parent)
     : QWidget(parent),
       text_(new QLabel(this)),
       open_(new QPushButton(this)),
-      demonstration_(new QPushButton(this)),
+      demonstration_(withName(new QPushButton(this), "demonstration")),
       recent_name_(new QLabel(this)),
-      recent_(new QListWidget(this)) {
+      recent_(withName(new QListWidget(this), "recent")) {
     text_->setAlignment(Qt::AlignCenter);
     text_->setWordWrap(true);
-    recent_->setObjectName(QStringLiteral("recent"));
     recent_->setMaximumWidth(640);
     recent_->setAlternatingRowColors(true);
     recent_->setTextElideMode(Qt::ElideMiddle);
     recent_name_->setBuddy(recent_);
-    demonstration_->setObjectName(QStringLiteral("demonstration"));
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(open_);
