@@ -34,16 +34,10 @@ RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
         field->setLimits(bounds_of(field == from_ ? "from" : "to"));
         field->setDigits(7);
     }
-    connect(from_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.from_s = value;
-        emit edited(settings);
-    });
-    connect(to_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.to_s = value;
-        emit edited(settings);
-    });
+    connect(from_, &NumberField::valueEdited, this,
+            [this](auto value) { change([&](Settings& settings) { settings.from_s = value; }); });
+    connect(to_, &NumberField::valueEdited, this,
+            [this](auto value) { change([&](Settings& settings) { settings.to_s = value; }); });
     connect(whole_, &QPushButton::clicked, this, [this] {
         Settings settings = state().settings;
         settings.from_s.reset();
@@ -91,11 +85,8 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
                 {"", QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter to")});
     bands_ = {BandFields{"band", &Settings::band, band.first, band.second, std::nullopt},
               BandFields{"filter", &Settings::filter, filter.first, filter.second, std::nullopt}};
-    connect(f0_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.f0_hz = value;
-        emit edited(settings);
-    });
+    connect(f0_, &NumberField::valueEdited, this,
+            [this](auto value) { change([&](Settings& settings) { settings.f0_hz = value; }); });
     for (const BandFields& fields : bands_) {
         for (NumberField* field : {fields.low, fields.high}) {
             field->setOptional(true);
@@ -117,9 +108,9 @@ void CarrierFields::editBand(const BandFields& fields) {
     }
     const auto low = fields.low->value();
     const auto high = fields.high->value();
-    Settings settings = state().settings;
-    settings.*fields.member = low ? std::optional(Band{*low, *high}) : std::nullopt;
-    emit edited(settings);
+    change([&](Settings& settings) {
+        settings.*fields.member = low ? std::optional(Band{*low, *high}) : std::nullopt;
+    });
 }
 
 // Incomplete and reversed bands are not applied; they stay in the fields, with the reason.
@@ -203,16 +194,12 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
     connect(angle_zero_, &NumberField::valueEdited, this,
             [this](auto value) { edit(&Calibration::angle_zero_deg, *value); });
     connect(offset_auto_, &QCheckBox::clicked, this, [this](bool automatic) {
-        Settings settings = state().settings;
-        settings.calibration.offset_auto = automatic;
-        emit edited(settings);
+        change([&](Settings& settings) { settings.calibration.offset_auto = automatic; });
     });
     repair_lost_ = new QCheckBox(this);
     addWide(repair_lost_);
     connect(repair_lost_, &QCheckBox::clicked, this, [this](bool wanted) {
-        Settings settings = state().settings;
-        settings.repair_lost = wanted;
-        emit edited(settings);
+        change([&](Settings& settings) { settings.repair_lost = wanted; });
     });
     addTolerances();
     keepTranslated(*this, [this] { retranslate(); });
@@ -287,9 +274,7 @@ void CalibrationFields::showTolerances() {
 }
 
 void CalibrationFields::edit(double Calibration::*member, double value) {
-    Settings settings = state().settings;
-    settings.calibration.*member = value;
-    emit edited(settings);
+    change([&](Settings& settings) { settings.calibration.*member = value; });
 }
 
 void CalibrationFields::retranslate() {

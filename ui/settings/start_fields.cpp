@@ -40,9 +40,9 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
         connect(field, &NumberField::valueEdited, this, &StartFields::editTyped);
     }
     connect(every_window_, &QCheckBox::clicked, this, [this](bool every) {
-        Settings settings = state().settings;
-        settings.start = every ? StartRule::first : StartRule::previous;
-        emit edited(settings);
+        change([&](Settings& settings) {
+            settings.start = every ? StartRule::first : StartRule::previous;
+        });
     });
     keepTranslated(*this, [this] { retranslate(); });
 }
@@ -59,10 +59,11 @@ void StartFields::chooseStart(int start) {
 }
 
 void StartFields::editTyped() {
-    Settings settings = state().settings;
-    settings.initial = StartValues{
-        {*a_A_->value(), *a_B_->value(), *two_theta_A_->value(), *alpha_->value()}, *f_->value()};
-    emit edited(settings);
+    change([&](Settings& settings) {
+        settings.initial =
+            StartValues{{*a_A_->value(), *a_B_->value(), *two_theta_A_->value(), *alpha_->value()},
+                        *f_->value()};
+    });
 }
 
 void StartFields::retranslate() {

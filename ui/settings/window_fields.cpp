@@ -91,9 +91,9 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     connect(length_, &NumberField::valueEdited, this, [this](auto value) { setLength(*value); });
     connect(unit_, &QComboBox::activated, this, &WindowFields::refresh);
     connect(hop_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.hop = value ? static_cast<std::int64_t>(*value) : 0;
-        emit edited(settings);
+        change([&](Settings& settings) {
+            settings.hop = value ? static_cast<std::int64_t>(*value) : 0;
+        });
     });
     connect(overlap_, &NumberField::valueEdited, this, [this](auto value) {
         Settings settings = state().settings;
