@@ -1,5 +1,6 @@
 #include "ui/residuals/residuals_page.h"
 
+#include "core/residuals/find_residuals.h"
 #include "ui/document/document.h"
 #include "ui/panels/reading.h"
 #include "ui/plots/xy_plot_view.h"
@@ -198,8 +199,12 @@ void ResidualsPage::compute() {
     const AnalysisEntry* chosen = entry();
     const RecordingEntry* recording = chosen ? document_.recording(chosen->recording_id) : nullptr;
     if (asked_ && recording && recording->recording) {
-        job_.findResiduals(job_key, *recording->recording, asked_->analysis, asked_->range,
-                           [this](Result<Residuals> result) { take(std::move(result)); });
+        job_.run<Residuals>(
+            job_key,
+            [of = *recording->recording, asked = *asked_](const JobControl& job) {
+                return find_residuals(of, *asked.analysis, asked.range, job);
+            },
+            [this](Result<Residuals> result) { take(std::move(result)); });
     }
 }
 

@@ -169,16 +169,25 @@ void SignalsPage::request() {
     const auto end = static_cast<std::int64_t>(std::ceil(wanted.upper * recording.rate_hz)) + 1;
     const std::int64_t from = std::max<std::int64_t>(0, first);
     reading_ = true;
-    job_.readExcerpt(job_key, recording, analysis, same ? source_ : std::nullopt, from, end - from,
-                     [this](Result<ExcerptOutcome> result) { take(std::move(result)); });
+    job_.run<Excerpt>(
+        job_key,
+        [recording, analysis, known = same ? source_ : std::nullopt, from,
+         count = end - from](const JobControl& job) -> Result<Excerpt> {
+            auto source =
+                TRY(known ? Result<SignalSource>(*known) : signal_source(recording, analysis, job));
+            auto excerpt = TRY(signal_excerpt(source, from, count, job));
+            return Excerpt{std::move(source),
+                           std::make_shared<const SignalExcerpt>(std::move(excerpt))};
+        },
+        [this](Result<Excerpt> result) { take(std::move(result)); });
 }
 
-void SignalsPage::take(Result<ExcerptOutcome> result) {
+void SignalsPage::take(Result<Excerpt> result) {
     reading_ = false;
     failure_.reset();
     if (result) {
         source_ = std::move(result->source);
-        excerpt_ = std::move(result->excerpt);
+        excerpt_ = std::move(result->samples);
     } else {
         failure_ = result.error();
     }
