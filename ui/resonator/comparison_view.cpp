@@ -20,9 +20,8 @@
 namespace vybeg::ui {
 
 ComparisonView::ComparisonView(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : OutcomeView(parent),
       document_(document),
-      theme_(lightTheme()),
       passport_(sentence(this, "passport")),
       other_gyro_(sentence(this, "otherGyro")),
       differences_(withName(new QuantityTable(this), "differences")),
@@ -55,20 +54,9 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     keepTranslated(*this, [this] { retranslate(); });
 }
 
-void ComparisonView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
-    shown_ = std::move(outcome);
-    rebuild();
-}
-
-void ComparisonView::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    rebuild();
-}
-
 void ComparisonView::setTheme(const Theme& theme) {
-    theme_ = theme;
     tracks_->setTheme(theme);
-    rebuild();
+    OutcomeView::setTheme(theme);
 }
 
 void ComparisonView::open() {

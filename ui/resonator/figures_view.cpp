@@ -18,7 +18,7 @@
 
 namespace vybeg::ui {
 
-FiguresView::FiguresView(QWidget* parent) : QWidget(parent), hint_(sentence(this, "hint")) {
+FiguresView::FiguresView(QWidget* parent) : OutcomeView(parent), hint_(sentence(this, "hint")) {
     plots_ = buildPlots();
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMinimumHeight(120);
@@ -85,16 +85,6 @@ void FiguresView::resizeEvent(QResizeEvent* event) {
     if (side_by_side_ != (width() >= wide)) {
         place(width() >= wide);
     }
-}
-
-void FiguresView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
-    shown_ = std::move(outcome);
-    rebuild();
-}
-
-void FiguresView::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    rebuild();
 }
 
 void FiguresView::setTheme(const Theme& theme) {

@@ -32,8 +32,7 @@ QStringList markedNames(const ResonatorOutcome& outcome) {
 }  // namespace
 
 NumbersView::NumbersView(QWidget* parent)
-    : QWidget(parent),
-      theme_(lightTheme()),
+    : OutcomeView(parent),
       findings_(withName(new WarningList(this), "findings")),
       warnings_(withName(new WarningList(this), "warnings")),
       statistical_(sentence(this, "statistical")),
@@ -55,21 +54,6 @@ NumbersView::NumbersView(QWidget* parent)
     modes_section_ = addSection(*column, {modes_});
     runs_section_ = addSection(*column, {runs_});
     keepTranslated(*this, [this] { retranslate(); });
-}
-
-void NumbersView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
-    shown_ = std::move(outcome);
-    rebuild();
-}
-
-void NumbersView::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    rebuild();
-}
-
-void NumbersView::setTheme(const Theme& theme) {
-    theme_ = theme;
-    rebuild();
 }
 
 void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
