@@ -1,6 +1,6 @@
 #include "ui/document/background_jobs.h"
 
-#include "core/output/identify_json.h"
+#include "core/output/passport_json.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
