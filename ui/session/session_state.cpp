@@ -123,7 +123,7 @@ std::vector<RecordingId> restoreSession(const Session& session, Document& docume
     if (session.current_set >= 0) {
         document.sets().setCurrent(set_ids[static_cast<std::size_t>(session.current_set)]);
     }
-    document.drift().startWith(session.drift.logs, session.drift.settings);
+    document.drift().startWith(session.drift);
     document.undoStack().clear();  // of this session alone
     return ids;
 }
