@@ -102,17 +102,8 @@ BatchWindow::BatchWindow(QWidget* parent)
     details_->setTabChangesFocus(true);
     details_->setFixedHeight(lines_of_details * details_->fontMetrics().lineSpacing() +
                              2 * details_->frameWidth() + 8);
-    auto* row = new QHBoxLayout;
-    row->addWidget(start_);
-    row->addWidget(stop_);
-    row->addWidget(bar_);
-    row->addWidget(told_, 1);
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(form_);
-    column->addLayout(row);
-    column->addWidget(message_);
-    column->addWidget(table_, 1);
-    column->addWidget(details_);
+    auto* row = fill(new QHBoxLayout, {start_, stop_, bar_, {told_, 1}});
+    fill(new QVBoxLayout(this), {form_, row, message_, {table_, 1}, details_});
     tick_.setInterval(tick_ms);
     connect(&tick_, &QTimer::timeout, this, &BatchWindow::showProgress);
     connect(form_, &BatchForm::changed, this, &BatchWindow::refresh);

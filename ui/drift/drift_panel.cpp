@@ -104,9 +104,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     skew_->setLimits(tolerance_bounds);
     skew_->setStep(0.1);
 
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(open_, 1);
-    buttons->addWidget(remove_);
+    auto* buttons = fill(new QHBoxLayout, {{open_, 1}, remove_});
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(6);
     form->setVerticalSpacing(3);
@@ -119,11 +117,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     rate_label_ = addRow(form, rate_);
     kappa_label_ = addRow(form, kappa_);
     skew_label_ = addRow(form, skew_);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 2);
-    layout->setSpacing(3);
-    layout->addWidget(logs_);
-    layout->addLayout(buttons);
+    auto* layout = fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {logs_, buttons});
     layout->addSpacing(4);
     layout->addLayout(form);
 

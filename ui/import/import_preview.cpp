@@ -64,10 +64,7 @@ ImportPreview::ImportPreview(QWidget* parent)
     parts->addWidget(plot_);
     parts->setStretchFactor(0, 3);
     parts->setStretchFactor(1, 2);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(what_);
-    layout->addWidget(parts, 1);
+    fill(new QVBoxLayout(this), {}, {what_, {parts, 1}});
     applyLook();
     retranslate();
 }

@@ -135,19 +135,10 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     rate_ = number(rate, "rate", bounds_in(open_settings(), "rate"));
     from_ = number(from, "from", bounds_of("from"));
     auto* choices = new QWidget(this);
-    auto* column = new QVBoxLayout(choices);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(files_);
-    column->addLayout(form_);
-    column->addWidget(lacking_);
-    column->addStretch(1);
+    fill(new QVBoxLayout(choices), {}, {files_, form_, lacking_, LayoutPart(1)});
     choices->setFixedWidth(400);
-    auto* parts = new QHBoxLayout;
-    parts->addWidget(choices);
-    parts->addWidget(preview_, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->addLayout(parts, 1);
-    layout->addWidget(buttons_);
+    auto* parts = fill(new QHBoxLayout, {choices, {preview_, 1}});
+    fill(new QVBoxLayout(this), {{parts, 1}, buttons_});
     connect(buttons_, &QDialogButtonBox::accepted, this, &LogDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &LogDialog::reject);
     connect(choose_, &QAction::triggered, this, [this] {

@@ -3,6 +3,7 @@
 #include "ui/panels/recording_facts.h"
 #include "ui/widgets/check_list.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
@@ -43,12 +44,7 @@ FindingsFlag::FindingsFlag(Document& document, QWidget* parent)
     events_->setItemDelegateForColumn(1, new IndexDelegate(events_));
     events_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     events_->header()->setResizeContentsPrecision(0);  // of the visible rows
-    auto* layout = new QVBoxLayout(popup_);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(2);
-    layout->addWidget(check_, 2);
-    layout->addWidget(title_);
-    layout->addWidget(events_, 3);
+    fill(new QVBoxLayout(popup_), {2, 2, 2, 2}, 2, {{check_, 2}, title_, {events_, 3}});
     const auto go = [this](double time_s, double seconds) {
         popup_->hide();
         emit placeChosen(time_s, seconds);

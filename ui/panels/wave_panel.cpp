@@ -60,12 +60,7 @@ WavePanel::WavePanel(Document& document, QWidget* parent)
     // The ledger below is the legend of the tracks, too.
     pattern_->setLegendShown(false);
     ellipse_->setLegendShown(false);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(time_);
-    layout->addWidget(pattern_, 1);
-    layout->addWidget(ellipse_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {time_, {pattern_, 1}, {ellipse_, 1}});
     connect(pattern_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(ellipse_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(&document_, &Document::analysesChanged, this, &WavePanel::refresh);

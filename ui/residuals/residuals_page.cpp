@@ -49,18 +49,8 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
     time_->hide();
     range_label_->setBuddy(range_);
     time_->setLimits(0, 1e9);
-    auto* head = new QHBoxLayout;
-    head->setContentsMargins(6, 4, 6, 0);
-    head->addWidget(range_label_);
-    head->addWidget(range_);
-    head->addWidget(time_);
-    head->addStretch(1);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addLayout(head);
-    column->addWidget(state_);
-    column->addWidget(scrolled(buildContent()), 1);
+    auto* head = fill(new QHBoxLayout, {6, 4, 6, 0}, {range_label_, range_, time_, LayoutPart(1)});
+    fill(new QVBoxLayout(this), {}, 4, {head, state_, {scrolled(buildContent()), 1}});
 
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
@@ -84,10 +74,7 @@ QWidget* ResidualsPage::buildContent() {
     histogram_ = addPlot("histogram", least_plot_height);
     correlation_ = addPlot("correlation", least_plot_height);
     numbers_ = withName(new QuantityTable(content), "residualNumbers");
-    auto* choice = new QHBoxLayout;
-    choice->setContentsMargins(6, 0, 6, 0);
-    choice->addWidget(lines_, 1);
-    choice->addWidget(filter_);
+    auto* choice = fill(new QHBoxLayout, {6, 0, 6, 0}, {{lines_, 1}, filter_});
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);

@@ -35,10 +35,7 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     limit_->setLimits(0, 1e6);
     limit_->setUnit(QStringLiteral("ppm"));
     limit_label_->setBuddy(limit_);
-    auto* limit_line = new QHBoxLayout(limit);
-    limit_line->setContentsMargins(6, 0, 6, 0);
-    limit_line->addWidget(limit_label_);
-    limit_line->addWidget(limit_, 1);
+    fill(new QHBoxLayout(limit), {6, 0, 6, 0}, {limit_label_, {limit_, 1}});
     track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

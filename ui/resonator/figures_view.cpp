@@ -22,11 +22,7 @@ FiguresView::FiguresView(QWidget* parent) : OutcomeView(parent), hint_(sentence(
     plots_ = buildPlots();
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMinimumHeight(120);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addWidget(hint_);
-    column->addWidget(plots_);
+    fill(new QVBoxLayout(this), {}, 2, {hint_, plots_});
     connect(rim_, &RoundView::exportWanted, this, &FiguresView::exportWanted);
     for (XYPlotView* plot : {drift_plot_, balance_plot_}) {
         connect(plot, &XYPlotView::exportWanted, this, &FiguresView::exportWanted);
@@ -51,9 +47,7 @@ QWidget* FiguresView::buildPlots() {
     balance_axis_ = new QComboBox(plots);
     balance_axis_->addItems({QString(), QString()});  // in the order of BalanceAxis
     balance_name_->setBuddy(balance_axis_);
-    auto* balance_head = new QHBoxLayout;
-    balance_head->addWidget(balance_name_, 1);
-    balance_head->addWidget(balance_axis_);
+    auto* balance_head = fill(new QHBoxLayout, {{balance_name_, 1}, balance_axis_});
     grid->addLayout(balance_head, 5, 0, 1, 2);
     grid->addWidget(balance_plot_, 6, 0, 1, 2);
     grid_ = grid;

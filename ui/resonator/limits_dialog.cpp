@@ -79,11 +79,7 @@ LimitsDialog::LimitsDialog(const std::vector<ParameterLimit>& limits, const Disp
     ok_ = buttons->button(QDialogButtonBox::Ok);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* column = new QVBoxLayout(this);
-    column->addLayout(grid);
-    column->addWidget(meaning);
-    column->addWidget(fault_);
-    column->addWidget(buttons);
+    fill(new QVBoxLayout(this), {grid, meaning, fault_, buttons});
     check();
 }
 

@@ -92,21 +92,9 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     model_label_->setBuddy(model_);
     model_->addItems({QString(), QString(), QString()});
 
-    auto* names = new QHBoxLayout;
-    names->addWidget(sets_, 1);
-    names->addWidget(add_);
-    names->addWidget(remove_);
-    auto* choices = new QHBoxLayout;
-    choices->addWidget(model_label_);
-    choices->addWidget(model_, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 2);
-    layout->setSpacing(3);
-    layout->addLayout(names);
-    layout->addWidget(members_);
-    layout->addWidget(listed_);
-    layout->addLayout(choices);
-    layout->addWidget(identify_);
+    auto* names = fill(new QHBoxLayout, {{sets_, 1}, add_, remove_});
+    auto* choices = fill(new QHBoxLayout, {model_label_, {model_, 1}});
+    fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {names, members_, listed_, choices, identify_});
 
     connect(sets_, &QComboBox::activated, this, [this](int row) {
         document_.sets().setCurrent(static_cast<SetId>(sets_->itemData(row).toInt()));

@@ -64,11 +64,7 @@ std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first
     NumberField* right = makeField(second);
     entries_.back().unit_in_label = true;
     auto* pair = new QWidget(this);
-    auto* line = new QHBoxLayout(pair);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(4);
-    line->addWidget(label);
-    line->addStretch(1);
+    auto* line = fill(new QHBoxLayout(pair), {}, 4, {label, LayoutPart(1)});
     for (NumberField* field : {left, right}) {
         field->setFixedWidth(least_field);
         line->addWidget(field);

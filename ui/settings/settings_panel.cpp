@@ -61,10 +61,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     for (const Algorithm algorithm : all_algorithms) {
         algorithm_->addItem({}, static_cast<int>(algorithm));
     }
-    auto* first = new QHBoxLayout;
-    first->setContentsMargins(6, 0, 4, 4);
-    first->addWidget(algorithm_);
-    sections_->addLayout(first);
+    sections_->addLayout(fill(new QHBoxLayout, {6, 0, 4, 4}, {algorithm_}));
 
     add(new WindowFields(content), QT_TR_NOOP("Window"), true);
     auto* range = new RangeFields(content);
@@ -75,13 +72,8 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     add(calibration, QT_TR_NOOP("Calibration"), false);
     sections_->addStretch(1);
 
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll_ = scroll;
+    scroll_ = scrolled(content, this);
+    scroll_->setFocusPolicy(Qt::NoFocus);
     content->installEventFilter(this);
 
     stale_ = withName(new QLabel(this), "stale");
@@ -90,15 +82,8 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     live_ = withName(new QCheckBox(this), "live");
     analyse_ = withName(new QPushButton(this), "analyse");
     analyse_->setDefault(true);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 4);
-    layout->addWidget(scroll, 1);
-    layout->addWidget(stale_);
-    auto* start = new QHBoxLayout;
-    start->setContentsMargins(8, 0, 4, 0);
-    start->addWidget(live_);
-    start->addWidget(analyse_, 1);
-    layout->addLayout(start);
+    auto* start = fill(new QHBoxLayout, {8, 0, 4, 0}, {live_, {analyse_, 1}});
+    fill(new QVBoxLayout(this), {0, 0, 0, 4}, {{scroll_, 1}, stale_, start});
 
     connect(algorithm_, &QComboBox::activated, this, [this](int index) {
         Settings settings = document_.settings();

@@ -2,6 +2,7 @@
 
 #include "core/analysis/setting_table.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -22,12 +23,9 @@ RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
     from_ = pair.first;
     to_ = pair.second;
     auto* buttons = new QWidget(this);
-    auto* line = new QHBoxLayout(buttons);
-    line->setContentsMargins(0, 0, 0, 0);
     whole_ = new QPushButton(buttons);
     visible_ = new QPushButton(buttons);
-    line->addWidget(whole_, 1);
-    line->addWidget(visible_, 1);
+    fill(new QHBoxLayout(buttons), {}, {{whole_, 1}, {visible_, 1}});
     addWide(buttons);
     for (NumberField* field : {from_, to_}) {
         field->setOptional(true);

@@ -42,9 +42,6 @@ std::int64_t windowInUse(const SettingsState& state) {
 WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     // The length in the chosen unit, and below it in the others.
     auto* length = new QWidget(this);
-    auto* length_line = new QHBoxLayout(length);
-    length_line->setContentsMargins(0, 0, 0, 0);
-    length_line->setSpacing(4);
     length_ = makeField(
         {QT_TR_NOOP("Length"), "",
          QT_TR_NOOP("Window of n consecutive samples, the averaging interval T of (7). The slow "
@@ -54,20 +51,16 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     unit_ = withName(new QComboBox(length), "lengthUnit");
     unit_->addItems({QString(), QString(), QString()});
     unit_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    length_line->addWidget(length_, 1);
-    length_line->addWidget(unit_);
+    fill(new QHBoxLayout(length), {}, 4, {{length_, 1}, unit_});
     addWide(length);
     addFaults({length_});
     others_ = withName(new QLabel(this), "otherLengths");
     addWide(others_);
 
     auto* check = new QWidget(this);
-    auto* line = new QHBoxLayout(check);
-    line->setContentsMargins(0, 0, 0, 0);
     residual_ = withName(new QLabel(check), "residual");
     snap_ = withName(new QPushButton(check), "snap");
-    line->addWidget(residual_, 1);
-    line->addWidget(snap_);
+    fill(new QHBoxLayout(check), {}, {{residual_, 1}, snap_});
     addWide(check,
             {QT_TR_NOOP("Leakage"), "",
              QT_TR_NOOP("What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition "

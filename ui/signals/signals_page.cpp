@@ -44,11 +44,7 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     state_->setContentsMargins(6, 2, 6, 2);
     state_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     state_->setFocusPolicy(Qt::ClickFocus);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(state_);
-    column->addWidget(view_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {state_, {view_, 1}});
 
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);

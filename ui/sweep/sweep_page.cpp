@@ -45,11 +45,7 @@ SweepPage::SweepPage(Document& document, QWidget* parent)
     setObjectName(QStringLiteral("sweep"));
     auto* head = buildHead();
     content_ = buildContent();
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addLayout(head);
-    column->addWidget(scrolled(content_), 1);
+    fill(new QVBoxLayout(this), {}, 4, {head, {scrolled(content_), 1}});
     connectWidgets();
     followSettings();
     retranslate();

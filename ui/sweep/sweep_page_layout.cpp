@@ -41,23 +41,10 @@ QLayout* SweepPage::buildHead() {
     lengths_label_->setBuddy(lengths_);
     progress_->setRange(0, progress_steps);
     progress_->setMaximumHeight(compute_->sizeHint().height());
-    auto* first = new QHBoxLayout;
-    first->addWidget(recording_, 1);
-    first->addWidget(algorithm_label_);
-    first->addWidget(algorithm_);
-    first->addWidget(snap_);
-    auto* second = new QHBoxLayout;
-    second->addWidget(lengths_label_);
-    second->addWidget(lengths_, 2);
-    second->addWidget(compute_);
-    second->addWidget(progress_, 1);
-    second->addWidget(cancel_);
-    auto* rows = new QVBoxLayout;
-    rows->setContentsMargins(6, 4, 6, 0);
-    rows->setSpacing(4);
-    rows->addLayout(first);
-    rows->addLayout(second);
-    rows->addWidget(state_);
+    auto* first = fill(new QHBoxLayout, {{recording_, 1}, algorithm_label_, algorithm_, snap_});
+    auto* second =
+        fill(new QHBoxLayout, {lengths_label_, {lengths_, 2}, compute_, {progress_, 1}, cancel_});
+    auto* rows = fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, second, state_});
     return rows;
 }
 
@@ -78,14 +65,8 @@ QWidget* SweepPage::buildContent() {
     point_ = sentence(content, "sweepPoint", QMargins());
     use_ = withName(new QPushButton(content), "sweepUse");
     table_ = withName(new QuantityTable(content), "sweepTable");
-    auto* choice = new QHBoxLayout;
-    choice->addWidget(variable_label_);
-    choice->addWidget(variable_);
-    choice->addStretch(1);
-    choice->addWidget(copy_);
-    auto* advice = new QHBoxLayout;
-    advice->addWidget(advice_, 1);
-    advice->addWidget(use_, 0, Qt::AlignTop);
+    auto* choice = fill(new QHBoxLayout, {variable_label_, variable_, LayoutPart(1), copy_});
+    auto* advice = fill(new QHBoxLayout, {{advice_, 1}, {use_, 0, Qt::AlignTop}});
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(6, 0, 6, 0);
     grid->setSpacing(4);

@@ -9,6 +9,18 @@
 
 namespace vybeg::ui {
 
+void addParts(QBoxLayout& layout, LayoutParts parts) {
+    for (const LayoutPart& part : parts) {
+        if (part.widget) {
+            layout.addWidget(part.widget, part.stretch, part.alignment);
+        } else if (part.layout) {
+            layout.addLayout(part.layout, part.stretch);
+        } else {
+            layout.addStretch(part.stretch);
+        }
+    }
+}
+
 QLabel* sentence(QWidget* parent, const char* name, const QMargins& around) {
     auto* label = withName(new QLabel(parent), name);
     makeSentence(*label);
@@ -52,8 +64,8 @@ QScrollArea* scrolled(QVBoxLayout* column) {
     return scrolled(content);
 }
 
-QScrollArea* scrolled(QWidget* content) {
-    auto* scroll = new QScrollArea;
+QScrollArea* scrolled(QWidget* content, QWidget* parent) {
+    auto* scroll = new QScrollArea(parent);
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);

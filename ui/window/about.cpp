@@ -1,6 +1,7 @@
 #include "ui/window/about.h"
 
 #include "ui/document/document.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QAction>
 #include <QApplication>
@@ -58,9 +59,7 @@ void showAbout(QWidget* window, QAction* copy_diagnostics) {
         buttons->addButton(AboutWords::tr("Copy diagnostics"), QDialogButtonBox::ActionRole);
     QObject::connect(copy, &QPushButton::clicked, copy_diagnostics, &QAction::trigger);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-    auto* layout = new QVBoxLayout(dialog);
-    layout->addWidget(text);
-    layout->addWidget(buttons);
+    fill(new QVBoxLayout(dialog), {text, buttons});
     dialog->open();
 }
 

@@ -135,9 +135,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     left->setMaximumWidth(340);
     sides->addWidget(left);
     sides->addWidget(preview_, 1);
-    auto* column = new QVBoxLayout(this);
-    column->addLayout(sides, 1);
-    column->addWidget(buttons);
+    fill(new QVBoxLayout(this), {{sides, 1}, buttons});
     propose();
     refresh();
 }

@@ -1,6 +1,7 @@
 #include "ui/window/help_view.h"
 
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QAction>
 #include <QFile>
@@ -32,11 +33,7 @@ HelpView::HelpView(const QString& language, QWidget* parent)
     back_->setShortcut(QKeySequence::Back);
     forward_->setShortcut(QKeySequence::Forward);
     home_->setShortcut(QKeyCombination(Qt::ALT, Qt::Key_Home));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(bar);
-    layout->addWidget(browser_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {bar, {browser_, 1}});
     connect(back_, &QAction::triggered, browser_, &QTextBrowser::backward);
     connect(forward_, &QAction::triggered, browser_, &QTextBrowser::forward);
     connect(home_, &QAction::triggered, this,

@@ -5,6 +5,7 @@
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QVBoxLayout>
 
@@ -23,9 +24,7 @@ Overview::Overview(Document& document, TrackView& tracks, QWidget* parent)
       tracks_(tracks),
       signal_(new SignalView(this)),
       flag_(new FindingsFlag(document, this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(signal_);
+    fill(new QVBoxLayout(this), {}, {signal_});
     flag_->setGeometry(2, 4, 50, 26);
     connect(&document_, &Document::recordingsChanged, this, &Overview::showRecording);
     connect(&document_, &Document::recordingChanged, this, [this](RecordingId id) {

@@ -70,10 +70,7 @@ PageStack::PageStack(QWidget* welcome, QWidget* parent)
     tabs_->setDrawBase(false);
     tabs_->setUsesScrollButtons(false);
     stack_->addWidget(welcome);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(stack_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {LayoutPart(stack_, 1)});
     connect(tabs_, &QTabBar::currentChanged, this, &PageStack::showTab);
     showTab();
     keepTranslated(*this, [this] { retranslate(); });

@@ -33,12 +33,7 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
     progress_->setRange(0, 1000);
     progress_->setFixedWidth(180);
     progress_->setTextVisible(false);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(status_, 1);
-    layout->addWidget(time_left_);
-    layout->addWidget(progress_);
-    layout->addWidget(cancel_);
+    fill(new QHBoxLayout(this), {}, {{status_, 1}, time_left_, progress_, cancel_});
     wait_.setSingleShot(true);
     wait_.setInterval(patience_ms);
     connect(&wait_, &QTimer::timeout, this, &StatusLine::refresh);

@@ -4,6 +4,7 @@
 #include "ui/plots/figure.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/index_text.h"
 
@@ -55,18 +56,11 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
 }  // namespace
 
 TracksPage::TracksPage(Document& document, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
-      tracks_(new TrackView(this)),
-      scroll_(new QScrollArea(this)) {
-    scroll_->setWidget(tracks_);
-    scroll_->setWidgetResizable(true);
-    scroll_->setFrameShape(QFrame::NoFrame);
-    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll_->setFocusPolicy(Qt::NoFocus);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scroll_);
+    : QWidget(parent), document_(document), tracks_(new TrackView(this)) {
+    // Where the page is too low for all plots.
+    auto* scroll = scrolled(tracks_, this);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    fill(new QVBoxLayout(this), {}, {scroll});
     connect(&document_, &Document::analysesChanged, this, &TracksPage::showAnalyses);
     connect(&document_, &Document::liveChanged, this, &TracksPage::showAnalyses);
     showAnalyses();
