@@ -237,14 +237,9 @@ void DriftPanel::retranslate() {
     name(angle_unit_label_, angle_unit_, tr("Angle in"),
          tr("Unit of the angle, where the name of its column does not tell it"));
     const QString from_file = tr("as the file says");
-    angle_unit_->setItemText(0, from_file);
-    angle_unit_->setItemText(1, tr("degrees"));
-    angle_unit_->setItemText(2, tr("radians"));
+    setTexts(*angle_unit_, {from_file, tr("degrees"), tr("radians")});
     name(time_unit_label_, time_unit_, tr("Time in"), tr("Unit of the time in a text file"));
-    const QStringList time_units{from_file, tr("s"), tr("ms"), tr("µs"), tr("ns")};
-    for (int place = 0; place < time_units.size(); ++place) {
-        time_unit_->setItemText(place, time_units[place]);
-    }
+    setTexts(*time_unit_, {from_file, tr("s"), tr("ms"), tr("µs"), tr("ns")});
     name(rate_label_, rate_, tr("Rate"), tr("Rows a second, of a file without times"));
     rate_->setUnit(tr("Hz"));
     name(kappa_label_, kappa_, tr("κ ±"),

@@ -158,10 +158,7 @@ void HistoryChoices::retranslate() {
     axis_label_->setText(tr("Against"));
     axis_->setAccessibleName(tr("Axis of the history"));
     axis_->setToolTip(richTip(tr("The mean frequency follows the temperature of the resonator")));
-    const std::array axes{tr("Date"), tr("Frequency"), tr("Order")};
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-        axis_->setItemText(static_cast<int>(k), axes[k]);
-    }
+    setTexts(*axis_, {tr("Date"), tr("Frequency"), tr("Order")});
     baseline_label_->setText(tr("Baseline"));
     baseline_->setAccessibleName(tr("Baseline of the control charts"));
     baseline_->setToolTip(

@@ -3,6 +3,7 @@
 #include "core/recording/samples/open_table.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/wheel_guard.h"
 
 #include <QAction>
@@ -391,11 +392,6 @@ void ImportFields::retranslate() {
         fields_[row]->setAccessibleName(label);
         fields_[row]->setToolTip(tip);
     };
-    const auto list = [](QComboBox& box, int first, const QStringList& texts) {
-        for (int i = 0; i < texts.size(); ++i) {
-            box.setItemText(first + i, texts[i]);
-        }
-    };
     set(read_as, tr("Read as"), tr("By its content, or as what it is said to be"));
     set(delimiter, tr("Separator"), tr("What stands between the columns"));
     set(decimal, tr("Decimal sign"), tr("Of the numbers in the file"));
@@ -424,15 +420,15 @@ void ImportFields::retranslate() {
     rate_->setUnit(tr("Hz"));
     raw_skip_->setUnit(tr("bytes"));
     variables_->setPlaceholderText(tr("the first that fit"));
-    list(*read_as_, 0, {tr("what it is by content"), tr("text"), tr("raw samples")});
-    list(*delimiter_, 1,
-         {tr("comma"), tr("semicolon"), tr("tab"), tr("spaces"), tr("vertical bar")});
-    list(*decimal_, 1, {tr("point"), tr("comma")});
-    list(*time_column_, 1, {tr("none")});
-    list(*time_unit_, 1, {tr("s"), tr("ms"), tr("µs"), tr("ns")});
-    list(*raw_type_, 0,
-         {tr("16 bit integer"), tr("32 bit integer"), tr("32 bit float"), tr("64 bit float")});
-    list(*raw_order_, 0, {tr("little endian"), tr("big endian")});
+    setTexts(*read_as_, {tr("what it is by content"), tr("text"), tr("raw samples")});
+    setTexts(*delimiter_,
+             {tr("comma"), tr("semicolon"), tr("tab"), tr("spaces"), tr("vertical bar")}, 1);
+    setTexts(*decimal_, {tr("point"), tr("comma")}, 1);
+    setTexts(*time_column_, {tr("none")}, 1);
+    setTexts(*time_unit_, {tr("s"), tr("ms"), tr("µs"), tr("ns")}, 1);
+    setTexts(*raw_type_,
+             {tr("16 bit integer"), tr("32 bit integer"), tr("32 bit float"), tr("64 bit float")});
+    setTexts(*raw_order_, {tr("little endian"), tr("big endian")});
     showChoices();
     showAutomatic();
 }

@@ -429,17 +429,12 @@ void LogDialog::retranslate() {
         fields_[row]->setAccessibleName(text);
         fields_[row]->setToolTip(tip);
     };
-    const auto entries = [](QComboBox& box, const QStringList& texts) {
-        for (int k = 0; k < box.count(); ++k) {
-            box.setItemText(k, texts.value(k));
-        }
-    };
     const QString choose = tr("choose…");
     name(kind, tr("Columns are"),
          tr("What the log keeps. The frame of phasors is whose phase they are relative to"));
-    entries(*kind_, {choose, tr("powers E, R, S, Q"), tr("amplitudes a, b and the angle θ"),
-                     tr("phasors, one frequency"), tr("phasors, an oscillator that moves"),
-                     tr("phasors, each channel its own phase")});
+    setTexts(*kind_, {choose, tr("powers E, R, S, Q"), tr("amplitudes a, b and the angle θ"),
+                      tr("phasors, one frequency"), tr("phasors, an oscillator that moves"),
+                      tr("phasors, each channel its own phase")});
     name(columns, tr("Named"),
          tr("The columns, with commas between them, each with =COLUMN, a name or a number, where "
             "the file calls it otherwise, as in Xc=3,Yc=4,Xd=5,Yd=6"));
@@ -447,22 +442,22 @@ void LogDialog::retranslate() {
     choose_->setIcon(themedIcon(QStringLiteral("open"), palette()));
     choose_->setToolTip(tr("Choose the file"));
     name(angle_unit, tr("Unit of angles"), tr("Of θ, or of the phase columns"));
-    entries(*angle_unit_, {choose, tr("degrees"), tr("radians")});
+    setTexts(*angle_unit_, {choose, tr("degrees"), tr("radians")});
     name(f_ref, tr("Reference"), tr("Frequency of the reference, which the file does not tell"));
     name(y_sign, tr("Sign of Y"),
          tr("The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and "
             "the other sign is the resonator seen in a mirror"));
-    entries(*y_sign_,
-            {choose, tr("+: X + iY turns as the carrier does"), tr("−: X + iY turns against it")});
+    setTexts(*y_sign_,
+             {choose, tr("+: X + iY turns as the carrier does"), tr("−: X + iY turns against it")});
     name(amplitude, tr("Amplitudes"), tr("What √(X² + Y²) is"));
-    entries(*amplitude_, {choose, tr("peak values"), tr("rms values")});
+    setTexts(*amplitude_, {choose, tr("peak values"), tr("rms values")});
     name(order, tr("Filter, stages"),
          tr("RC stages of the lock-in's filter: it delays the phasors and correlates their noise"));
     QStringList orders{tr("none")};
     for (int stages = 1; stages <= most_stages; ++stages) {
         orders << QLocale().toString(stages);
     }
-    entries(*order_, orders);
+    setTexts(*order_, orders);
     name(bandwidth, tr("Its bandwidth"), tr("3 dB"));
     name(rate, tr("Rows a second"), tr("Where the file has no times, or ticks of a clock"));
     name(from, tr("Leave out until"),

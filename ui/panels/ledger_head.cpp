@@ -61,10 +61,7 @@ void LedgerHead::retranslate() {
         buttons_[k]->setText(texts[k]);
         buttons_[k]->setToolTip(tips[k]);
     }
-    const std::array kinds{tr("line"), tr("parabola"), tr("cubic"), tr("beat")};
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
-        kind_->setItemText(static_cast<int>(k), kinds[k]);
-    }
+    setTexts(*kind_, {tr("line"), tr("parabola"), tr("cubic"), tr("beat")});
     kind_->setAccessibleName(tr("Trend between the cursors"));
     kind_->setToolTip(
         tr("A line is an exponential for the working wave; a beat is a damped sinusoid. "

@@ -319,9 +319,8 @@ void ResidualsPage::hideEvent(QHideEvent* event) {
 
 void ResidualsPage::retranslate() {
     range_label_->setText(tr("Residual of"));
-    range_->setItemText(static_cast<int>(Range::window), tr("the window at the cursor"));
-    range_->setItemText(static_cast<int>(Range::visible), tr("the visible part"));
-    range_->setItemText(static_cast<int>(Range::whole), tr("the whole analysis"));
+    setTexts(*range_,
+             {tr("the window at the cursor"), tr("the visible part"), tr("the whole analysis")});
     range_->setAccessibleName(tr("Range of the residual"));
     range_->setToolTip(
         tr("Samples less the wave of their window: of one window, of what the plots "

@@ -104,11 +104,8 @@ void ComparisonView::retranslate() {
     tracks_->setToolTip(
         richTip(tr("In the colours of the recordings; further from the background: the passport")));
     track_choice_->setAccessibleName(tr("What to overlay"));
-    const QString variables[] = {tr("Amplitude of the working wave"),
-                                 tr("Amplitude of the quadrature wave"), tr("Wave angle")};
-    for (int index = 0; index < track_choice_->count(); ++index) {
-        track_choice_->setItemText(index, variables[index]);
-    }
+    setTexts(*track_choice_, {tr("Amplitude of the working wave"),
+                              tr("Amplitude of the quadrature wave"), tr("Wave angle")});
     close_->setText(tr("Close the passport"));
     rebuild();
 }

@@ -134,8 +134,7 @@ void FiguresView::retranslate() {
                    "standard deviations, and the wave of each recording at its start, out of "
                    "scale")));
     balance_axis_->setAccessibleName(tr("What the balance is drawn against"));
-    balance_axis_->setItemText(static_cast<int>(BalanceAxis::time), tr("over time"));
-    balance_axis_->setItemText(static_cast<int>(BalanceAxis::angle), tr("over the wave angle"));
+    setTexts(*balance_axis_, {tr("over time"), tr("over the wave angle")});
     drift_->setAccessibleName(tr("Harmonics of the drift function"));
     drift_plot_->setToolTip(richTip(
         tr("Drift of the wave angle against the angle: measured points with their standard "

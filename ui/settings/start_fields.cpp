@@ -67,9 +67,7 @@ void StartFields::editTyped() {
 }
 
 void StartFields::retranslate() {
-    start_->setItemText(automatic, tr("algorithm 1, each window"));
-    start_->setItemText(previous, tr("previous window"));
-    start_->setItemText(typed, tr("typed values"));
+    setTexts(*start_, {tr("algorithm 1, each window"), tr("previous window"), tr("typed values")});
     every_window_->setText(tr("for every window"));
     every_window_->setToolTip(richTip(
         tr("On: every window starts from the typed values. Off: only the first one, the others "

@@ -128,10 +128,7 @@ void WindowFields::snap() {
 }
 
 void WindowFields::retranslate() {
-    const std::array units{tr("samples"), tr("periods"), tr("ms")};
-    for (std::size_t k = 0; k < units.size(); ++k) {
-        unit_->setItemText(static_cast<int>(k), units[k]);
-    }
+    setTexts(*unit_, {tr("samples"), tr("periods"), tr("ms")});
     unit_->setAccessibleName(tr("Unit of the length"));
     unit_->setToolTip(tr("In which unit the length of the window is typed"));
     snap_->setText(tr("Snap"));

@@ -3,6 +3,7 @@
 #include "ui/widgets/section.h"
 #include "ui/words/rich_text.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -34,6 +35,12 @@ void makeSentence(QLabel& label) {
     label.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     label.setContentsMargins(around_sentence);
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
+}
+
+void setTexts(QComboBox& box, const QStringList& texts, int first) {
+    for (int k = 0; k < texts.size(); ++k) {
+        box.setItemText(first + k, texts[k]);
+    }
 }
 
 QString paragraphs(const QStringList& texts, const QString& form) {

@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 class QBoxLayout;
+class QComboBox;
 class QLabel;
 class QLayout;
 class QScrollArea;
@@ -62,6 +63,9 @@ Layout* fill(Layout* layout, const QMargins& around, int between, LayoutParts pa
 constexpr QMargins around_sentence{6, 2, 6, 2};
 QLabel* sentence(QWidget* parent, const char* name, const QMargins& around = around_sentence);
 void makeSentence(QLabel& label);
+// The texts of a box's entries, from the `first` on.
+void setTexts(QComboBox& box, const QStringList& texts, int first = 0);
+
 // Each text a paragraph, in the form of `form`, whose %1 it takes.
 QString paragraphs(const QStringList& texts, const QString& form);
 // A part that can be folded away, at the end of a layout.
