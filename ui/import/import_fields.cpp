@@ -27,12 +27,6 @@ constexpr std::array delimiters = {',', ';', '\t', ' ', '|'};
 constexpr std::array time_units = {1.0, 1e-3, 1e-6, 1e-9};
 constexpr int most_columns = 200;  // offered in a list
 
-// Number being typed into the field; otherwise its value, which may have more digits than are
-// shown.
-std::optional<double> typed(const NumberField& field) {
-    return field.isModified() && field.isValid() ? readNumber(field.text()) : field.value();
-}
-
 // Selects an entry of a list whose first one is "automatic".
 template <class List>
 int indexOf(const List& list, const auto& value) {
@@ -214,7 +208,7 @@ TextChoice ImportFields::textChoice() const {
     };
     choice.delimiter = listed(*delimiter_, delimiters);
     choice.decimal_comma = listed(*decimal_, std::array{false, true});
-    if (const auto lines = typed(*skip_lines_)) {
+    if (const auto lines = skip_lines_->typed()) {
         choice.lines_to_skip = static_cast<std::int64_t>(*lines);
     }
     if (time_column_->currentIndex() > 0) {
@@ -228,7 +222,7 @@ RawLayout ImportFields::rawLayout() const {
     return {.type = static_cast<RawType>(raw_type_->currentIndex()),
             .big_endian = raw_order_->currentIndex() == 1,
             .channels = raw_channels_->value(),
-            .skip_bytes = static_cast<std::int64_t>(typed(*raw_skip_).value_or(0))};
+            .skip_bytes = static_cast<std::int64_t>(raw_skip_->typed().value_or(0))};
 }
 
 std::vector<std::string> ImportFields::pieces() const {
@@ -237,10 +231,10 @@ std::vector<std::string> ImportFields::pieces() const {
 
 OpenOptions ImportFields::options() const {
     OpenOptions options;
-    options.rate_hz = typed(*rate_);
+    options.rate_hz = rate_->typed();
     options.channel_c = channel_c_->currentData().toInt();
     options.channel_d = channel_d_->currentData().toInt();
-    options.scale = typed(*scale_).value_or(1);
+    options.scale = scale_->typed().value_or(1);
     options.unit = unit_->text().trimmed().toStdString();
     options.channel_d_file = channel_d_file_->text().trimmed().toStdString();
     options.join = options.channel_d_file.empty() ? pieces() : std::vector<std::string>{};
@@ -288,7 +282,7 @@ void ImportFields::showRows() {
     const bool pair = !channel_d_file_->text().trimmed().isEmpty();
     join_->setEnabled(!pair);
     channel_d_file_->setEnabled(pair || pieces().empty());
-    scale_->setConflict(typed(*scale_) == 0 ? tr("A number other than 0 is needed.") : QString());
+    scale_->setConflict(scale_->typed() == 0 ? tr("A number other than 0 is needed.") : QString());
 }
 
 // Shows the automatic values in the first entry of each list and in empty fields.
@@ -322,7 +316,7 @@ void ImportFields::showAutomatic() {
         const int index = indexOf(time_units, found.time_unit_s);
         return found.time_column >= 0 && index > 0 ? time_unit_->itemText(index) : QString();
     });
-    const TextFormat* lines = format(!typed(*skip_lines_));
+    const TextFormat* lines = format(!skip_lines_->typed());
     skip_lines_->setPlaceholderText(
         automatic(lines ? QLocale().toString(lines->lines_to_skip) : QString()));
     const bool needed = preview_ && !preview_->rate_hz && preview_->time_column < 0;

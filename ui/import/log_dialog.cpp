@@ -66,11 +66,6 @@ const char* usualNames(Columns columns) {
     }
 }
 
-// Number being typed into the field; otherwise its value.
-std::optional<double> numberIn(const NumberField& field) {
-    return field.isModified() && field.isValid() ? readNumber(field.text()) : field.value();
-}
-
 // Full name of a file that stands beside another one, or is given by its path.
 QString beside(const QString& file, const QString& other) {
     return QFileInfo(QFileInfo(file).absoluteDir(), other).absoluteFilePath();
@@ -187,19 +182,19 @@ LogChoice LogDialog::choice() const {
     how.frame = chosen == Columns::fixed    ? PhasorFrame::fixed
                 : chosen == Columns::common ? PhasorFrame::common
                                             : PhasorFrame::pll;
-    how.f_ref_hz = numberIn(*f_ref_).value_or(0);
+    how.f_ref_hz = f_ref_->typed().value_or(0);
     how.y_sign = std::array{0, 1, -1}.at(static_cast<std::size_t>(y_sign_->currentIndex()));
     how.peak_per_unit = std::array{0.0, 1.0, std::numbers::sqrt2}.at(
         static_cast<std::size_t>(amplitude_->currentIndex()));
     if (order_->currentIndex() > 0) {
-        how.filter = {order_->currentIndex(), numberIn(*bandwidth_).value_or(0)};
+        how.filter = {order_->currentIndex(), bandwidth_->typed().value_or(0)};
     }
     return told;
 }
 
 OpenOptions LogDialog::options() const {
     OpenOptions told;
-    told.rate_hz = numberIn(*rate_);
+    told.rate_hz = rate_->typed();
     return told;
 }
 
@@ -247,7 +242,7 @@ MeasurementSet LogDialog::set() const {
                        .toStdString();
     }
     set.settings.logs = choice();
-    set.settings.signal.from_s = numberIn(*from_);
+    set.settings.signal.from_s = from_->typed();
     return set;
 }
 

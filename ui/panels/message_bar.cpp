@@ -59,18 +59,15 @@ void MessageBar::add(const Message& message) {
     row.text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row.text->setForegroundRole(QPalette::ToolTipText);
     line->addWidget(row.text, 1);
-    if (!message.reopen_path.isEmpty()) {
+    if (!message.reopen_path.isEmpty() || message.button) {
         row.action = new QPushButton(frame);
         connect(row.action, &QPushButton::clicked, this, [this, frame, message] {
             remove(frame);
-            emit reopenWanted(message.reopen_path, message.reopen_options);
-        });
-        line->addWidget(row.action);
-    } else if (message.button) {
-        row.action = new QPushButton(frame);
-        connect(row.action, &QPushButton::clicked, this, [this, frame, press = message.press] {
-            remove(frame);
-            press();
+            if (message.reopen_path.isEmpty()) {
+                message.press();
+            } else {
+                emit reopenWanted(message.reopen_path, message.reopen_options);
+            }
         });
         line->addWidget(row.action);
     }

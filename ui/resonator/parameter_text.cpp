@@ -1,6 +1,7 @@
 #include "ui/resonator/parameter_text.h"
 
 #include "core/resonator/results/resonator_parameters.h"
+#include "ui/panels/reading.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
@@ -60,11 +61,6 @@ QString symbolOf(const std::string& parameter) {
 }
 
 }  // namespace
-
-QString exactText(double value) {
-    return std::isnan(value) ? QString()
-                             : QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
-}
 
 QuantityCell valueCell(double value, double sd, double u) {
     return {valueText(value, sd, u), {exactText(value), exactText(sd), exactText(u)}, {}};
