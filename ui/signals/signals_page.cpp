@@ -249,12 +249,7 @@ FigureSource SignalsPage::figures() const {
         source.plots << tr("Residual");
     }
     source.figure = [shown, parts](const std::vector<int>& places) {
-        std::vector<SignalPart> some;
-        some.reserve(places.size());
-        for (const int place : places) {
-            some.push_back(parts[static_cast<std::size_t>(place)]);
-        }
-        return signalFigure(shown, some);
+        return signalFigure(shown, atPlaces(parts, places));
     };
     source.title = recording() ? recording()->name : QString();
     return source;

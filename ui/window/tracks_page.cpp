@@ -118,10 +118,7 @@ FigureSource TracksPage::figures() const {
     }
     source.figure = [content](const std::vector<int>& places) {
         PlotContent some = content;
-        some.variables.clear();
-        for (const int place : places) {
-            some.variables.push_back(content.variables[static_cast<std::size_t>(place)]);
-        }
+        some.variables = atPlaces(content.variables, places);
         return Figure{plotsDrawing(some), paperSize(some), QStringLiteral("vybeg")};
     };
     source.title = recordings.join(QStringLiteral(", "));
@@ -151,10 +148,7 @@ FigureSource TracksPage::articleFigure() const {
     source.figure = [columns, options,
                      variables = tracks_->shownVariables()](const std::vector<int>& places) {
         FigureOptions some = options;
-        some.variables.clear();
-        for (const int place : places) {
-            some.variables.push_back(variables[static_cast<std::size_t>(place)]);
-        }
+        some.variables = atPlaces(variables, places);
         return Figure{figureDrawing(columns, some), figureSize(columns.size(), some),
                       QStringLiteral("figure")};
     };
