@@ -50,14 +50,21 @@ void setOutcome(AnalysisEntry& entry, const Settings& requested, AnalysisOutcome
 
 }  // namespace
 
-AnalysisWish wishOf(const AnalysisEntry& entry, int place) {
-    return {.settings = entry.requested,
-            .name = entry.shown.name,
-            .color = entry.shown.color,
-            .shade = entry.shown.shade,
-            .visible = entry.shown.visible,
-            .live = entry.live,
-            .place = place};
+std::vector<AnalysisWish> wishesOf(const std::vector<AnalysisEntry>& analyses, RecordingId id) {
+    std::vector<AnalysisWish> wishes;
+    for (std::size_t place = 0; place < analyses.size(); ++place) {
+        const AnalysisEntry& entry = analyses[place];
+        if (entry.recording_id == id) {
+            wishes.push_back({.settings = entry.requested,
+                              .name = entry.shown.name,
+                              .color = entry.shown.color,
+                              .shade = entry.shown.shade,
+                              .visible = entry.shown.visible,
+                              .live = entry.live,
+                              .place = static_cast<int>(place)});
+        }
+    }
+    return wishes;
 }
 
 AnalysisStore::AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,

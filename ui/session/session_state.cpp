@@ -37,14 +37,8 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     session.dossier = document.dossier().dossier();
     session.live = document.live();
     for (const RecordingEntry& entry : document.recordings()) {
-        SessionRecording recording{entry.path, entry.sha256, entry.options, {}, {}};
-        for (std::size_t place = 0; place < document.analyses().size(); ++place) {
-            const AnalysisEntry& analysis = document.analyses()[place];
-            if (analysis.recording_id == entry.id) {
-                recording.analyses.push_back(wishOf(analysis, static_cast<int>(place)));
-            }
-        }
-        session.recordings.push_back(std::move(recording));
+        session.recordings.push_back(
+            {entry.path, entry.sha256, entry.options, wishesOf(document.analyses(), entry.id), {}});
     }
     if (const RecordingEntry* current = document.currentRecording()) {
         session.current = placeOf(document.recordings(), current->id);
