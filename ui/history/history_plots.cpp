@@ -137,24 +137,21 @@ void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryVie
     outside.points = true;
     outside.style = 3;
     outside.ink = Ink::warning;
-    XYSeries chosen;
-    chosen.points = true;
-    chosen.style = 1;
-    chosen.ink = Ink::accent;
+    std::optional<XYSeries> chosen;
     for (std::size_t k = 0; k < shown.points.size(); ++k) {
         if (out[shown.points[k]]) {
             outside.x.push_back(points.x[k]);
             outside.y.push_back(points.y[k]);
         }
         if (view.chosen == shown.points[k]) {
-            chosen.x = {points.x[k]};
-            chosen.y = {points.y[k]};
+            chosen = markOn(points, k, Ink::accent);
         }
     }
-    for (XYSeries* marks : {&outside, &chosen}) {
-        if (!marks->x.empty()) {
-            shown.plot.series.push_back(std::move(*marks));
-        }
+    if (!outside.x.empty()) {
+        shown.plot.series.push_back(std::move(outside));
+    }
+    if (chosen) {
+        shown.plot.series.push_back(std::move(*chosen));
     }
 }
 

@@ -145,13 +145,7 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
                    densitySeries(*found, found->d, "D", Ink::channel_d), lines};
     plot.y_range = densityRange({plot.series[0], plot.series[1]});
     if (chosen && *chosen < found->lines.size()) {
-        XYSeries mark;
-        mark.points = true;
-        mark.style = 1;
-        mark.ink = Ink::warning;
-        mark.x = {lines.x[*chosen]};
-        mark.y = {lines.y[*chosen]};
-        plot.series.push_back(std::move(mark));
+        plot.series.push_back(markOn(lines, *chosen, Ink::warning));
     }
     return plot;
 }

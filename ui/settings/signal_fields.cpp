@@ -181,16 +181,18 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
                                        "the article counts the angle from there.")});
     angle_zero_->setLimits(bounds_of("angle-zero"));
 
-    connect(kappa_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::kappa, *value); });
-    connect(offset_c_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::offset_c, *value); });
-    connect(offset_d_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::offset_d, *value); });
-    connect(delay_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::delay_d_s, *value / 1e6); });
-    connect(angle_zero_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::angle_zero_deg, *value); });
+    // `per_unit`: units of the field in one of the setting.
+    const auto follow = [this](NumberField* field, double Calibration::*member,
+                               double per_unit = 1) {
+        connect(field, &NumberField::valueEdited, this, [this, member, per_unit](auto value) {
+            change([&](Settings& settings) { settings.calibration.*member = *value / per_unit; });
+        });
+    };
+    follow(kappa_, &Calibration::kappa);
+    follow(offset_c_, &Calibration::offset_c);
+    follow(offset_d_, &Calibration::offset_d);
+    follow(delay_, &Calibration::delay_d_s, 1e6);
+    follow(angle_zero_, &Calibration::angle_zero_deg);
     connect(offset_auto_, &QCheckBox::clicked, this, [this](bool automatic) {
         change([&](Settings& settings) { settings.calibration.offset_auto = automatic; });
     });
@@ -269,10 +271,6 @@ void CalibrationFields::showTolerances() {
         const bool none = row->source == rate_error || row->source == spread_error;
         each.field->setPlaceholderText(none ? QString() : QLocale().toString(assumed));
     }
-}
-
-void CalibrationFields::edit(double Calibration::*member, double value) {
-    change([&](Settings& settings) { settings.calibration.*member = value; });
 }
 
 void CalibrationFields::retranslate() {

@@ -64,14 +64,7 @@ void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
         plot.series.push_back(std::move(line));
     }
     if (view.chosen) {
-        const XYSeries& points = plot.series.front();
-        XYSeries mark;
-        mark.points = true;
-        mark.style = 1;
-        mark.ink = Ink::warning;
-        mark.x = {points.x[*view.chosen]};
-        mark.y = {points.y[*view.chosen]};
-        plot.series.push_back(std::move(mark));
+        plot.series.push_back(markOn(plot.series.front(), *view.chosen, Ink::warning));
     }
 }
 
