@@ -1,8 +1,10 @@
 #include "ui/batch/batch_form.h"
 
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
+
 #include <QCheckBox>
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -26,20 +28,18 @@ BatchForm::BatchForm(QWidget* parent) : QWidget(parent) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     input_ = addLine(BatchPath::list, "batchList", 0, 0);
-    folder_ = new QPushButton(this);
-    folder_->setObjectName(QStringLiteral("batchListFolder"));
+    folder_ = withName(new QPushButton(this), "batchListFolder");
     grid->addWidget(folder_, 0, 2 * columns_of_line - 1);
     connect(folder_, &QPushButton::clicked, this, [this] { emit pathWanted(BatchPath::folder); });
     results_ = addLine(BatchPath::results, "batchResults", 1, 0);
     passports_ = addLine(BatchPath::passports, "batchPassports", 2, 0);
     database_ = addLine(BatchPath::database, "batchDatabase", 2, columns_of_line);
     json_ = addLine(BatchPath::json, "batchJson", 3, 0);
-    panel_ = new QCheckBox(this);
-    panel_->setObjectName(QStringLiteral("batchPanel"));
+    panel_ = withName(new QCheckBox(this), "batchPanel");
     grid->addWidget(panel_, 3, columns_of_line, 1, columns_of_line);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(columns_of_line + 1, 1);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 BatchForm::Line BatchForm::addLine(BatchPath which, const char* name, int row, int column) {
@@ -106,13 +106,6 @@ BatchRequest BatchForm::request() const {
     request.database = absolute(path(BatchPath::database));
     request.json = absolute(path(BatchPath::json));
     return request;
-}
-
-void BatchForm::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void BatchForm::retranslate() {

@@ -38,9 +38,6 @@ signals:
     // The engineer wants to choose it among files.
     void pathWanted(vybeg::ui::BatchPath which);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     struct Line {
         QLabel* label = nullptr;

@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/output/batch_csv.h"
 #include "core/recording/text/csv_rows.h"
+#include "ui/panels/reading.h"
 #include "ui/resonator/difference_text.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"

@@ -3,6 +3,7 @@
 #include "core/output/batch_csv.h"
 #include "ui/batch/batch_message.h"
 #include "ui/batch/batch_table.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 
 #include <QAction>
@@ -83,39 +84,26 @@ BatchWindow::BatchWindow(QWidget* parent)
     : QWidget(parent, Qt::Window),
       order_(new BatchOrder(this)),
       form_(new BatchForm(this)),
-      start_(new QPushButton(this)),
-      stop_(new QPushButton(this)),
+      start_(withName(new QPushButton(this), "batchStart")),
+      stop_(withName(new QPushButton(this), "batchStop")),
       bar_(new QProgressBar(this)),
-      told_(new QLabel(this)),
+      told_(withName(new QLabel(this), "batchTold")),
       message_(new BatchMessage(this)),
-      table_(new QTableView(this)),
-      details_(new QPlainTextEdit(this)),
+      table_(withName(new QTableView(this), "batchTable")),
+      details_(withName(new QPlainTextEdit(this), "batchDetails")),
       open_(new QAction(table_)),
       copy_(new QAction(table_)) {
     setObjectName(QStringLiteral("batch_window"));
     resize(1180, 680);
-    start_->setObjectName(QStringLiteral("batchStart"));
-    stop_->setObjectName(QStringLiteral("batchStop"));
-    told_->setObjectName(QStringLiteral("batchTold"));
     bar_->setTextVisible(false);
     bar_->setFixedWidth(220);
     buildTable();
-    details_->setObjectName(QStringLiteral("batchDetails"));
     details_->setReadOnly(true);
     details_->setTabChangesFocus(true);
     details_->setFixedHeight(lines_of_details * details_->fontMetrics().lineSpacing() +
                              2 * details_->frameWidth() + 8);
-    auto* row = new QHBoxLayout;
-    row->addWidget(start_);
-    row->addWidget(stop_);
-    row->addWidget(bar_);
-    row->addWidget(told_, 1);
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(form_);
-    column->addLayout(row);
-    column->addWidget(message_);
-    column->addWidget(table_, 1);
-    column->addWidget(details_);
+    auto* row = fill(new QHBoxLayout, {start_, stop_, bar_, {told_, 1}});
+    fill(new QVBoxLayout(this), {form_, row, message_, {table_, 1}, details_});
     tick_.setInterval(tick_ms);
     connect(&tick_, &QTimer::timeout, this, &BatchWindow::showProgress);
     connect(form_, &BatchForm::changed, this, &BatchWindow::refresh);
@@ -142,7 +130,6 @@ BatchWindow::BatchWindow(QWidget* parent)
 
 void BatchWindow::buildTable() {
     order_->setSourceModel(&model_);
-    table_->setObjectName(QStringLiteral("batchTable"));
     table_->setModel(order_);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -1,10 +1,15 @@
 #include "ui/document/analysis_store.h"
 
+#include "core/output/output_file.h"
+#include "core/output/track_file.h"
+#include "core/output/track_header.h"
+#include "core/recording/samples/file_changes.h"
 #include "ui/words/program_name.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace vybeg::ui {
@@ -23,6 +28,17 @@ QString freeName(const std::vector<AnalysisEntry>& analyses, const QString& wish
     return name;
 }
 
+// Format by the ending of `path`.
+Status exportTrackTo(const std::filesystem::path& path, const Recording& recording,
+                     const Analysis& analysis, const JobControl& job) {
+    const auto format = TRY(track_format(path));
+    const auto hash = TRY(recording_sha256(recording, job));
+    auto file = TRY(OutputFile::create(path, job));
+    const auto header = track_header(programName().toStdString(), recording, hash, analysis);
+    TRY(write_track(file, format, analysis.track, header, job));
+    return file.commit();
+}
+
 void setOutcome(AnalysisEntry& entry, const Settings& requested, AnalysisOutcome outcome) {
     entry.requested = requested;
     entry.summary = outcome.summary;
@@ -34,14 +50,21 @@ void setOutcome(AnalysisEntry& entry, const Settings& requested, AnalysisOutcome
 
 }  // namespace
 
-AnalysisWish wishOf(const AnalysisEntry& entry, int place) {
-    return {.settings = entry.requested,
-            .name = entry.shown.name,
-            .color = entry.shown.color,
-            .shade = entry.shown.shade,
-            .visible = entry.shown.visible,
-            .live = entry.live,
-            .place = place};
+std::vector<AnalysisWish> wishesOf(const std::vector<AnalysisEntry>& analyses, RecordingId id) {
+    std::vector<AnalysisWish> wishes;
+    for (std::size_t place = 0; place < analyses.size(); ++place) {
+        const AnalysisEntry& entry = analyses[place];
+        if (entry.recording_id == id) {
+            wishes.push_back({.settings = entry.requested,
+                              .name = entry.shown.name,
+                              .color = entry.shown.color,
+                              .shade = entry.shown.shade,
+                              .visible = entry.shown.visible,
+                              .live = entry.live,
+                              .place = static_cast<int>(place)});
+        }
+    }
+    return wishes;
 }
 
 AnalysisStore::AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
@@ -303,8 +326,12 @@ void AnalysisStore::exportTrack(AnalysisId id, const QString& path,
                                 std::function<void(const Status&)> done) {
     const AnalysisEntry* entry = find(id);
     if (entry && !entry->partial()) {
-        job_.writeTrack(number(id), *recordings_.find(entry->recording_id)->recording,
-                        entry->shown.analysis, programName(), path, std::move(done));
+        job_.write(
+            number(id),
+            [recording = *recordings_.find(entry->recording_id)->recording,
+             analysis = entry->shown.analysis, path = std::filesystem::path(path.toStdU16String())](
+                const JobControl& job) { return exportTrackTo(path, recording, *analysis, job); },
+            std::move(done));
     }
 }
 

@@ -46,8 +46,8 @@ struct AnalysisWish {
     int place = 0;
 };
 
-// The wish that gives an equal analysis.
-AnalysisWish wishOf(const AnalysisEntry& entry, int place);
+// The wishes that give equal analyses of a recording again.
+std::vector<AnalysisWish> wishesOf(const std::vector<AnalysisEntry>& analyses, RecordingId id);
 
 // The analyses of the open recordings, with names of their own, in the colours of their recordings.
 class AnalysisStore : public QObject {

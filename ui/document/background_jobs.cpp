@@ -1,14 +1,10 @@
 #include "ui/document/background_jobs.h"
 
-#include "core/analysis/prepare.h"
-#include "core/output/identify_json.h"
-#include "core/output/output_file.h"
 #include "core/output/passport_json.h"
-#include "core/output/track_file.h"
-#include "core/output/track_header.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
+#include "core/sweep/sweep_windows.h"
 #include "ui/words/program_name.h"
 
 #include <QCoreApplication>
@@ -25,17 +21,6 @@ namespace {
 
 // Between two progress signals, ms: more often than this nobody sees.
 constexpr qint64 progress_interval_ms = 40;
-
-// Format by the ending of `path`; `program` goes into the header.
-Status exportTrackTo(const std::filesystem::path& path, const Recording& recording,
-                     const Analysis& analysis, const std::string& program, const JobControl& job) {
-    const auto format = TRY(track_format(path));
-    const auto hash = TRY(recording_sha256(recording, job));
-    auto file = TRY(OutputFile::create(path, job));
-    const auto header = track_header(program, recording, hash, analysis);
-    TRY(write_track(file, format, analysis.track, header, job));
-    return file.commit();
-}
 
 // The threads that free memory; not the global pool, because Qt draws with that.
 QThreadPool& freeingPool() {
@@ -176,36 +161,6 @@ void BackgroundJobs::buildEnvelope(
         std::move(done));
 }
 
-void BackgroundJobs::hash(int key, const Recording& recording,
-                          std::function<void(Result<std::string>)> done) {
-    start<std::string>(
-        others_, {Kind::hash, key},
-        [recording](const Ticket& ticket) {
-            return recording_sha256(recording, JobControl(ticket.stop));
-        },
-        std::move(done));
-}
-
-void BackgroundJobs::findCarrier(int key, const Recording& recording, const Settings& settings,
-                                 std::function<void(Result<double>)> done) {
-    start<double>(
-        others_, {Kind::carrier, key},
-        [recording, settings](const Ticket& ticket) {
-            return find_recording_carrier(recording, settings, JobControl(ticket.stop));
-        },
-        std::move(done));
-}
-
-void BackgroundJobs::inspect(int key, const Recording& recording, const Settings& settings,
-                             std::function<void(Result<SampleFaults>)> done) {
-    start<SampleFaults>(
-        others_, {Kind::check, key},
-        [recording, settings](const Ticket& ticket) {
-            return vybeg::inspect(recording, settings, JobControl(ticket.stop));
-        },
-        std::move(done));
-}
-
 JobControl BackgroundJobs::reporting(int key, std::stop_token stop) {
     auto last = std::make_shared<QElapsedTimer>();
     last->start();
@@ -276,31 +231,16 @@ void BackgroundJobs::identify(int key, OpenSet open,
         std::move(done));
 }
 
-void BackgroundJobs::readPassport(int key, const QString& path,
-                                  std::function<void(Result<Passport>)> done) {
-    start<Passport>(
-        others_, {Kind::passport, key},
-        [path = toPath(path)](const Ticket&) { return read_passport_file(path); }, std::move(done));
-}
-
-void BackgroundJobs::writePassport(int key, SetResult result, const QString& path,
-                                   std::function<void(Status)> done) {
-    write(
-        key,
-        [result = std::move(result), path = toPath(path)](const JobControl& job) -> Status {
-            return write_file(path, passport_json(passport_of(result)), job);
-        },
-        std::move(done));
-}
-
-void BackgroundJobs::writeTrack(int key, const Recording& recording,
-                                std::shared_ptr<const Analysis> analysis, const QString& program,
-                                const QString& path, std::function<void(Status)> done) {
-    write(
-        key,
-        [recording, analysis = std::move(analysis), name = program.toStdString(),
-         path = toPath(path)](const JobControl& job) -> Status {
-            return exportTrackTo(path, recording, *analysis, name, job);
+void BackgroundJobs::sweepWindows(int key, const Recording& recording, const Settings& settings,
+                                  const std::vector<std::int64_t>& lengths,
+                                  std::function<void(Result<WindowSweep>)> done) {
+    start<WindowSweep>(
+        others_, {Kind::sweep, key},
+        [this, key, recording, settings, lengths](const Ticket& ticket) -> Result<WindowSweep> {
+            Result<WindowSweep> found =
+                sweep_windows(recording, settings, lengths, reporting(key, ticket.stop));
+            TRY(unchanged(recording));
+            return found;
         },
         std::move(done));
 }

@@ -2,7 +2,6 @@
 
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
-#include "core/analysis/inspect.h"
 #include "core/analysis/settings.h"
 #include "core/analysis/visible_first.h"
 #include "core/base/caught_error.h"
@@ -12,7 +11,6 @@
 #include "core/recording/open/recording_preview.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
-#include "core/residuals/signal_excerpt.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
 #include "ui/values/curve_data.h"
@@ -31,8 +29,6 @@
 #include <utility>
 
 namespace vybeg {
-struct ResidualRange;
-struct Residuals;
 struct WindowSweep;
 }  // namespace vybeg
 
@@ -47,12 +43,6 @@ struct AnalysisOutcome {
     std::vector<Event> events;
 };
 
-// Samples with their fitted wave, and what the next excerpt of the same is taken from.
-struct ExcerptOutcome {
-    SignalSource source;
-    std::shared_ptr<const SignalExcerpt> excerpt;
-};
-
 // The only file with threads. Every job works in the background on values and returns its result by
 // value to the thread of this object; `done` is called there. Jobs are told apart by kind and key:
 // a new job of the same kind and key stops the one before it, and whatever that still delivers is
@@ -64,6 +54,21 @@ class BackgroundJobs : public QObject {
     Q_OBJECT
 
 public:
+    enum class Kind {
+        open,
+        preview,
+        envelope,
+        hash,
+        carrier,
+        check,
+        analysis,
+        live,
+        identification,
+        sweep,
+        page,
+        write
+    };
+
     explicit BackgroundJobs(QObject* parent = nullptr);
     // Stops every job and waits until the last has heard it.
     ~BackgroundJobs() override;
@@ -77,12 +82,6 @@ public:
     // `grown` gets pictures of the envelope while it grows, some ten a second.
     void buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                        std::function<void(Result<std::shared_ptr<const Envelope>>)> done);
-    void hash(int key, const Recording& recording, std::function<void(Result<std::string>)> done);
-    void findCarrier(int key, const Recording& recording, const Settings& settings,
-                     std::function<void(Result<double>)> done);
-    // The recording check over the whole recording.
-    void inspect(int key, const Recording& recording, const Settings& settings,
-                 std::function<void(Result<SampleFaults>)> done);
     void analyse(int key, const Recording& recording, const Settings& settings,
                  std::function<void(Result<AnalysisOutcome>)> done);
     // The same for a setting that is still being changed: `early` first gets what is there of a
@@ -91,38 +90,25 @@ public:
                      const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
                      std::function<void(Result<AnalysisOutcome>)> done);
 
-    // The residual of an analysis that has all its windows.
-    void findResiduals(int key, const Recording& recording,
-                       std::shared_ptr<const Analysis> analysis, const ResidualRange& range,
-                       std::function<void(Result<Residuals>)> done);
-
     // The recording in windows of many lengths; tells its progress.
     void sweepWindows(int key, const Recording& recording, const Settings& settings,
                       const std::vector<std::int64_t>& lengths,
                       std::function<void(Result<WindowSweep>)> done);
-    // Samples of consecutive frames with the wave of an analysis that has all its windows, or
-    // without one. `known`: of an excerpt of the same recording and analysis, if there is one.
-    void readExcerpt(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
-                     std::optional<SignalSource> known, std::int64_t first, std::int64_t count,
-                     std::function<void(Result<ExcerptOutcome>)> done);
-
     // One resonator behind all recordings.
     void identify(int key, OpenSet open, std::function<void(Result<ResonatorOutcome>)> done);
-    void readPassport(int key, const QString& path, std::function<void(Result<Passport>)> done);
-    void writePassport(int key, SetResult result, const QString& path,
-                       std::function<void(Status)> done);
-
-    // Writes the track CSV; hashes the recording first.
-    void writeTrack(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
-                    const QString& program, const QString& path, std::function<void(Status)> done);
-
-    // Anything else that makes a file.
+    // Makes a file.
     void write(int key, std::function<Status(const JobControl&)> work,
                std::function<void(Status)> done);
-    // Any other work of a page on values of its own; it hears an interruption.
+    // Any other work on values of its own; it hears an interruption.
+    template <class Value>
+    void run(Kind kind, int key, std::function<Result<Value>(const JobControl&)> work,
+             std::function<void(Result<Value>)> done);
+    // The only one with that key of a page, or of a store.
     template <class Value>
     void run(int key, std::function<Result<Value>(const JobControl&)> work,
-             std::function<void(Result<Value>)> done);
+             std::function<void(Result<Value>)> done) {
+        run<Value>(Kind::page, key, std::move(work), std::move(done));
+    }
 
     // Whether a job is under way or its result is still to be delivered.
     bool busy() const { return !tasks_.empty(); }
@@ -141,23 +127,6 @@ signals:
     void analysisStarted(int key);
 
 private:
-    enum class Kind {
-        open,
-        preview,
-        envelope,
-        hash,
-        carrier,
-        check,
-        analysis,
-        live,
-        identification,
-        residuals,
-        sweep,
-        excerpt,
-        page,
-        passport,
-        write
-    };
     struct Task {
         quint64 generation = 0;
         std::stop_source stop;
@@ -187,10 +156,10 @@ private:
 };
 
 template <class Value>
-void BackgroundJobs::run(int key, std::function<Result<Value>(const JobControl&)> work,
+void BackgroundJobs::run(Kind kind, int key, std::function<Result<Value>(const JobControl&)> work,
                          std::function<void(Result<Value>)> done) {
     start<Value>(
-        others_, {Kind::page, key},
+        others_, {kind, key},
         [work = std::move(work)](const Ticket& ticket) { return work(JobControl(ticket.stop)); },
         std::move(done));
 }

@@ -100,14 +100,12 @@ void Document::restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& 
 Document::Closed Document::whatCloses(RecordingId id) {
     analyses_.keepPlaces();
     const RecordingEntry& entry = *recordings_.find(id);
-    Closed closed{id, recordings_.place(id), entry.path, entry.options, {}, sets_.holding(id)};
-    closed.analyses.emplace();
-    for (std::size_t place = 0; place < analyses().size(); ++place) {
-        if (analyses()[place].recording_id == id) {
-            closed.analyses->push_back(wishOf(analyses()[place], static_cast<int>(place)));
-        }
-    }
-    return closed;
+    return {id,
+            recordings_.place(id),
+            entry.path,
+            entry.options,
+            wishesOf(analyses(), id),
+            sets_.holding(id)};
 }
 
 void Document::bringBack(const Closed& closed) {

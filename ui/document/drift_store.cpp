@@ -38,21 +38,21 @@ DriftStore::DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps, QO
     : QObject(parent), job_(job), ids_(ids), steps_(steps) {}
 
 void DriftStore::open(const QStringList& paths) {
-    State after = state_;
+    DriftInput after = input_;
     for (const QString& path : paths) {
         const QString absolute = QFileInfo(path).absoluteFilePath();
         if (std::ranges::find(after.logs, absolute, &DriftLog::path) == after.logs.end()) {
             after.logs.push_back({absolute, {}});
         }
     }
-    if (after.logs.size() > state_.logs.size()) {
+    if (after.logs.size() > input_.logs.size()) {
         step([] { return tr("open whole-angle logs"); }, std::move(after));
     }
     emit opened();
 }
 
 void DriftStore::remove(const QStringList& paths) {
-    State after = state_;
+    DriftInput after = input_;
     const auto gone = std::erase_if(
         after.logs, [&paths](const DriftLog& log) { return paths.contains(log.path); });
     if (gone > 0) {
@@ -64,26 +64,26 @@ void DriftStore::remove(const QStringList& paths) {
 }
 
 void DriftStore::setSettings(const DriftSettings& settings) {
-    if (settings != state_.settings) {
-        step([] { return tr("settings of the drift"); }, {state_.logs, settings});
+    if (settings != input_.settings) {
+        step([] { return tr("settings of the drift"); }, {input_.logs, settings});
     }
 }
 
-void DriftStore::startWith(std::vector<DriftLog> logs, const DriftSettings& settings) {
-    if (!logs.empty() || !state_.logs.empty() || settings != state_.settings) {
-        restore({std::move(logs), settings});
+void DriftStore::startWith(DriftInput input) {
+    if (!input.logs.empty() || !input_.logs.empty() || input.settings != input_.settings) {
+        restore(std::move(input));
     }
 }
 
-void DriftStore::step(UndoSteps::Words words, State after) {
+void DriftStore::step(UndoSteps::Words words, DriftInput after) {
     steps_.add(
-        std::move(words), [this, before = state_] { restore(before); },
+        std::move(words), [this, before = input_] { restore(before); },
         [this, after] { restore(after); });
     restore(std::move(after));
 }
 
-void DriftStore::restore(State state) {
-    state_ = std::move(state);
+void DriftStore::restore(DriftInput input) {
+    input_ = std::move(input);
     compute();
     emit changed();
 }
@@ -91,7 +91,7 @@ void DriftStore::restore(State state) {
 void DriftStore::compute() {
     outcome_.reset();
     failure_.reset();
-    computing_ = !state_.logs.empty();
+    computing_ = !input_.logs.empty();
     if (!computing_) {
         job_.forget(key_);
         emit settled(Topic::drift);
@@ -99,12 +99,12 @@ void DriftStore::compute() {
     }
     key_ = key_ == 0 ? ids_.next() : key_;
     std::vector<std::filesystem::path> paths;
-    for (const DriftLog& log : state_.logs) {
+    for (const DriftLog& log : input_.logs) {
         paths.emplace_back(log.path.toStdU16String());
     }
     job_.run<DriftOutcome>(
         key_,
-        [paths = std::move(paths), settings = state_.settings](const JobControl& job) {
+        [paths = std::move(paths), settings = input_.settings](const JobControl& job) {
             return driftOf(paths, settings, job);
         },
         [this](Result<DriftOutcome>&& result) { take(std::move(result)); });
@@ -113,8 +113,8 @@ void DriftStore::compute() {
 void DriftStore::take(Result<DriftOutcome>&& result) {
     computing_ = false;
     if (result) {
-        for (std::size_t k = 0; k < state_.logs.size(); ++k) {
-            state_.logs[k].sha256 = QString::fromStdString(result->logs[k].sha256);
+        for (std::size_t k = 0; k < input_.logs.size(); ++k) {
+            input_.logs[k].sha256 = QString::fromStdString(result->logs[k].sha256);
         }
         outcome_ = std::make_shared<const DriftOutcome>(std::move(*result));
         emit settled(Topic::drift);

@@ -28,6 +28,12 @@ struct DriftLog {
     friend bool operator==(const DriftLog&, const DriftLog&) = default;
 };
 
+// Logs, and how they are read.
+struct DriftInput {
+    std::vector<DriftLog> logs;
+    DriftSettings settings;
+};
+
 // The drift of whole-angle logs, and what it was computed from.
 struct DriftOutcome {
     std::vector<WholeAngleLog> logs;  // name and SHA-256 alone, without their rows
@@ -43,14 +49,14 @@ class DriftStore : public QObject {
 public:
     DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps, QObject* parent = nullptr);
 
-    const std::vector<DriftLog>& logs() const { return state_.logs; }
-    const DriftSettings& settings() const { return state_.settings; }
+    const std::vector<DriftLog>& logs() const { return input_.logs; }
+    const DriftSettings& settings() const { return input_.settings; }
     // Steps of undo. A log that is open already stays as it is.
     void open(const QStringList& paths);
     void remove(const QStringList& paths);
     void setSettings(const DriftSettings& settings);
     // No step: of a session.
-    void startWith(std::vector<DriftLog> logs, const DriftSettings& settings);
+    void startWith(DriftInput input);
 
     bool computing() const { return computing_; }
     // Of the present logs and settings; null where it is computed yet or there is none.
@@ -65,19 +71,15 @@ signals:
     void settled(Topic topic);
 
 private:
-    struct State {
-        std::vector<DriftLog> logs;
-        DriftSettings settings;
-    };
-    void step(UndoSteps::Words words, State after);
-    void restore(State state);
+    void step(UndoSteps::Words words, DriftInput after);
+    void restore(DriftInput input);
     void compute();
     void take(Result<DriftOutcome>&& result);
 
     BackgroundJobs& job_;
     IdCounter& ids_;
     UndoSteps& steps_;
-    State state_;
+    DriftInput input_;
     int key_ = 0;  // of the job
     bool computing_ = false;
     std::shared_ptr<const DriftOutcome> outcome_;

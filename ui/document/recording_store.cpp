@@ -1,5 +1,7 @@
 #include "ui/document/recording_store.h"
 
+#include "core/analysis/prepare.h"
+#include "core/recording/samples/file_changes.h"
 #include "ui/words/error_text.h"
 
 #include <QDir>
@@ -221,12 +223,17 @@ void RecordingStore::readEnvelope(RecordingId id) {
 }
 
 void RecordingStore::hashFile(RecordingId id) {
-    job_.hash(number(id), *find(id)->recording, [this, id](Result<std::string> hash) {
-        if (hash) {
-            entry(id)->sha256 = QString::fromStdString(*hash);
-            emit changed(id);
-        }
-    });
+    job_.run<std::string>(
+        BackgroundJobs::Kind::hash, number(id),
+        [recording = *find(id)->recording](const JobControl& job) {
+            return recording_sha256(recording, job);
+        },
+        [this, id](const Result<std::string>& hash) {
+            if (hash) {
+                entry(id)->sha256 = QString::fromStdString(*hash);
+                emit changed(id);
+            }
+        });
 }
 
 void RecordingStore::checkSamples(RecordingId id) {
@@ -235,11 +242,16 @@ void RecordingStore::checkSamples(RecordingId id) {
     if (!settings.f0_hz) {
         settings.f0_hz = checked.f0_hz;  // most often it has been found by now
     }
-    job_.inspect(number(id), *checked.recording, settings, [this, id](Result<SampleFaults> faults) {
-        if (faults) {  // otherwise the envelope reports the unreadable file
-            whenChecked(id, std::move(*faults));
-        }
-    });
+    job_.run<SampleFaults>(
+        BackgroundJobs::Kind::check, number(id),
+        [recording = *checked.recording, settings](const JobControl& job) {
+            return inspect(recording, settings, job);
+        },
+        [this, id](Result<SampleFaults> faults) {
+            if (faults) {  // otherwise the envelope reports the unreadable file
+                whenChecked(id, std::move(*faults));
+            }
+        });
 }
 
 void RecordingStore::whenChecked(RecordingId id, SampleFaults faults) {
@@ -275,14 +287,18 @@ void RecordingStore::searchCarrier(RecordingId id) {
     RecordingEntry& searched = *entry(id);
     searched.f0_hz.reset();
     const Settings& search = settings_.settings();
-    job_.findCarrier(number(id), *searched.recording, search,
-                     [this, id, search](Result<double> f0) {
-                         if (f0) {
-                             Settings used = search;
-                             used.f0_hz = *f0;
-                             learnCarrier(id, search, used);
-                         }
-                     });
+    job_.run<double>(
+        BackgroundJobs::Kind::carrier, number(id),
+        [recording = *searched.recording, search](const JobControl& job) {
+            return find_recording_carrier(recording, search, job);
+        },
+        [this, id, search](const Result<double>& f0) {
+            if (f0) {
+                Settings used = search;
+                used.f0_hz = *f0;
+                learnCarrier(id, search, used);
+            }
+        });
 }
 
 Settings RecordingStore::withKnownCarrier(const RecordingEntry& entry, Settings settings) {

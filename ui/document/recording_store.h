@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/inspect.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/id_counter.h"
 #include "ui/document/message.h"

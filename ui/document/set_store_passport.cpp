@@ -1,8 +1,12 @@
 #include "core/analysis/set_conditions.h"
+#include "core/output/identify_json.h"
+#include "core/output/output_file.h"
+#include "core/output/passport_json.h"
 #include "ui/document/set_store.h"
 
 #include <QFileInfo>
 
+#include <filesystem>
 #include <utility>
 
 namespace vybeg::ui {
@@ -49,20 +53,31 @@ void SetStore::savePassport(const QString& path, const GyroData& session,
     if (const auto found = set ? outcome(*set) : nullptr) {
         SetResult result = underPresentConditions(*set, *found);
         result.set = told(std::move(result.set), session);
-        job_.writePassport(ids_.next(), std::move(result), path, std::move(done));
+        job_.write(
+            ids_.next(),
+            [result = std::move(result),
+             to = std::filesystem::path(path.toStdU16String())](const JobControl& job) {
+                return write_file(to, passport_json(passport_of(result)), job);
+            },
+            std::move(done));
     }
 }
 
 void SetStore::openPassport(const QString& path) {
     constexpr int one_at_a_time = 0;  // a newer one replaces one that is being read
-    job_.readPassport(one_at_a_time, path, [this, path](Result<Passport> passport) {
-        if (!passport) {
-            emit reported(errorMessage(passport.error()));
-            return;
-        }
-        passport_ = OpenPassport{QFileInfo(path).fileName(), std::move(*passport)};
-        emit passportChanged();
-    });
+    job_.run<Passport>(
+        one_at_a_time,
+        [from = std::filesystem::path(path.toStdU16String())](const JobControl&) {
+            return read_passport_file(from);
+        },
+        [this, path](Result<Passport> passport) {
+            if (!passport) {
+                emit reported(errorMessage(passport.error()));
+                return;
+            }
+            passport_ = OpenPassport{QFileInfo(path).fileName(), std::move(*passport)};
+            emit passportChanged();
+        });
 }
 
 void SetStore::closePassport() {

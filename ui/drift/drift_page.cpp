@@ -31,35 +31,20 @@ DriftPage::DriftPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
       panel_(new DriftPanel(document, this)),
-      export_(new QPushButton(this)),
+      export_(withName(new QPushButton(this), "driftExport")),
       state_(sentence(this, "driftState")),
-      hint_(new QLabel(this)) {
+      hint_(withName(new QLabel(this), "driftHint")) {
     setObjectName(QStringLiteral("driftPage"));
-    export_->setObjectName(QStringLiteral("driftExport"));
-    hint_->setObjectName(QStringLiteral("driftHint"));
     hint_->setWordWrap(true);
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMaximumWidth(hint_width);
-    auto* left = new QVBoxLayout;
-    left->addWidget(panel_);
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(6, 0, 6, 0);
-    row->addWidget(export_);
-    left->addLayout(row);
-    left->addWidget(state_);
-    left->addStretch(1);
-    left->setContentsMargins(0, 0, 0, 0);
-    left->setSpacing(0);
+    auto* row = fill(new QHBoxLayout, {6, 0, 6, 0}, {export_});
+    auto* left = fill(new QVBoxLayout, {}, 0, {panel_, row, state_, LayoutPart(1)});
     auto* side = new QWidget(this);
     side->setLayout(left);
     side->setFixedWidth(panel_width);
     content_ = buildContent();
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(side);
-    layout->addWidget(hint_, 1, Qt::AlignCenter);
-    layout->addWidget(content_, 1);
+    fill(new QHBoxLayout(this), {}, 4, {side, {hint_, 1, Qt::AlignCenter}, {content_, 1}});
     connect(panel_, &DriftPanel::openWanted, this, &DriftPage::openWanted);
     connect(export_, &QPushButton::clicked, this, &DriftPage::exportResultWanted);
     connect(&document_.drift(), &DriftStore::changed, this, &DriftPage::refresh);
@@ -70,11 +55,10 @@ DriftPage::DriftPage(Document& document, QWidget* parent)
 QWidget* DriftPage::buildContent() {
     auto* content = new QWidget(this);
     plot_ = addPlot("driftPlot", least_plot_height);
-    warnings_ = new WarningList(content);
-    warnings_->setObjectName(QStringLiteral("driftWarnings"));
-    harmonics_ = table("driftHarmonics");
+    warnings_ = withName(new WarningList(content), "driftWarnings");
+    harmonics_ = withName(new QuantityTable(this), "driftHarmonics");
     agreement_ = sentence(content, "driftAgreement");
-    resonator_ = table("driftResonator");
+    resonator_ = withName(new QuantityTable(this), "driftResonator");
     statistical_ = sentence(content, "driftStatistical");
     auto* numbers = new QVBoxLayout;
     numbers->setSpacing(2);
@@ -82,18 +66,8 @@ QWidget* DriftPage::buildContent() {
     harmonics_section_ = addSection(*numbers, {harmonics_, agreement_});
     resonator_section_ = addSection(*numbers, {resonator_, statistical_});
     numbers->addStretch(1);
-    auto* layout = new QHBoxLayout(content);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(plot_, 3);
-    layout->addWidget(scrolled(numbers), 2);
+    fill(new QHBoxLayout(content), {}, 4, {{plot_, 3}, {scrolled(numbers), 2}});
     return content;
-}
-
-QuantityTable* DriftPage::table(const char* name) {
-    auto* made = new QuantityTable(this);
-    made->setObjectName(QLatin1String(name));
-    return made;
 }
 
 void DriftPage::setUnits(const DisplayUnits& units) {

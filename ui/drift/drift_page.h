@@ -35,7 +35,6 @@ signals:
 
 private:
     QWidget* buildContent();
-    QuantityTable* table(const char* name);
     void refresh();
     void showFound();
     QString stateText() const;

@@ -2,13 +2,14 @@
 
 #include "core/recording/samples/open_table.h"
 #include "ui/drift/drift_text.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
 #include <QDir>
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -81,23 +82,17 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       logs_(new DriftLogs(document, this)),
-      open_(new QPushButton(this)),
-      remove_(new QPushButton(this)),
-      columns_(new QLineEdit(this)),
-      fault_(new QLabel(this)),
-      angle_unit_(new QComboBox(this)),
-      time_unit_(new QComboBox(this)),
+      open_(withName(new QPushButton(this), "driftOpen")),
+      remove_(withName(new QPushButton(this), "driftRemove")),
+      columns_(withName(new QLineEdit(this), "driftColumns")),
+      fault_(withName(new QLabel(this), "driftFault")),
+      angle_unit_(withName(new QComboBox(this), "driftAngleUnit")),
+      time_unit_(withName(new QComboBox(this), "driftTimeUnit")),
       rate_(makeNumber("driftRate")),
       kappa_(makeNumber("driftKappa")),
       skew_(makeNumber("driftSkew")) {
-    open_->setObjectName(QStringLiteral("driftOpen"));
-    remove_->setObjectName(QStringLiteral("driftRemove"));
-    columns_->setObjectName(QStringLiteral("driftColumns"));
-    fault_->setObjectName(QStringLiteral("driftFault"));
     fault_->setWordWrap(true);
-    angle_unit_->setObjectName(QStringLiteral("driftAngleUnit"));
     angle_unit_->addItems(QStringList(static_cast<qsizetype>(angle_units.size())));
-    time_unit_->setObjectName(QStringLiteral("driftTimeUnit"));
     time_unit_->addItems(QStringList(static_cast<qsizetype>(log_time_units.size())));
     for (QComboBox* box : {angle_unit_, time_unit_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -109,9 +104,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     skew_->setLimits(tolerance_bounds);
     skew_->setStep(0.1);
 
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(open_, 1);
-    buttons->addWidget(remove_);
+    auto* buttons = fill(new QHBoxLayout, {{open_, 1}, remove_});
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(6);
     form->setVerticalSpacing(3);
@@ -124,11 +117,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     rate_label_ = addRow(form, rate_);
     kappa_label_ = addRow(form, kappa_);
     skew_label_ = addRow(form, skew_);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 2);
-    layout->setSpacing(3);
-    layout->addWidget(logs_);
-    layout->addLayout(buttons);
+    auto* layout = fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {logs_, buttons});
     layout->addSpacing(4);
     layout->addLayout(form);
 
@@ -160,7 +149,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
         edit([value](DriftSettings& settings) { settings.tolerance.skew_deg = value; });
     });
     connect(&document_.drift(), &DriftStore::changed, this, &DriftPanel::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 QLabel* DriftPanel::addRow(QFormLayout* form, QWidget* field) {
@@ -172,8 +161,7 @@ QLabel* DriftPanel::addRow(QFormLayout* form, QWidget* field) {
 }
 
 NumberField* DriftPanel::makeNumber(const char* name) {
-    auto* field = new NumberField(this);
-    field->setObjectName(QLatin1String(name));
+    auto* field = withName(new NumberField(this), name);
     field->setOptional(true);
     return field;
 }
@@ -224,13 +212,6 @@ void DriftPanel::refresh() {
     skew_->setPlaceholderText(QLocale().toString(usual.skew_rad * 180 / std::numbers::pi));
 }
 
-void DriftPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
-}
-
 void DriftPanel::retranslate() {
     const auto name = [](QLabel* label, QWidget* field, const QString& text, const QString& tip) {
         label->setText(richText(text));
@@ -256,14 +237,9 @@ void DriftPanel::retranslate() {
     name(angle_unit_label_, angle_unit_, tr("Angle in"),
          tr("Unit of the angle, where the name of its column does not tell it"));
     const QString from_file = tr("as the file says");
-    angle_unit_->setItemText(0, from_file);
-    angle_unit_->setItemText(1, tr("degrees"));
-    angle_unit_->setItemText(2, tr("radians"));
+    setTexts(*angle_unit_, {from_file, tr("degrees"), tr("radians")});
     name(time_unit_label_, time_unit_, tr("Time in"), tr("Unit of the time in a text file"));
-    const QStringList time_units{from_file, tr("s"), tr("ms"), tr("µs"), tr("ns")};
-    for (int place = 0; place < time_units.size(); ++place) {
-        time_unit_->setItemText(place, time_units[place]);
-    }
+    setTexts(*time_unit_, {from_file, tr("s"), tr("ms"), tr("µs"), tr("ns")});
     name(rate_label_, rate_, tr("Rate"), tr("Rows a second, of a file without times"));
     rate_->setUnit(tr("Hz"));
     name(kappa_label_, kappa_, tr("κ ±"),

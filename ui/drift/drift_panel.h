@@ -44,9 +44,6 @@ public:
 signals:
     void openWanted();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QLabel* addRow(QFormLayout* form, QWidget* field);
     NumberField* makeNumber(const char* name);

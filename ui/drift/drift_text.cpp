@@ -1,5 +1,6 @@
 #include "ui/drift/drift_text.h"
 
+#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
@@ -21,13 +22,13 @@ namespace {
 constexpr double half_turn = std::numbers::pi;
 constexpr int curve_steps = 360;
 
-QString text(const char* source) {
-    return QCoreApplication::translate("Drift", source);
-}
+struct DriftWords {
+    Q_DECLARE_TR_FUNCTIONS(Drift)
+};
 
 XYSeries meansOf(const WholeAngleDrift& drift, double angle, double rate) {
     XYSeries means;
-    means.name = text(QT_TRANSLATE_NOOP("Drift", "means over %1°"))
+    means.name = DriftWords::tr("means over %1°")
                      .arg(QLocale().toString(180.0 / static_cast<double>(drift.bins.size())));
     means.ink = Ink::channel_c;
     means.points = true;
@@ -43,7 +44,7 @@ XYSeries meansOf(const WholeAngleDrift& drift, double angle, double rate) {
 
 XYSeries harmonicsOf(const WholeAngleDrift& drift, double angle, double rate) {
     XYSeries curve;
-    curve.name = text(QT_TRANSLATE_NOOP("Drift", "harmonics 2 and 4"));
+    curve.name = DriftWords::tr("harmonics 2 and 4");
     curve.ink = Ink::text;
     for (int k = 0; k <= curve_steps; ++k) {
         const double theta = half_turn * k / curve_steps;
@@ -87,7 +88,7 @@ QuantityCell rowsCell(const LogDrift& log) {
     const QString rows = locale.toString(static_cast<qint64>(log.rows));
     return sentenceCell(log.missing == 0
                             ? rows
-                            : text(QT_TRANSLATE_NOOP("Drift", "%1, %2 without"))
+                            : DriftWords::tr("%1, %2 without")
                                   .arg(rows, locale.toString(static_cast<qint64>(log.missing))));
 }
 
@@ -101,7 +102,7 @@ XYPlot wholeAnglePlot(const WholeAngleDrift& drift, const DisplayUnits& units) {
     plot.x_unit = angleUnit(units);
     plot.x_in_degrees = units.angle == AngleUnit::degrees;
     plot.x_range = AxisRange{-0.01 * angle * half_turn, 1.01 * angle * half_turn};
-    plot.y_name = text(QT_TRANSLATE_NOOP("Drift", "dθ_A/dt less the turn"));
+    plot.y_name = DriftWords::tr("dθ_A/dt less the turn");
     plot.y_unit = angleRateUnit(units);
     plot.y_takes_prefix = units.angle == AngleUnit::radians;
     plot.series.push_back(meansOf(drift, angle, rate));
@@ -114,14 +115,13 @@ XYPlot wholeAnglePlot(const WholeAngleDrift& drift, const DisplayUnits& units) {
 
 QString logName(const WholeAngleDrift& drift, std::size_t log) {
     const QString name = QString::fromStdString(drift.logs[log].name);
-    return drift.left_out == log ? text(QT_TRANSLATE_NOOP("Drift", "%1 (left out)")).arg(name)
-                                 : name;
+    return drift.left_out == log ? DriftWords::tr("%1 (left out)").arg(name) : name;
 }
 
 QStringList logHeaders(const WholeAngleDrift& drift) {
     QStringList headers;
     if (drift.logs.size() > 1) {
-        headers << text(QT_TRANSLATE_NOOP("Drift", "All logs"));
+        headers << DriftWords::tr("All logs");
         for (std::size_t k = 0; k < drift.logs.size(); ++k) {
             headers << logName(drift, k);
         }
@@ -131,16 +131,15 @@ QStringList logHeaders(const WholeAngleDrift& drift) {
 
 std::vector<QuantityRow> logRows(const WholeAngleDrift& drift, const DisplayUnits& units) {
     const std::array<QString, log_terms> names{
-        text(QT_TRANSLATE_NOOP("Drift", "Turn dθ_A/dt")), QStringLiteral("cos 2θ_A"),
-        QStringLiteral("sin 2θ_A"), QStringLiteral("cos 4θ_A"), QStringLiteral("sin 4θ_A")};
+        DriftWords::tr("Turn dθ_A/dt"), QStringLiteral("cos 2θ_A"), QStringLiteral("sin 2θ_A"),
+        QStringLiteral("cos 4θ_A"), QStringLiteral("sin 4θ_A")};
     const double factor = angleRateFactor(units);
     const bool several = drift.logs.size() > 1;
     std::vector<QuantityRow> rows;
     for (std::size_t term = 0; term < names.size(); ++term) {
         const QString tip =
-            term == 0 ? text(QT_TRANSLATE_NOOP(
-                            "Drift",
-                            "Mean rate over the angle: input rate and bias. Each log has its own"))
+            term == 0 ? DriftWords::tr(
+                            "Mean rate over the angle: input rate and bias. Each log has its own")
                       : QString();
         QuantityRow row{withUnit(names.at(term), angleRateUnit(units)),
                         tip,
@@ -163,12 +162,12 @@ std::vector<QuantityRow> logRows(const WholeAngleDrift& drift, const DisplayUnit
         }
         rows.push_back(std::move(row));
     };
-    add(withUnit(text(QT_TRANSLATE_NOOP("Drift", "Length")), unitText("s")), {},
+    add(withUnit(DriftWords::tr("Length"), unitText("s")), {},
         [](const LogDrift& log) { return plainCell(log.seconds); });
-    add(withUnit(text(QT_TRANSLATE_NOOP("Drift", "Turn of the wave")), angleUnit(units)),
-        text(QT_TRANSLATE_NOOP("Drift", "From the least to the greatest angle")),
+    add(withUnit(DriftWords::tr("Turn of the wave"), angleUnit(units)),
+        DriftWords::tr("From the least to the greatest angle"),
         [angle = angleFactor(units)](const LogDrift& log) { return plainCell(angle * log.turn); });
-    add(text(QT_TRANSLATE_NOOP("Drift", "Rows with an angle")), {}, rowsCell);
+    add(DriftWords::tr("Rows with an angle"), {}, rowsCell);
     return rows;
 }
 
@@ -177,30 +176,25 @@ std::vector<QuantityRow> heldRows(const HeldResonator& resonator, const DisplayU
         const char* name;  // as in resonator_parameters.h
         const char* unit;
         const Estimate& estimate;
-        const char* tip;
+        QString tip;
     };
     const std::array<Held, 5> parameters{{
         {"damping_anisotropy_per_s", "1/s", resonator.damping_anisotropy_per_s,
-         QT_TRANSLATE_NOOP("Drift", "Four times the fourth harmonic of the drift")},
+         DriftWords::tr("Four times the fourth harmonic of the drift")},
         {"theta_tau_rad", "rad", resonator.theta_tau_rad,
-         QT_TRANSLATE_NOOP("Drift", "Axis of larger damping, from the drift")},
+         DriftWords::tr("Axis of larger damping, from the drift")},
         {"tau_s", "s", resonator.tau_s,
-         QT_TRANSLATE_NOOP("Drift",
-                           "2ρ/g, ρ the fourth harmonic of the amplitude effort over its "
-                           "mean")},
+         DriftWords::tr("2ρ/g, ρ the fourth harmonic of the amplitude effort over its mean")},
         {"split_hz", "Hz", resonator.split_hz,
-         QT_TRANSLATE_NOOP("Drift", "From the quadrature effort against the amplitude effort")},
+         DriftWords::tr("From the quadrature effort against the amplitude effort")},
         {"theta_w_rad", "rad", resonator.theta_w_rad,
-         QT_TRANSLATE_NOOP("Drift",
-                           "Axis of the mode with the higher frequency, from the "
-                           "quadrature effort")},
+         DriftWords::tr("Axis of the mode with the higher frequency, from the quadrature effort")},
     }};
     std::vector<QuantityRow> rows;
     for (const Held& each : parameters) {
         const Shown shown = shownAs(each.name, each.unit, units);
-        rows.push_back({withUnit(shown.title, shown.unit),
-                        text(each.tip),
-                        {cellOf(each.estimate, shown.factor)}});
+        rows.push_back(
+            {withUnit(shown.title, shown.unit), each.tip, {cellOf(each.estimate, shown.factor)}});
     }
     return rows;
 }
@@ -211,31 +205,27 @@ QStringList agreementTexts(const WholeAngleDrift& drift) {
         if (each.freedom > 0) {
             const QString form =
                 each.harmonic == 0
-                    ? (each.agrees
-                           ? text(QT_TRANSLATE_NOOP("Drift", "Turn: the logs agree, χ² %1 of %2."))
-                           : text(QT_TRANSLATE_NOOP(
-                                 "Drift",
-                                 "Turn: the logs differ, χ² %1 of %2, which is no fault.")))
-                    : (each.agrees ? text(QT_TRANSLATE_NOOP(
-                                         "Drift", "Harmonic %3: the logs agree, χ² %1 of %2."))
-                                   : text(QT_TRANSLATE_NOOP(
-                                         "Drift", "Harmonic %3: the logs differ, χ² %1 of %2.")));
+                    ? (each.agrees ? DriftWords::tr("Turn: the logs agree, χ² %1 of %2.")
+                                   : DriftWords::tr(
+                                         "Turn: the logs differ, χ² %1 of %2, which is no fault."))
+                    : (each.agrees ? DriftWords::tr("Harmonic %3: the logs agree, χ² %1 of %2.")
+                                   : DriftWords::tr("Harmonic %3: the logs differ, χ² %1 of %2."));
             const QString sentence =
                 form.arg(shortNumberText(each.chi2, 3), shortNumberText(each.freedom, 3));
             texts << (each.harmonic == 0 ? sentence : sentence.arg(each.harmonic));
         }
     }
     if (texts.isEmpty()) {
-        texts << text(QT_TRANSLATE_NOOP(
-            "Drift", "Of one log it is not known whether another one would agree with it."));
+        texts << DriftWords::tr(
+            "Of one log it is not known whether another one would agree with it.");
     }
     return texts;
 }
 
 QString channelsText(const ChannelTolerance& channels) {
-    return text(QT_TRANSLATE_NOOP("Drift",
-                                  "± is the statistical standard deviation. u, where it differs, "
-                                  "holds the tolerances of the channels too: κ ± %1, ε ± %2°."))
+    return DriftWords::tr(
+               "± is the statistical standard deviation. u, where it differs, holds the tolerances "
+               "of the channels too: κ ± %1, ε ± %2°.")
         .arg(shortNumberText(channels.kappa, 3),
              shortNumberText(channels.skew_rad * 180 / std::numbers::pi, 3));
 }

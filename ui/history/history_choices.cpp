@@ -1,10 +1,11 @@
 #include "ui/history/history_choices.h"
 
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
@@ -32,17 +33,15 @@ const QString baseline_key = QStringLiteral("history/baseline");
 HistoryChoices::HistoryChoices(QWidget* parent)
     : QWidget(parent),
       gyro_label_(new QLabel(this)),
-      gyro_(new QComboBox(this)),
+      gyro_(withName(new QComboBox(this), "historyGyro")),
       parameter_label_(new QLabel(this)),
-      parameter_(new QComboBox(this)),
+      parameter_(withName(new QComboBox(this), "historyParameter")),
       axis_label_(new QLabel(this)),
-      axis_(new QComboBox(this)),
+      axis_(withName(new QComboBox(this), "historyAxis")),
       baseline_label_(new QLabel(this)),
-      baseline_(new QSpinBox(this)),
+      baseline_(withName(new QSpinBox(this), "historyBaseline")),
       grid_(new QGridLayout(this)) {
-    gyro_->setObjectName(QStringLiteral("historyGyro"));
     gyro_->addItem(QString());
-    parameter_->setObjectName(QStringLiteral("historyParameter"));
     parameter_->setItemDelegate(new IndexDelegate(parameter_));
     for ([[maybe_unused]] const HistoryParameter& each : historyParameters()) {
         parameter_->addItem(QString());
@@ -52,9 +51,7 @@ HistoryChoices::HistoryChoices(QWidget* parent)
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(9);
     }
-    axis_->setObjectName(QStringLiteral("historyAxis"));
     axis_->addItems({QString(), QString(), QString()});
-    baseline_->setObjectName(QStringLiteral("historyBaseline"));
     baseline_->setRange(least_results, most_results);
     baseline_->setValue(QSettings().value(baseline_key, usual_results).toInt());
     baseline_->setKeyboardTracking(false);
@@ -73,7 +70,7 @@ HistoryChoices::HistoryChoices(QWidget* parent)
         QSettings().setValue(baseline_key, count);
         emit limitsChanged();
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 std::optional<std::string> HistoryChoices::gyro() const {
@@ -110,13 +107,6 @@ void HistoryChoices::setGyros(const std::vector<StoredGyro>& gyros) {
         }
     }
     retranslate();
-}
-
-void HistoryChoices::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 // So many choices stand beside each other.
@@ -168,10 +158,7 @@ void HistoryChoices::retranslate() {
     axis_label_->setText(tr("Against"));
     axis_->setAccessibleName(tr("Axis of the history"));
     axis_->setToolTip(richTip(tr("The mean frequency follows the temperature of the resonator")));
-    const std::array axes{tr("Date"), tr("Frequency"), tr("Order")};
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-        axis_->setItemText(static_cast<int>(k), axes[k]);
-    }
+    setTexts(*axis_, {tr("Date"), tr("Frequency"), tr("Order")});
     baseline_label_->setText(tr("Baseline"));
     baseline_->setAccessibleName(tr("Baseline of the control charts"));
     baseline_->setToolTip(

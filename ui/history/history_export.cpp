@@ -74,7 +74,7 @@ std::string tableOf(const StoredHistory& history, const HistoryCharts& charts,
 
 QString resultsOf(const StoredHistory& history, const HistoryCharts& charts,
                   const HistoryView& view) {
-    HtmlTable table{{historyText(QT_TRANSLATE_NOOP("History", "Results"))}, {}, {100}, true};
+    HtmlTable table{{HistoryWords::tr("Results")}, {}, {100}, true};
     for (std::size_t k = 0; k < history.points.size(); ++k) {
         table.rows.push_back({richText(pointText(history, charts, view, k))});
     }
@@ -87,8 +87,7 @@ HistoryExport historyExport(const StoredHistory& history, const HistoryCharts& c
                             const HistoryView& view, const QString& database,
                             const std::optional<std::string>& gyro, std::size_t baseline) {
     const QString parameter = parameterTitle(view.parameter);
-    const QString whose = gyro ? QString::fromStdString(*gyro)
-                               : historyText(QT_TRANSLATE_NOOP("History", "All gyros"));
+    const QString whose = gyro ? QString::fromStdString(*gyro) : HistoryWords::tr("All gyros");
     HistoryExport all;
     all.name = QStringLiteral("history");
     all.table = tableOf(history, charts, view,
@@ -96,11 +95,10 @@ HistoryExport historyExport(const StoredHistory& history, const HistoryCharts& c
                          "gyro: " + gyro.value_or("all"), "parameter: " + columnOf(view.parameter),
                          "baseline: " + integer_text(static_cast<std::int64_t>(baseline))});
     const QString about = QStringLiteral("%1, %2").arg(whose, parameter);
-    all.report = framedReport(historyText(QT_TRANSLATE_NOOP("History", "History of a parameter")),
-                              about, programName());
+    all.report = framedReport(HistoryWords::tr("History of a parameter"), about, programName());
     all.report.html += paragraph(about);
     all.report.html +=
-        paragraph(historyText(QT_TRANSLATE_NOOP("History", "Database: %1; %2, %3"))
+        paragraph(HistoryWords::tr("Database: %1; %2, %3")
                       .arg(database, reportDay().toString(Qt::ISODate), programName()));
     all.report.html += paragraph(verdictText(history, charts, view, baseline));
     constexpr double height = 0.36;  // of the width

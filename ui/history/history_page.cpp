@@ -35,10 +35,10 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
       document_(document),
       adder_(document),
       database_(new QLabel(this)),
-      open_(new QPushButton(this)),
-      new_(new QPushButton(this)),
-      add_(new QPushButton(this)),
-      export_(new QPushButton(this)),
+      open_(withName(new QPushButton(this), "historyOpen")),
+      new_(withName(new QPushButton(this), "historyNew")),
+      add_(withName(new QPushButton(this), "historyAdd")),
+      export_(withName(new QPushButton(this), "historyExport")),
       state_(sentence(this, "historyState", QMargins())) {
     setObjectName(QStringLiteral("history"));
     auto* column = new QVBoxLayout(this);

@@ -21,24 +21,10 @@ constexpr int plot_height = 240;
 QLayout* HistoryPage::buildHead() {
     database_->setTextFormat(Qt::PlainText);
     database_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    open_->setObjectName(QStringLiteral("historyOpen"));
-    new_->setObjectName(QStringLiteral("historyNew"));
-    add_->setObjectName(QStringLiteral("historyAdd"));
-    export_->setObjectName(QStringLiteral("historyExport"));
-    auto* first = new QHBoxLayout;
-    first->addWidget(database_, 1);
-    first->addWidget(open_);
-    first->addWidget(new_);
-    first->addWidget(add_);
-    first->addWidget(export_);
+    auto* first = fill(new QHBoxLayout, {{database_, 1}, open_, new_, add_, export_});
 
     choices_ = new HistoryChoices(this);
-    auto* rows = new QVBoxLayout;
-    rows->setContentsMargins(6, 4, 6, 0);
-    rows->setSpacing(4);
-    rows->addLayout(first);
-    rows->addWidget(choices_);
-    rows->addWidget(state_);
+    auto* rows = fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_, state_});
     return rows;
 }
 
@@ -64,15 +50,12 @@ QWidget* HistoryPage::buildContent() {
     auto* content = new QWidget(this);
     verdict_ = sentence(content, "historyVerdict", QMargins());
     point_ = sentence(content, "historyPoint", QMargins());
-    recordings_ = new QPushButton(content);
-    recordings_->setObjectName(QStringLiteral("historyRecordings"));
+    recordings_ = withName(new QPushButton(content), "historyRecordings");
     values_ = addPlot("historyValues", plot_height + 20);
     ranges_ = addPlot("historyRanges", plot_height);
     average_ = addPlot("historyAverage", plot_height);
     distribution_ = addPlot("historyDistribution", plot_height);
-    auto* chosen = new QHBoxLayout;
-    chosen->addWidget(point_, 1);
-    chosen->addWidget(recordings_, 0, Qt::AlignTop);
+    auto* chosen = fill(new QHBoxLayout, {{point_, 1}, {recordings_, 0, Qt::AlignTop}});
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(6, 0, 6, 0);
     grid->setSpacing(4);

@@ -9,13 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace vybeg::ui {
-
-QString historyText(const char* text) {
-    return QCoreApplication::translate("History", text);
-}
 
 namespace {
 
@@ -56,19 +53,15 @@ XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_nam
                  const QString& y_unit) {
     XYPlot plot;
     plot.x_is_date = axis == HistoryAxis::date;
-    plot.x_name = axis == HistoryAxis::date
-                      ? historyText(QT_TRANSLATE_NOOP("History", "Date (UTC)"))
-                  : axis == HistoryAxis::frequency
-                      ? historyText(QT_TRANSLATE_NOOP("History", "Mean frequency f"))
-                      : historyText(QT_TRANSLATE_NOOP("History", "Order of the results"));
+    plot.x_name = axis == HistoryAxis::date        ? HistoryWords::tr("Date (UTC)")
+                  : axis == HistoryAxis::frequency ? HistoryWords::tr("Mean frequency f")
+                                                   : HistoryWords::tr("Order of the results");
     plot.x_unit = axis == HistoryAxis::frequency ? unitText("Hz") : QString();
     plot.y_name = y_name;
     plot.y_unit = y_unit;
-    plot.empty =
-        axis == HistoryAxis::date && view.axis == HistoryAxis::date
-            ? historyText(QT_TRANSLATE_NOOP("History",
-                                            "No result with a date has a value of this parameter."))
-            : historyText(QT_TRANSLATE_NOOP("History", "No result has a value of this parameter."));
+    plot.empty = axis == HistoryAxis::date && view.axis == HistoryAxis::date
+                     ? HistoryWords::tr("No result with a date has a value of this parameter.")
+                     : HistoryWords::tr("No result has a value of this parameter.");
     return plot;
 }
 
@@ -145,24 +138,21 @@ void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryVie
     outside.points = true;
     outside.style = 3;
     outside.ink = Ink::warning;
-    XYSeries chosen;
-    chosen.points = true;
-    chosen.style = 1;
-    chosen.ink = Ink::accent;
+    std::optional<XYSeries> chosen;
     for (std::size_t k = 0; k < shown.points.size(); ++k) {
         if (out[shown.points[k]]) {
             outside.x.push_back(points.x[k]);
             outside.y.push_back(points.y[k]);
         }
         if (view.chosen == shown.points[k]) {
-            chosen.x = {points.x[k]};
-            chosen.y = {points.y[k]};
+            chosen = markOn(points, k, Ink::accent);
         }
     }
-    for (XYSeries* marks : {&outside, &chosen}) {
-        if (!marks->x.empty()) {
-            shown.plot.series.push_back(std::move(*marks));
-        }
+    if (!outside.x.empty()) {
+        shown.plot.series.push_back(std::move(outside));
+    }
+    if (chosen) {
+        shown.plot.series.push_back(std::move(*chosen));
     }
 }
 
@@ -172,7 +162,7 @@ void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
         return;
     }
     XYSeries band;
-    band.name = historyText(QT_TRANSLATE_NOOP("History", "passport ± 3 u"));
+    band.name = HistoryWords::tr("passport ± 3 u");
     band.ink = Ink::channel_c;
     band.x = acrossAll(x);
     band.y = {factor * view.passport.value, factor * view.passport.value};
@@ -189,14 +179,12 @@ QString baselineText(const HistoryCharts& charts) {
     switch (charts.control.fault) {
         case BaselineFault::none: break;
         case BaselineFault::too_few:
-            return historyText(QT_TRANSLATE_NOOP("History", "limits need %1 results, there are %2"))
+            return HistoryWords::tr("limits need %1 results, there are %2")
                 .arg(least_baseline)
                 .arg(charts.control.used);
-        case BaselineFault::trend:
-            return historyText(QT_TRANSLATE_NOOP("History", "the baseline has a trend"));
+        case BaselineFault::trend: return HistoryWords::tr("the baseline has a trend");
         case BaselineFault::correlated:
-            return historyText(
-                QT_TRANSLATE_NOOP("History", "neighbours in the baseline are correlated"));
+            return HistoryWords::tr("neighbours in the baseline are correlated");
     }
     return {};
 }
@@ -236,20 +224,18 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
         return shown;
     }
     XYSeries values = pointsAt(at, charts.values, factor);
-    values.name =
-        withBaseline(historyText(QT_TRANSLATE_NOOP("History", "values ± u")), charts, false);
+    values.name = withBaseline(HistoryWords::tr("values ± u"), charts, false);
     for (const std::size_t k : at.points) {
         values.sd.push_back(std::isfinite(charts.u[k]) ? std::abs(factor) * charts.u[k] : 0);
     }
     shown.plot.series.push_back(std::move(values));
-    addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "centre")),
-             factor * charts.control.centre, Ink::muted, false);
-    addLimits(shown.plot, at,
-              withBaseline(historyText(QT_TRANSLATE_NOOP("History", "limits")), charts, true),
+    addLevel(shown.plot, HistoryWords::tr("centre"), factor * charts.control.centre, Ink::muted,
+             false);
+    addLimits(shown.plot, at, withBaseline(HistoryWords::tr("limits"), charts, true),
               charts.control.centre, charts.control.individuals.limits, factor);
     shown.points = std::move(at.points);
     if (view.limit) {
-        const QString name = historyText(QT_TRANSLATE_NOOP("History", "limits of the gyro"));
+        const QString name = HistoryWords::tr("limits of the gyro");
         const auto& [parameter, lower, upper] = *view.limit;
         if (lower) {
             addLevel(shown.plot, name, factor * *lower, Ink::warning, true);
@@ -261,8 +247,7 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
     if (charts.one_gyro) {
         addPassport(shown.plot, view, factor);
     }
-    addMarks(shown, charts.control.individuals.out, view,
-             historyText(QT_TRANSLATE_NOOP("History", "outside")));
+    addMarks(shown, charts.control.individuals.out, view, HistoryWords::tr("outside"));
     return shown;
 }
 
@@ -270,22 +255,19 @@ HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts
                        const HistoryView& view) {
     const double factor = std::abs(parameterFactor(view.parameter, view.units));
     const HistoryAxis axis = sequenceAxis(view.axis);
-    HistoryPlot shown{
-        emptyPlot(view, axis,
-                  historyText(QT_TRANSLATE_NOOP("History", "Change from the one before")),
-                  parameterUnit(view.parameter, view.units)),
-        {}};
-    shown.plot.empty = historyText(
-        QT_TRANSLATE_NOOP("History", "A change needs two results of one gyro in their order."));
+    HistoryPlot shown{emptyPlot(view, axis, HistoryWords::tr("Change from the one before"),
+                                parameterUnit(view.parameter, view.units)),
+                      {}};
+    shown.plot.empty = HistoryWords::tr("A change needs two results of one gyro in their order.");
     Placed at = placed(history, charts.control.ranges.values, axis);
     if (at.points.empty() || !charts.one_gyro) {
         return shown;
     }
     XYSeries ranges = pointsAt(at, charts.control.ranges.values, factor);
-    ranges.name = historyText(QT_TRANSLATE_NOOP("History", "moving range"));
+    ranges.name = HistoryWords::tr("moving range");
     shown.plot.series.push_back(std::move(ranges));
-    addLimits(shown.plot, at, historyText(QT_TRANSLATE_NOOP("History", "limit")), 0,
-              charts.control.ranges.limits, factor, false);
+    addLimits(shown.plot, at, HistoryWords::tr("limit"), 0, charts.control.ranges.limits, factor,
+              false);
     shown.points = std::move(at.points);
     addMarks(shown, charts.control.ranges.out, view);
     return shown;
@@ -295,20 +277,18 @@ HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& chart
                         const HistoryView& view) {
     const HistoryAxis axis = sequenceAxis(view.axis);
     HistoryPlot shown{
-        emptyPlot(view, axis, historyText(QT_TRANSLATE_NOOP("History", "Weighted average (EWMA)")),
-                  historyText(QT_TRANSLATE_NOOP("History", "sd"))),
+        emptyPlot(view, axis, HistoryWords::tr("Weighted average (EWMA)"), HistoryWords::tr("sd")),
         {}};
     Placed at = placed(history, charts.control.average.values, axis);
     if (at.points.empty() || !charts.one_gyro) {
-        shown.plot.empty = historyText(QT_TRANSLATE_NOOP(
-            "History", "This chart needs ten results of one gyro to set its limits."));
+        shown.plot.empty =
+            HistoryWords::tr("This chart needs ten results of one gyro to set its limits.");
         return shown;
     }
     XYSeries average = pointsAt(at, charts.control.average.values, 1);
-    average.name = historyText(QT_TRANSLATE_NOOP("History", "average"));
+    average.name = HistoryWords::tr("average");
     shown.plot.series.push_back(std::move(average));
-    addLimits(shown.plot, at, historyText(QT_TRANSLATE_NOOP("History", "limits")), 0,
-              charts.control.average.limits, 1);
+    addLimits(shown.plot, at, HistoryWords::tr("limits"), 0, charts.control.average.limits, 1);
     shown.points = std::move(at.points);
     addMarks(shown, charts.control.average.out, view);
     return shown;
@@ -318,9 +298,8 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
     XYPlot plot;
     plot.x_name = parameterTitle(view.parameter);
     plot.x_unit = parameterUnit(view.parameter, view.units);
-    plot.y_name = historyText(QT_TRANSLATE_NOOP("History", "Results in each step"));
-    plot.empty = historyText(
-        QT_TRANSLATE_NOOP("History", "A distribution needs two results with different values."));
+    plot.y_name = HistoryWords::tr("Results in each step");
+    plot.empty = HistoryWords::tr("A distribution needs two results with different values.");
     const Histogram& found = charts.histogram;
     if (found.counts.empty()) {
         return plot;
@@ -330,7 +309,7 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
         return factor * (charts.moments.mean + z * charts.moments.sd);
     };
     XYSeries steps;
-    steps.name = historyText(QT_TRANSLATE_NOOP("History", "results"));
+    steps.name = HistoryWords::tr("results");
     steps.steps = true;
     steps.ink = Ink::channel_c;
     const auto add = [&](double bin, double count) {
@@ -344,7 +323,7 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
     }
     add(static_cast<double>(found.counts.size()), 0);
     XYSeries normal;
-    normal.name = historyText(QT_TRANSLATE_NOOP("History", "normal"));
+    normal.name = HistoryWords::tr("normal");
     normal.ink = Ink::text;
     normal.dashed = true;
     constexpr int points = 121;

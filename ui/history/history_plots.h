@@ -5,10 +5,14 @@
 #include "ui/plots/xy_plot.h"
 #include "ui/words/display_units.h"
 
+#include <QCoreApplication>
+
 namespace vybeg::ui {
 
-// A text of the page History in the language of the window.
-QString historyText(const char* text);
+// Texts of the page History in the language of the window.
+struct HistoryWords {
+    Q_DECLARE_TR_FUNCTIONS(History)
+};
 
 enum class HistoryAxis { date, frequency, order };
 

@@ -35,14 +35,14 @@ QString outsideText(const HistoryCharts& charts, std::size_t point) {
     QStringList where;
     if (charts.control.individuals.out[point]) {
         where << (charts.values[point] > charts.control.centre
-                      ? historyText(QT_TRANSLATE_NOOP("History", "above the limit"))
-                      : historyText(QT_TRANSLATE_NOOP("History", "below the limit")));
+                      ? HistoryWords::tr("above the limit")
+                      : HistoryWords::tr("below the limit"));
     }
     if (charts.control.ranges.out[point]) {
-        where << historyText(QT_TRANSLATE_NOOP("History", "a step from the one before"));
+        where << HistoryWords::tr("a step from the one before");
     }
     if (charts.control.average.out[point]) {
-        where << historyText(QT_TRANSLATE_NOOP("History", "the average has moved"));
+        where << HistoryWords::tr("the average has moved");
     }
     return where.join(QStringLiteral(", "));
 }
@@ -67,27 +67,24 @@ QString withoutDate(const StoredHistory& history, const HistoryView& view) {
 // What sets the limits, and what is to be known of it.
 QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
     if (charts.control.fault == BaselineFault::too_few) {
-        return historyText(QT_TRANSLATE_NOOP(
-                               "History",
-                               "Limits need %1 results of this gyro that differ and have about "
-                               "the same uncertainty; the baseline has %2."))
+        return HistoryWords::tr(
+                   "Limits need %1 results of this gyro that differ and have about the same "
+                   "uncertainty; the baseline has %2.")
             .arg(least_baseline)
             .arg(charts.control.used);
     }
     QString text = counted(QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."),
                            std::min(valuesIn(charts), baseline));
     if (charts.control.fault == BaselineFault::trend) {
-        text += QLatin1Char(' ') +
-                historyText(QT_TRANSLATE_NOOP(
-                    "History",
-                    "⚠ They rise or fall (stable ones look so in 1 of 200 cases): the limits hold "
-                    "the trend. Choose a baseline without one."));
+        text +=
+            QLatin1Char(' ') + HistoryWords::tr(
+                                   "⚠ They rise or fall (stable ones look so in 1 of 200 cases): "
+                                   "the limits hold the trend. Choose a baseline without one.");
     } else if (charts.control.fault == BaselineFault::correlated) {
-        text += QLatin1Char(' ') +
-                historyText(QT_TRANSLATE_NOOP(
-                    "History",
-                    "⚠ Each resembles or opposes the one before (independent ones look so in 1 of "
-                    "200 cases): alarms are not as rare as stated."));
+        text +=
+            QLatin1Char(' ') + HistoryWords::tr(
+                                   "⚠ Each resembles or opposes the one before (independent ones "
+                                   "look so in 1 of 200 cases): alarms are not as rare as stated.");
     }
     return text;
 }
@@ -99,8 +96,8 @@ QString pointText(const StoredHistory& history, const HistoryCharts& charts,
     const HistoryPoint& at = history.points[point];
     const double factor = parameterFactor(view.parameter, view.units);
     const QString unit = parameterUnit(view.parameter, view.units);
-    const auto numbered = [](const char* text, double value, int digits) {
-        return QStringLiteral("; ") + historyText(text).arg(QLocale().toString(value, 'g', digits));
+    const auto numbered = [](const QString& text, double value, int digits) {
+        return QStringLiteral("; ") + text.arg(QLocale().toString(value, 'g', digits));
     };
     QString text = QStringLiteral("%1: %2").arg(
         nameOf(at),
@@ -111,17 +108,17 @@ QString pointText(const StoredHistory& history, const HistoryCharts& charts,
         text += QStringLiteral(" ") + unit;
     }
     if (std::isfinite(at.f_mean_hz.value)) {
-        text += numbered(QT_TRANSLATE_NOOP("History", "f = %1 Hz"), at.f_mean_hz.value, 9);
+        text += numbered(HistoryWords::tr("f = %1 Hz"), at.f_mean_hz.value, 9);
     }
     if (std::isfinite(at.temperature_c)) {
-        text += numbered(QT_TRANSLATE_NOOP("History", "%1 °C"), at.temperature_c, 4);
+        text += numbered(HistoryWords::tr("%1 °C"), at.temperature_c, 4);
     }
     if (std::isfinite(at.bias_v)) {
-        text += numbered(QT_TRANSLATE_NOOP("History", "%1 V"), at.bias_v, 4);
+        text += numbered(HistoryWords::tr("%1 V"), at.bias_v, 4);
     }
     if (!at.warnings.empty()) {
         text +=
-            QStringLiteral("; ") + historyText(QT_TRANSLATE_NOOP("History", "warnings: %1"))
+            QStringLiteral("; ") + HistoryWords::tr("warnings: %1")
                                        .arg(QString::fromStdString(at.warnings)
                                                 .replace(QLatin1Char(';'), QStringLiteral(", ")));
     }
@@ -137,8 +134,7 @@ QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
     if (!charts.one_gyro) {
         return counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) of all gyros."), values) +
                QLatin1Char(' ') +
-               historyText(QT_TRANSLATE_NOOP(
-                   "History", "Limits belong to one gyro: choose one for its control charts.")) +
+               HistoryWords::tr("Limits belong to one gyro: choose one for its control charts.") +
                withoutDate(history, view);
     }
     if (charts.control.fault == BaselineFault::too_few) {

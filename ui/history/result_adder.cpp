@@ -5,6 +5,7 @@
 #include "ui/history/history_job.h"
 #include "ui/history/stored_set.h"
 #include "ui/resonator/set_panel.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -21,19 +22,17 @@ namespace vybeg::ui {
 StoreDialog::StoreDialog(const QStringList& gyros, const QString& gyro, const QString& date,
                          QWidget* parent)
     : QDialog(parent),
-      gyro_(new QComboBox(this)),
-      date_(new QLineEdit(date, this)),
+      gyro_(withName(new QComboBox(this), "storeGyro")),
+      date_(withName(new QLineEdit(date, this), "storeDate")),
       fault_(new QLabel(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Add this result"));
-    gyro_->setObjectName(QStringLiteral("storeGyro"));
     gyro_->setEditable(true);
     gyro_->addItems(gyros);
     gyro_->setCurrentText(gyro);
     gyro_->setAccessibleName(tr("Gyro"));
     gyro_->setToolTip(tr("The name under which the history of this resonator is kept"));
-    date_->setObjectName(QStringLiteral("storeDate"));
     date_->setAccessibleName(tr("Date"));
     date_->setToolTip(
         tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));

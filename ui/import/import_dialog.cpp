@@ -3,9 +3,10 @@
 #include "core/recording/samples/partner_file.h"
 #include "ui/import/import_memory.h"
 #include "ui/import/import_preview.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -38,19 +39,10 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
     title_->setTextFormat(Qt::PlainText);
     title_->setWordWrap(true);
     fields_->setOptions(options);
-    auto* choices = new QScrollArea(this);
-    choices->setWidget(fields_);
-    choices->setWidgetResizable(true);
-    choices->setFrameShape(QFrame::NoFrame);
-    choices->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* choices = scrolled(fields_, this);
     choices->setFocusPolicy(Qt::NoFocus);
-    auto* columns = new QHBoxLayout;
-    columns->addWidget(choices);
-    columns->addWidget(view_, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(title_);
-    layout->addLayout(columns, 1);
-    layout->addWidget(buttons_);
+    auto* columns = fill(new QHBoxLayout, {choices, {view_, 1}});
+    fill(new QVBoxLayout(this), {title_, {columns, 1}, buttons_});
     connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
     connect(fields_, &ImportFields::filesWanted, this, &ImportDialog::filesWanted);
@@ -64,7 +56,7 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
             enableOpen();
         }
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
     choices->setMinimumWidth(fields_->sizeHint().width() + 20);
     resize(980, 620);
     refresh();
@@ -155,13 +147,6 @@ void ImportDialog::accept() {
     rememberImport(importKind(path_, *preview_, chosen_options.raw.has_value()), of_kind);
     emit chosen(path_, chosen_options);
     QDialog::accept();
-}
-
-void ImportDialog::changeEvent(QEvent* event) {
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void ImportDialog::retranslate() {

@@ -36,9 +36,6 @@ public slots:
     // Remembers the choices for files of the kind and emits chosen().
     void accept() override;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void refresh();
     void take(const Result<RecordingPreview>& result);

@@ -3,6 +3,7 @@
 #include "core/recording/samples/open_table.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/wheel_guard.h"
 
 #include <QAction>
@@ -25,12 +26,6 @@ namespace {
 constexpr std::array delimiters = {',', ';', '\t', ' ', '|'};
 constexpr std::array time_units = {1.0, 1e-3, 1e-6, 1e-9};
 constexpr int most_columns = 200;  // offered in a list
-
-// Number being typed into the field; otherwise its value, which may have more digits than are
-// shown.
-std::optional<double> typed(const NumberField& field) {
-    return field.isModified() && field.isValid() ? readNumber(field.text()) : field.value();
-}
 
 // Selects an entry of a list whose first one is "automatic".
 template <class List>
@@ -213,7 +208,7 @@ TextChoice ImportFields::textChoice() const {
     };
     choice.delimiter = listed(*delimiter_, delimiters);
     choice.decimal_comma = listed(*decimal_, std::array{false, true});
-    if (const auto lines = typed(*skip_lines_)) {
+    if (const auto lines = skip_lines_->typed()) {
         choice.lines_to_skip = static_cast<std::int64_t>(*lines);
     }
     if (time_column_->currentIndex() > 0) {
@@ -227,7 +222,7 @@ RawLayout ImportFields::rawLayout() const {
     return {.type = static_cast<RawType>(raw_type_->currentIndex()),
             .big_endian = raw_order_->currentIndex() == 1,
             .channels = raw_channels_->value(),
-            .skip_bytes = static_cast<std::int64_t>(typed(*raw_skip_).value_or(0))};
+            .skip_bytes = static_cast<std::int64_t>(raw_skip_->typed().value_or(0))};
 }
 
 std::vector<std::string> ImportFields::pieces() const {
@@ -236,10 +231,10 @@ std::vector<std::string> ImportFields::pieces() const {
 
 OpenOptions ImportFields::options() const {
     OpenOptions options;
-    options.rate_hz = typed(*rate_);
+    options.rate_hz = rate_->typed();
     options.channel_c = channel_c_->currentData().toInt();
     options.channel_d = channel_d_->currentData().toInt();
-    options.scale = typed(*scale_).value_or(1);
+    options.scale = scale_->typed().value_or(1);
     options.unit = unit_->text().trimmed().toStdString();
     options.channel_d_file = channel_d_file_->text().trimmed().toStdString();
     options.join = options.channel_d_file.empty() ? pieces() : std::vector<std::string>{};
@@ -287,7 +282,7 @@ void ImportFields::showRows() {
     const bool pair = !channel_d_file_->text().trimmed().isEmpty();
     join_->setEnabled(!pair);
     channel_d_file_->setEnabled(pair || pieces().empty());
-    scale_->setConflict(typed(*scale_) == 0 ? tr("A number other than 0 is needed.") : QString());
+    scale_->setConflict(scale_->typed() == 0 ? tr("A number other than 0 is needed.") : QString());
 }
 
 // Shows the automatic values in the first entry of each list and in empty fields.
@@ -321,7 +316,7 @@ void ImportFields::showAutomatic() {
         const int index = indexOf(time_units, found.time_unit_s);
         return found.time_column >= 0 && index > 0 ? time_unit_->itemText(index) : QString();
     });
-    const TextFormat* lines = format(!typed(*skip_lines_));
+    const TextFormat* lines = format(!skip_lines_->typed());
     skip_lines_->setPlaceholderText(
         automatic(lines ? QLocale().toString(lines->lines_to_skip) : QString()));
     const bool needed = preview_ && !preview_->rate_hz && preview_->time_column < 0;
@@ -391,11 +386,6 @@ void ImportFields::retranslate() {
         fields_[row]->setAccessibleName(label);
         fields_[row]->setToolTip(tip);
     };
-    const auto list = [](QComboBox& box, int first, const QStringList& texts) {
-        for (int i = 0; i < texts.size(); ++i) {
-            box.setItemText(first + i, texts[i]);
-        }
-    };
     set(read_as, tr("Read as"), tr("By its content, or as what it is said to be"));
     set(delimiter, tr("Separator"), tr("What stands between the columns"));
     set(decimal, tr("Decimal sign"), tr("Of the numbers in the file"));
@@ -424,15 +414,15 @@ void ImportFields::retranslate() {
     rate_->setUnit(tr("Hz"));
     raw_skip_->setUnit(tr("bytes"));
     variables_->setPlaceholderText(tr("the first that fit"));
-    list(*read_as_, 0, {tr("what it is by content"), tr("text"), tr("raw samples")});
-    list(*delimiter_, 1,
-         {tr("comma"), tr("semicolon"), tr("tab"), tr("spaces"), tr("vertical bar")});
-    list(*decimal_, 1, {tr("point"), tr("comma")});
-    list(*time_column_, 1, {tr("none")});
-    list(*time_unit_, 1, {tr("s"), tr("ms"), tr("µs"), tr("ns")});
-    list(*raw_type_, 0,
-         {tr("16 bit integer"), tr("32 bit integer"), tr("32 bit float"), tr("64 bit float")});
-    list(*raw_order_, 0, {tr("little endian"), tr("big endian")});
+    setTexts(*read_as_, {tr("what it is by content"), tr("text"), tr("raw samples")});
+    setTexts(*delimiter_,
+             {tr("comma"), tr("semicolon"), tr("tab"), tr("spaces"), tr("vertical bar")}, 1);
+    setTexts(*decimal_, {tr("point"), tr("comma")}, 1);
+    setTexts(*time_column_, {tr("none")}, 1);
+    setTexts(*time_unit_, {tr("s"), tr("ms"), tr("µs"), tr("ns")}, 1);
+    setTexts(*raw_type_,
+             {tr("16 bit integer"), tr("32 bit integer"), tr("32 bit float"), tr("64 bit float")});
+    setTexts(*raw_order_, {tr("little endian"), tr("big endian")});
     showChoices();
     showAutomatic();
 }

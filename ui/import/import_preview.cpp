@@ -1,5 +1,6 @@
 #include "ui/import/import_preview.h"
 
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/format_text.h"
 
@@ -30,10 +31,9 @@ QColor translucent(QColor color, float alpha) {
 
 ImportPreview::ImportPreview(QWidget* parent)
     : QWidget(parent),
-      what_(new QLabel(this)),
+      what_(withName(new QLabel(this), "what")),
       table_(new QTableWidget(this)),
       plot_(new QCustomPlot(this)) {
-    what_->setObjectName(QStringLiteral("what"));
     what_->setWordWrap(true);
     what_->setTextFormat(Qt::PlainText);
     what_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -64,10 +64,7 @@ ImportPreview::ImportPreview(QWidget* parent)
     parts->addWidget(plot_);
     parts->setStretchFactor(0, 3);
     parts->setStretchFactor(1, 2);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(what_);
-    layout->addWidget(parts, 1);
+    fill(new QVBoxLayout(this), {}, {what_, {parts, 1}});
     applyLook();
     retranslate();
 }

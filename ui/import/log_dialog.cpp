@@ -8,7 +8,9 @@
 #include "ui/import/import_preview.h"
 #include "ui/import/log_files.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
@@ -17,7 +19,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -65,11 +66,6 @@ const char* usualNames(Columns columns) {
     }
 }
 
-// Number being typed into the field; otherwise its value.
-std::optional<double> numberIn(const NumberField& field) {
-    return field.isModified() && field.isValid() ? readNumber(field.text()) : field.value();
-}
-
 // Full name of a file that stands beside another one, or is given by its path.
 QString beside(const QString& file, const QString& other) {
     return QFileInfo(QFileInfo(file).absoluteDir(), other).absoluteFilePath();
@@ -79,14 +75,12 @@ QString beside(const QString& file, const QString& other) {
 
 LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent)
     : QDialog(parent),
-      files_(new LogFiles(job, paths, this)),
+      files_(withName(new LogFiles(job, paths, this), "logFiles")),
       form_(new QFormLayout),
-      lacking_(new QLabel(this)),
+      lacking_(withName(new QLabel(this), "lacking")),
       preview_(new ImportPreview(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
-    files_->setObjectName(QStringLiteral("logFiles"));
-    lacking_->setObjectName(QStringLiteral("lacking"));
     lacking_->setTextFormat(Qt::PlainText);
     lacking_->setWordWrap(true);
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -136,19 +130,10 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     rate_ = number(rate, "rate", bounds_in(open_settings(), "rate"));
     from_ = number(from, "from", bounds_of("from"));
     auto* choices = new QWidget(this);
-    auto* column = new QVBoxLayout(choices);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(files_);
-    column->addLayout(form_);
-    column->addWidget(lacking_);
-    column->addStretch(1);
+    fill(new QVBoxLayout(choices), {}, {files_, form_, lacking_, LayoutPart(1)});
     choices->setFixedWidth(400);
-    auto* parts = new QHBoxLayout;
-    parts->addWidget(choices);
-    parts->addWidget(preview_, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->addLayout(parts, 1);
-    layout->addWidget(buttons_);
+    auto* parts = fill(new QHBoxLayout, {choices, {preview_, 1}});
+    fill(new QVBoxLayout(this), {{parts, 1}, buttons_});
     connect(buttons_, &QDialogButtonBox::accepted, this, &LogDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &LogDialog::reject);
     connect(choose_, &QAction::triggered, this, [this] {
@@ -164,7 +149,7 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     connect(files_, &LogFiles::looked, this, &LogDialog::take);
     connect(files_, &LogFiles::changed, this, &LogDialog::changeFiles);
     guardFromWheel(*this);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
     resize(980, 560);
     kind_->setFocus();
     look();
@@ -197,19 +182,19 @@ LogChoice LogDialog::choice() const {
     how.frame = chosen == Columns::fixed    ? PhasorFrame::fixed
                 : chosen == Columns::common ? PhasorFrame::common
                                             : PhasorFrame::pll;
-    how.f_ref_hz = numberIn(*f_ref_).value_or(0);
+    how.f_ref_hz = f_ref_->typed().value_or(0);
     how.y_sign = std::array{0, 1, -1}.at(static_cast<std::size_t>(y_sign_->currentIndex()));
     how.peak_per_unit = std::array{0.0, 1.0, std::numbers::sqrt2}.at(
         static_cast<std::size_t>(amplitude_->currentIndex()));
     if (order_->currentIndex() > 0) {
-        how.filter = {order_->currentIndex(), numberIn(*bandwidth_).value_or(0)};
+        how.filter = {order_->currentIndex(), bandwidth_->typed().value_or(0)};
     }
     return told;
 }
 
 OpenOptions LogDialog::options() const {
     OpenOptions told;
-    told.rate_hz = numberIn(*rate_);
+    told.rate_hz = rate_->typed();
     return told;
 }
 
@@ -257,7 +242,7 @@ MeasurementSet LogDialog::set() const {
                        .toStdString();
     }
     set.settings.logs = choice();
-    set.settings.signal.from_s = numberIn(*from_);
+    set.settings.signal.from_s = from_->typed();
     return set;
 }
 
@@ -430,13 +415,6 @@ void LogDialog::accept() {
     }
 }
 
-void LogDialog::changeEvent(QEvent* event) {
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
-}
-
 void LogDialog::retranslate() {
     setWindowTitle(tr("Open logs"));
     files_->setAccessibleName(tr("Logs"));
@@ -446,17 +424,12 @@ void LogDialog::retranslate() {
         fields_[row]->setAccessibleName(text);
         fields_[row]->setToolTip(tip);
     };
-    const auto entries = [](QComboBox& box, const QStringList& texts) {
-        for (int k = 0; k < box.count(); ++k) {
-            box.setItemText(k, texts.value(k));
-        }
-    };
     const QString choose = tr("choose…");
     name(kind, tr("Columns are"),
          tr("What the log keeps. The frame of phasors is whose phase they are relative to"));
-    entries(*kind_, {choose, tr("powers E, R, S, Q"), tr("amplitudes a, b and the angle θ"),
-                     tr("phasors, one frequency"), tr("phasors, an oscillator that moves"),
-                     tr("phasors, each channel its own phase")});
+    setTexts(*kind_, {choose, tr("powers E, R, S, Q"), tr("amplitudes a, b and the angle θ"),
+                      tr("phasors, one frequency"), tr("phasors, an oscillator that moves"),
+                      tr("phasors, each channel its own phase")});
     name(columns, tr("Named"),
          tr("The columns, with commas between them, each with =COLUMN, a name or a number, where "
             "the file calls it otherwise, as in Xc=3,Yc=4,Xd=5,Yd=6"));
@@ -464,22 +437,22 @@ void LogDialog::retranslate() {
     choose_->setIcon(themedIcon(QStringLiteral("open"), palette()));
     choose_->setToolTip(tr("Choose the file"));
     name(angle_unit, tr("Unit of angles"), tr("Of θ, or of the phase columns"));
-    entries(*angle_unit_, {choose, tr("degrees"), tr("radians")});
+    setTexts(*angle_unit_, {choose, tr("degrees"), tr("radians")});
     name(f_ref, tr("Reference"), tr("Frequency of the reference, which the file does not tell"));
     name(y_sign, tr("Sign of Y"),
          tr("The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and "
             "the other sign is the resonator seen in a mirror"));
-    entries(*y_sign_,
-            {choose, tr("+: X + iY turns as the carrier does"), tr("−: X + iY turns against it")});
+    setTexts(*y_sign_,
+             {choose, tr("+: X + iY turns as the carrier does"), tr("−: X + iY turns against it")});
     name(amplitude, tr("Amplitudes"), tr("What √(X² + Y²) is"));
-    entries(*amplitude_, {choose, tr("peak values"), tr("rms values")});
+    setTexts(*amplitude_, {choose, tr("peak values"), tr("rms values")});
     name(order, tr("Filter, stages"),
          tr("RC stages of the lock-in's filter: it delays the phasors and correlates their noise"));
     QStringList orders{tr("none")};
     for (int stages = 1; stages <= most_stages; ++stages) {
         orders << QLocale().toString(stages);
     }
-    entries(*order_, orders);
+    setTexts(*order_, orders);
     name(bandwidth, tr("Its bandwidth"), tr("3 dB"));
     name(rate, tr("Rows a second"), tr("Where the file has no times, or ticks of a clock"));
     name(from, tr("Leave out until"),

@@ -43,9 +43,6 @@ signals:
 public slots:
     void accept() override;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     enum Row {
         kind,

@@ -1,10 +1,11 @@
 #include "ui/panels/cursor_times.h"
 
 #include "ui/panels/measuring.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/number_label.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -13,7 +14,8 @@
 
 namespace vybeg::ui {
 
-CursorTimes::CursorTimes(QWidget* parent) : QWidget(parent), difference_(new QLabel(this)) {
+CursorTimes::CursorTimes(QWidget* parent)
+    : QWidget(parent), difference_(withName(new QLabel(this), "cursorDifference")) {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(4, 0, 4, 0);
     line->setSpacing(4);
@@ -31,10 +33,9 @@ CursorTimes::CursorTimes(QWidget* parent) : QWidget(parent), difference_(new QLa
         connect(field, &NumberField::valueEdited, this,
                 [this] { emit edited(fields_[0]->value(), fields_[1]->value()); });
     }
-    difference_->setObjectName(QStringLiteral("cursorDifference"));
     difference_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     line->addWidget(difference_);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void CursorTimes::setTimes(std::optional<double> a_s, std::optional<double> b_s,
@@ -59,13 +60,6 @@ void CursorTimes::showDifference() {
                                .replace('-', QChar(0x2212)),
                            groupedDigits(QLocale().toString(1 / std::abs(*b_s_ - *a_s_), 'g', 6)))
                 : QString());
-}
-
-void CursorTimes::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void CursorTimes::retranslate() {

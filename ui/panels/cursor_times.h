@@ -26,9 +26,6 @@ public:
 signals:
     void edited(std::optional<double> a_s, std::optional<double> b_s);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
     void showDifference();

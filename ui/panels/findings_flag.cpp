@@ -2,10 +2,11 @@
 
 #include "ui/panels/recording_facts.h"
 #include "ui/widgets/check_list.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -43,12 +44,7 @@ FindingsFlag::FindingsFlag(Document& document, QWidget* parent)
     events_->setItemDelegateForColumn(1, new IndexDelegate(events_));
     events_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     events_->header()->setResizeContentsPrecision(0);  // of the visible rows
-    auto* layout = new QVBoxLayout(popup_);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(2);
-    layout->addWidget(check_, 2);
-    layout->addWidget(title_);
-    layout->addWidget(events_, 3);
+    fill(new QVBoxLayout(popup_), {2, 2, 2, 2}, 2, {{check_, 2}, title_, {events_, 3}});
     const auto go = [this](double time_s, double seconds) {
         popup_->hide();
         emit placeChosen(time_s, seconds);
@@ -65,7 +61,7 @@ FindingsFlag::FindingsFlag(Document& document, QWidget* parent)
         connect(&document_, changed, this, &FindingsFlag::refresh);
     }
     connect(&document_, &Document::recordingChanged, this, &FindingsFlag::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void FindingsFlag::setAnalysis(AnalysisId analysis_id) {
@@ -137,13 +133,6 @@ void FindingsFlag::fillEvents(const AnalysisEntry* entry) {
         items << item;
     }
     events_->addTopLevelItems(items);
-}
-
-void FindingsFlag::changeEvent(QEvent* event) {
-    QToolButton::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void FindingsFlag::retranslate() {

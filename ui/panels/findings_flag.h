@@ -27,9 +27,6 @@ signals:
     // Seconds from the start of the recording.
     void placeChosen(double time_s, double seconds);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void open();
     void refresh();

@@ -3,6 +3,7 @@
 #include "ui/panels/ledger_cells.h"
 #include "ui/panels/ledger_head.h"
 #include "ui/panels/recording_facts.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
@@ -229,8 +230,7 @@ void Ledger::fill(const LedgerRow& row, QTreeWidgetItem& item) {
         removeItemWidget(&item, notesColumn());
         return;
     }
-    auto* snap = new QPushButton(mark, tr("Snap"), this);
-    snap->setObjectName(QStringLiteral("snapAnalysis"));
+    auto* snap = withName(new QPushButton(mark, tr("Snap"), this), "snapAnalysis");
     snap->setToolTip(
         plainTip(notes + QLatin1Char('\n') +
                  tr("Analyse again with a window of whole half-periods, which leaks least")));

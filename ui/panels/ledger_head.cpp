@@ -1,14 +1,17 @@
 #include "ui/panels/ledger_head.h"
 
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
+
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QToolButton>
 
 namespace vybeg::ui {
 
-LedgerHead::LedgerHead(QWidget* parent) : QWidget(parent), kind_(new QComboBox(this)) {
+LedgerHead::LedgerHead(QWidget* parent)
+    : QWidget(parent), kind_(withName(new QComboBox(this), "trend")) {
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(2, 0, 2, 0);
     line->setSpacing(1);
@@ -24,7 +27,6 @@ LedgerHead::LedgerHead(QWidget* parent) : QWidget(parent), kind_(new QComboBox(t
         line->addWidget(button);
         buttons_[at] = button;
     }
-    kind_->setObjectName(QStringLiteral("trend"));
     kind_->addItems(QStringList(trend_kinds));
     kind_->setFrame(false);
     line->addWidget(kind_);
@@ -33,7 +35,7 @@ LedgerHead::LedgerHead(QWidget* parent) : QWidget(parent), kind_(new QComboBox(t
             [this](int at) { emit readAtChosen(static_cast<ReadAt>(at)); });
     connect(kind_, &QComboBox::activated, this,
             [this](int kind) { emit kindChosen(static_cast<TrendKind>(kind)); });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void LedgerHead::show(ReadAt at, const Measuring& measuring) {
@@ -45,13 +47,6 @@ void LedgerHead::show(ReadAt at, const Measuring& measuring) {
     buttons_[static_cast<std::size_t>(at)]->setChecked(true);
     kind_->setCurrentIndex(static_cast<int>(measuring.kind));
     kind_->setVisible(measuring.both());
-}
-
-void LedgerHead::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void LedgerHead::retranslate() {
@@ -66,10 +61,7 @@ void LedgerHead::retranslate() {
         buttons_[k]->setText(texts[k]);
         buttons_[k]->setToolTip(tips[k]);
     }
-    const std::array kinds{tr("line"), tr("parabola"), tr("cubic"), tr("beat")};
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
-        kind_->setItemText(static_cast<int>(k), kinds[k]);
-    }
+    setTexts(*kind_, {tr("line"), tr("parabola"), tr("cubic"), tr("beat")});
     kind_->setAccessibleName(tr("Trend between the cursors"));
     kind_->setToolTip(
         tr("A line is an exponential for the working wave; a beat is a damped sinusoid. "

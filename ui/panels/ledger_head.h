@@ -24,9 +24,6 @@ signals:
     void readAtChosen(vybeg::ui::ReadAt at);
     void kindChosen(vybeg::ui::TrendKind kind);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
 

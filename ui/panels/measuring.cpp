@@ -145,7 +145,7 @@ QString mouseTable(const Document& document, const Measuring& measuring,
     }
     Measuring here = measuring;
     here.mouse_s = measuring.mouse_s.value_or(shown.front()->analysis->track.time_s().front());
-    QStringList head{MeasuringWords::tr("t = %1 s").arg(spreadsheetNumber(*here.mouse_s))};
+    QStringList head{MeasuringWords::tr("t = %1 s").arg(exactText(*here.mouse_s))};
     for (const ShownAnalysis* each : shown) {
         head << each->name << MeasuringWords::tr("sd");
     }
@@ -155,7 +155,7 @@ QString mouseTable(const Document& document, const Measuring& measuring,
         for (const ShownAnalysis* each : shown) {
             const Reading reading =
                 readingOf(*each->analysis, variable, ReadAt::mouse, here, {}, units);
-            cells << spreadsheetNumber(reading.value) << spreadsheetNumber(reading.sd);
+            cells << exactText(reading.value) << exactText(reading.sd);
         }
         lines << cells.join(QLatin1Char('\t'));
     }
@@ -169,16 +169,16 @@ QString cursorTable(const ShownAnalysis& shown, const Measuring& measuring,
         return {};
     }
     const QString sd = MeasuringWords::tr("sd");
-    QStringList lines{QStringList{
-        shown.name, MeasuringWords::tr("A = %1 s").arg(spreadsheetNumber(*measuring.a_s)), sd,
-        MeasuringWords::tr("B = %1 s").arg(spreadsheetNumber(*measuring.b_s)), sd,
-        MeasuringWords::tr("B − A"), sd, rateName(measuring.kind), sd}
+    QStringList lines{QStringList{shown.name,
+                                  MeasuringWords::tr("A = %1 s").arg(exactText(*measuring.a_s)), sd,
+                                  MeasuringWords::tr("B = %1 s").arg(exactText(*measuring.b_s)), sd,
+                                  MeasuringWords::tr("B − A"), sd, rateName(measuring.kind), sd}
                           .join(QLatin1Char('\t'))};
     for (const SlowVariable variable : main_slow_variables) {
         QStringList cells{nameWithUnit(variable, units)};
         for (const ReadAt at : {ReadAt::a, ReadAt::b, ReadAt::difference, ReadAt::rate}) {
             const Reading reading = readingOf(analysis, variable, at, measuring, trends, units);
-            cells << spreadsheetNumber(reading.value) << spreadsheetNumber(reading.sd);
+            cells << exactText(reading.value) << exactText(reading.sd);
         }
         lines << cells.join(QLatin1Char('\t'));
     }

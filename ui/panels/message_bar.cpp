@@ -1,6 +1,7 @@
 #include "ui/panels/message_bar.h"
 
-#include <QEvent>
+#include "ui/widgets/keep_translated.h"
+
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -24,6 +25,7 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayo
     layout_->setContentsMargins(0, 0, 0, 0);
     layout_->setSpacing(2);
     hide();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void MessageBar::add(const Message& message) {
@@ -57,18 +59,15 @@ void MessageBar::add(const Message& message) {
     row.text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row.text->setForegroundRole(QPalette::ToolTipText);
     line->addWidget(row.text, 1);
-    if (!message.reopen_path.isEmpty()) {
+    if (!message.reopen_path.isEmpty() || message.button) {
         row.action = new QPushButton(frame);
         connect(row.action, &QPushButton::clicked, this, [this, frame, message] {
             remove(frame);
-            emit reopenWanted(message.reopen_path, message.reopen_options);
-        });
-        line->addWidget(row.action);
-    } else if (message.button) {
-        row.action = new QPushButton(frame);
-        connect(row.action, &QPushButton::clicked, this, [this, frame, press = message.press] {
-            remove(frame);
-            press();
+            if (message.reopen_path.isEmpty()) {
+                message.press();
+            } else {
+                emit reopenWanted(message.reopen_path, message.reopen_options);
+            }
         });
         line->addWidget(row.action);
     }
@@ -128,13 +127,6 @@ QStringList MessageBar::texts() const {
         texts << row.text->text();
     }
     return texts;
-}
-
-void MessageBar::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void MessageBar::retranslate() {

@@ -32,9 +32,6 @@ signals:
     // The user wants to open a file again with other options.
     void reopenWanted(const QString& path, const OpenOptions& options);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     struct Row {
         Message message;

@@ -57,7 +57,7 @@ Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_
     return difference;
 }
 
-QString spreadsheetNumber(double value) {
+QString exactText(double value) {
     return std::isnan(value) ? QString()
                              : QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
 }

@@ -29,6 +29,6 @@ Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_
                      std::size_t to, const DisplayUnits& units);
 
 // With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.
-QString spreadsheetNumber(double value);
+QString exactText(double value);
 
 }  // namespace vybeg::ui

@@ -4,9 +4,10 @@
 #include "ui/charts/round_view.h"
 #include "ui/panels/reading.h"
 #include "ui/plots/plot_content.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -53,24 +54,17 @@ WavePanel::WavePanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       time_(new QLabel(this)),
-      pattern_(new RoundView(true, this)),
-      ellipse_(new RoundView(false, this)) {
+      pattern_(withName(new RoundView(true, this), "pattern")),
+      ellipse_(withName(new RoundView(false, this), "ellipse")) {
     time_->setContentsMargins(6, 2, 6, 2);
-    pattern_->setObjectName(QStringLiteral("pattern"));
-    ellipse_->setObjectName(QStringLiteral("ellipse"));
     // The ledger below is the legend of the tracks, too.
     pattern_->setLegendShown(false);
     ellipse_->setLegendShown(false);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(time_);
-    layout->addWidget(pattern_, 1);
-    layout->addWidget(ellipse_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {time_, {pattern_, 1}, {ellipse_, 1}});
     connect(pattern_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(ellipse_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(&document_, &Document::analysesChanged, this, &WavePanel::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void WavePanel::setTime(std::optional<double> time_s) {
@@ -132,13 +126,6 @@ void WavePanel::refresh() {
 void WavePanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     refresh();
-}
-
-void WavePanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void WavePanel::retranslate() {

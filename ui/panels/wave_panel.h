@@ -31,7 +31,6 @@ signals:
     void exportWanted(const Figure& figure);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:

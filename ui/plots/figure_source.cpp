@@ -30,17 +30,14 @@ Figure stacked(const std::vector<Figure>& figures, const QString& name) {
 FigureSource sourceOf(const std::vector<std::pair<QString, Figure>>& figures, const QString& name,
                       const QString& title) {
     FigureSource source;
+    std::vector<Figure> drawings;
     for (const auto& [plot, figure] : figures) {
         source.plots << plot;
+        drawings.push_back(figure);
     }
     source.title = title;
-    source.figure = [figures, name](const std::vector<int>& places) {
-        std::vector<Figure> some;
-        some.reserve(places.size());
-        for (const int place : places) {
-            some.push_back(figures[static_cast<std::size_t>(place)].second);
-        }
-        return stacked(some, name);
+    source.figure = [drawings, name](const std::vector<int>& places) {
+        return stacked(atPlaces(drawings, places), name);
     };
     return source;
 }

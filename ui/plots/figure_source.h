@@ -19,6 +19,17 @@ struct FigureSource {
     QString settings;  // of the analyses shown
 };
 
+// Those of all at these places.
+template <class Value>
+std::vector<Value> atPlaces(const std::vector<Value>& all, const std::vector<int>& places) {
+    std::vector<Value> some;
+    some.reserve(places.size());
+    for (const int place : places) {
+        some.push_back(all[static_cast<std::size_t>(place)]);
+    }
+    return some;
+}
+
 // Figures with their names, from which some are chosen; one below the other.
 FigureSource sourceOf(const std::vector<std::pair<QString, Figure>>& figures, const QString& name,
                       const QString& title);

@@ -1,6 +1,7 @@
 #include "ui/plots/measured_page.h"
 
 #include "ui/plots/xy_plot_view.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QEvent>
 
@@ -15,8 +16,7 @@ void MeasuredPage::setTheme(const Theme& theme) {
 
 XYPlotView* MeasuredPage::addPlot(const char* name, int least_height) {
     constexpr int least_width = 180;
-    auto* plot = new XYPlotView(this);
-    plot->setObjectName(QLatin1String(name));
+    auto* plot = withName(new XYPlotView(this), name);
     plot->setMinimumSize(least_width, least_height);
     plot->setMaximumHeight(QWIDGETSIZE_MAX);
     connect(plot, &XYPlotView::exportWanted, this, &MeasuredPage::exportWanted);

@@ -67,15 +67,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    enum class Grip {
-        none,
-        visible_from,
-        visible_to,
-        visible_all,
-        analysed_from,
-        analysed_to,
-        analysed_all
-    };
+    enum class Grip { none, from, to, all };  // of the visible or the analysed range
 
     // Height of the row below the signals, the bar of the analysed range.
     static constexpr int range_row = 9;
@@ -84,8 +76,9 @@ private:
     double toTime(double pixel) const;
     Grip gripAt(const QPointF& position) const;
     void drag(double time_s);
-    void editVisible(AxisRange range);
-    void editAnalysed(AxisRange range);
+    bool isBelow(const QPointF& position) const;  // the signals, where the analysed range lies
+    AxisRange& range(bool analysed) { return analysed ? analysed_ : visible_; }
+    void edit(bool analysed, AxisRange edited);
     void zoomVisible(double factor, double about_s);
     void drawEnvelope(QPainter& painter, const QRect& area) const;
     void drawFaults(QPainter& painter, const QRect& area) const;
@@ -104,6 +97,7 @@ private:
     int left_ = 8;
     int right_ = 8;
     Grip grip_ = Grip::none;
+    bool grips_analysed_ = false;
     double press_s_ = 0;
     AxisRange press_range_;
 };

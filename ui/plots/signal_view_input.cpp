@@ -6,7 +6,6 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -25,46 +24,31 @@ AxisRange inside(AxisRange range, double seconds) {
 
 }  // namespace
 
+bool SignalView::isBelow(const QPointF& position) const {
+    return position.y() > plotArea().bottom();
+}
+
 SignalView::Grip SignalView::gripAt(const QPointF& position) const {
     if (!envelope_ || !rect().contains(position.toPoint())) {
         return Grip::none;
     }
-    struct Candidate {
-        Grip grip;
-        double time_s;
-    };
-    const bool analysed = position.y() > plotArea().bottom();
-    const std::array<Candidate, 2> ends =
-        analysed ? std::array<Candidate, 2>{{{Grip::analysed_from, analysed_.lower},
-                                             {Grip::analysed_to, analysed_.upper}}}
-                 : std::array<Candidate, 2>{
-                       {{Grip::visible_from, visible_.lower}, {Grip::visible_to, visible_.upper}}};
-    const double to_first = std::abs(toPixel(ends[0].time_s) - position.x());
-    const double to_second = std::abs(toPixel(ends[1].time_s) - position.x());
+    const AxisRange& range = isBelow(position) ? analysed_ : visible_;
+    const double to_first = std::abs(toPixel(range.lower) - position.x());
+    const double to_second = std::abs(toPixel(range.upper) - position.x());
     if (std::min(to_first, to_second) <= reach) {
         // With both handles within reach, the one on whose outer side the mouse is.
-        if (to_first == to_second) {
-            return position.x() < toPixel(ends[0].time_s) ? ends[0].grip : ends[1].grip;
-        }
-        return to_first < to_second ? ends[0].grip : ends[1].grip;
+        const bool first =
+            to_first == to_second ? position.x() < toPixel(range.lower) : to_first < to_second;
+        return first ? Grip::from : Grip::to;
     }
-    const AxisRange range = analysed ? analysed_ : visible_;
-    if (range.contains(toTime(position.x()))) {
-        return analysed ? Grip::analysed_all : Grip::visible_all;
-    }
-    return Grip::none;
+    return range.contains(toTime(position.x())) ? Grip::all : Grip::none;
 }
 
-void SignalView::editVisible(AxisRange range) {
-    visible_ = range;
+void SignalView::edit(bool analysed, AxisRange edited) {
+    range(analysed) = edited;
     update();
-    emit visibleRangeEdited(range.lower, range.upper);
-}
-
-void SignalView::editAnalysed(AxisRange range) {
-    analysed_ = range;
-    update();
-    emit analysedRangeEdited(range.lower, range.upper);
+    analysed ? emit analysedRangeEdited(edited.lower, edited.upper)
+             : emit visibleRangeEdited(edited.lower, edited.upper);
 }
 
 void SignalView::drag(double time_s) {
@@ -72,25 +56,19 @@ void SignalView::drag(double time_s) {
     // A range is never reversed or smaller than a handle.
     const double least = std::abs(toTime(2) - toTime(0));
     const double shift = time_s - press_s_;
-    const AxisRange moved =
-        inside({press_range_.lower + shift, press_range_.upper + shift}, seconds_);
+    const AxisRange now = range(grips_analysed_);
     switch (grip_) {
         case Grip::none: break;
-        case Grip::visible_from:
-            editVisible({std::max(0., std::min(t, visible_.upper - least)), visible_.upper});
+        case Grip::from:
+            edit(grips_analysed_, {std::max(0., std::min(t, now.upper - least)), now.upper});
             break;
-        case Grip::visible_to:
-            editVisible({visible_.lower, std::min(seconds_, std::max(t, visible_.lower + least))});
+        case Grip::to:
+            edit(grips_analysed_, {now.lower, std::min(seconds_, std::max(t, now.lower + least))});
             break;
-        case Grip::visible_all: editVisible(moved); break;
-        case Grip::analysed_from:
-            editAnalysed({std::max(0., std::min(t, analysed_.upper - least)), analysed_.upper});
+        case Grip::all:
+            edit(grips_analysed_,
+                 inside({press_range_.lower + shift, press_range_.upper + shift}, seconds_));
             break;
-        case Grip::analysed_to:
-            editAnalysed(
-                {analysed_.lower, std::min(seconds_, std::max(t, analysed_.lower + least))});
-            break;
-        case Grip::analysed_all: editAnalysed(moved); break;
     }
 }
 
@@ -101,14 +79,13 @@ void SignalView::mousePressEvent(QMouseEvent* event) {
     }
     press_s_ = toTime(event->position().x());
     grip_ = gripAt(event->position());
-    if (grip_ == Grip::none && event->position().y() <= plotArea().bottom()) {
+    grips_analysed_ = isBelow(event->position());
+    if (grip_ == Grip::none && !grips_analysed_) {
         const double half = 0.5 * visible_.span();
-        editVisible(inside({press_s_ - half, press_s_ + half}, seconds_));
-        grip_ = Grip::visible_all;
+        edit(false, inside({press_s_ - half, press_s_ + half}, seconds_));
+        grip_ = Grip::all;
     }
-    const bool analysed =
-        grip_ == Grip::analysed_from || grip_ == Grip::analysed_to || grip_ == Grip::analysed_all;
-    press_range_ = analysed ? analysed_ : visible_;
+    press_range_ = range(grips_analysed_);
 }
 
 void SignalView::mouseMoveEvent(QMouseEvent* event) {
@@ -118,14 +95,13 @@ void SignalView::mouseMoveEvent(QMouseEvent* event) {
     }
     switch (gripAt(event->position())) {
         case Grip::none: setCursor(Qt::ArrowCursor); break;
-        case Grip::visible_all:
-        case Grip::analysed_all: setCursor(Qt::OpenHandCursor); break;
+        case Grip::all: setCursor(Qt::OpenHandCursor); break;
         default: setCursor(Qt::SizeHorCursor); break;
     }
-    const bool analysed = event->position().y() > plotArea().bottom();
     setToolTip(!envelope_ ? QString()
-               : analysed ? tr("Analysed range: drag the ends of the bar")
-                          : tr("Visible range: drag the edges, or the inside to shift it"));
+               : isBelow(event->position())
+                   ? tr("Analysed range: drag the ends of the bar")
+                   : tr("Visible range: drag the edges, or the inside to shift it"));
 }
 
 void SignalView::mouseReleaseEvent(QMouseEvent*) {
@@ -137,11 +113,7 @@ void SignalView::mouseDoubleClickEvent(QMouseEvent* event) {
         return;
     }
     grip_ = Grip::none;
-    if (event->position().y() > plotArea().bottom()) {
-        editAnalysed({0, seconds_});
-    } else {
-        editVisible({0, seconds_});
-    }
+    edit(isBelow(event->position()), {0, seconds_});
 }
 
 void SignalView::zoomVisible(double factor, double about_s) {
@@ -151,7 +123,7 @@ void SignalView::zoomVisible(double factor, double about_s) {
     if (range.span() < least) {
         return;
     }
-    editVisible(inside(range, seconds_));
+    edit(false, inside(range, seconds_));
 }
 
 void SignalView::wheelEvent(QWheelEvent* event) {
@@ -170,10 +142,8 @@ void SignalView::keyPressEvent(QKeyEvent* event) {
         return;
     }
     const bool analysed = event->modifiers() & Qt::ShiftModifier;
-    const AxisRange range = analysed ? analysed_ : visible_;
-    const auto edit = [&](AxisRange to) {
-        analysed ? editAnalysed(inside(to, seconds_)) : editVisible(inside(to, seconds_));
-    };
+    const AxisRange range = this->range(analysed);
+    const auto edit = [&](AxisRange to) { this->edit(analysed, inside(to, seconds_)); };
     const double step = key_step * range.span();
     const double centre = 0.5 * (range.lower + range.upper);
     const auto scaled = [&](double factor) {

@@ -1,6 +1,7 @@
 #include "ui/plots/time_gestures.h"
 
 #include "ui/plots/time_overlay.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -14,9 +15,7 @@
 namespace vybeg::ui {
 
 TimeGestures::TimeGestures(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(plot_);
+    fill(new QVBoxLayout(this), {}, {plot_});
     // The view handles the mouse itself, not QCustomPlot.
     plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
     plot_->setFocusPolicy(Qt::NoFocus);

@@ -126,15 +126,6 @@ void TrackView::setTimeRange(AxisRange range) {
     zoom_.visit(std::move(state), Gesture::outside);
 }
 
-void TrackView::setValueRange(SlowVariable variable, std::optional<AxisRange> range) {
-    ZoomState state = zoom_.current();
-    state.fixed.erase(variable);
-    if (range) {
-        state.fixed.emplace(variable, *range);
-    }
-    zoom_.visit(std::move(state), Gesture::none);
-}
-
 void TrackView::setTracker(std::optional<double> time_s) {
     tracker_ = time_s;
     refreshOverlay();

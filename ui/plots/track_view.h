@@ -54,8 +54,6 @@ public:
     }
     // Time range and fixed value ranges at once, one step of the zoom history.
     void setZoom(ZoomState state) { zoom_.visit(std::move(state), Gesture::none); }
-    // A fixed value axis in displayed units, or one that follows the data.
-    void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
 
     ZoomNavigator& zoom() override { return zoom_; }
     std::optional<double> tracker() const override { return tracker_; }

@@ -131,10 +131,7 @@ private:
     // At the left end above the plot, or centred below it.
     void name(QCPPainter& painter, double base, const QString& symbol, const QString& unit,
               bool takes_prefix, const AxisTicks& ticks, bool centred) const {
-        QString text = symbol;
-        if (ticks.offset != 0) {
-            text += ticks.offsetText();
-        }
+        const QString text = symbol + ticks.offsetText();
         const QString scaled = scaledUnit(unit, takes_prefix, ticks.exponent);
         constexpr double gap = 8;
         const double width = indexTextWidth(text, font_) + gap + indexTextWidth(scaled, font_);
@@ -217,6 +214,16 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
 }
 
 }  // namespace
+
+XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink) {
+    XYSeries mark;
+    mark.points = true;
+    mark.style = 1;
+    mark.ink = ink;
+    mark.x = {points.x[point]};
+    mark.y = {points.y[point]};
+    return mark;
+}
 
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size) {
     plot.clearPlottables();

@@ -29,6 +29,9 @@ struct XYSeries {
     bool dashed = false;
 };
 
+// A mark on one point of a series.
+XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink);
+
 // A plot of one quantity against another, as a value, for screen and paper. An underscore in a name
 // introduces an index.
 struct XYPlot {

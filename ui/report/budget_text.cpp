@@ -1,6 +1,7 @@
 #include "ui/report/budget_text.h"
 
 #include "core/resonator/results/uncertainty_budget.h"
+#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/error_text.h"
@@ -12,17 +13,12 @@
 
 namespace vybeg::ui {
 
-QString reportText(const char* text) {
-    return QCoreApplication::translate("Report", text);
-}
-
 QStringList budgetHeaders(const Identification& found) {
-    QStringList headers{reportText(QT_TRANSLATE_NOOP("Report", "Statistical"))};
+    QStringList headers{ReportWords::tr("Statistical")};
     for (const ErrorSource source : sources_of(uncertainty_budget(found.fit))) {
         headers << toleranceName(source, found.settings);
     }
-    headers << reportText(QT_TRANSLATE_NOOP("Report", "Combined u"))
-            << reportText(QT_TRANSLATE_NOOP("Report", "Expanded U = 2u"));
+    headers << ReportWords::tr("Combined u") << ReportWords::tr("Expanded U = 2u");
     return headers;
 }
 

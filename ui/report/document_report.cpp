@@ -82,8 +82,7 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
     std::ranges::copy_if(subjects, std::back_inserter(sets),
                          [](const ReportSubject& each) { return each.set != SetId::none; });
     if (sets.size() > 1) {
-        ReportSubject all{
-            reportText(QT_TRANSLATE_NOOP("Report", "All sets")), {}, SetId::none, true};
+        ReportSubject all{ReportWords::tr("All sets"), {}, SetId::none, true};
         for (const ReportSubject& each : sets) {
             all.recordings.insert(all.recordings.end(), each.recordings.begin(),
                                   each.recordings.end());
@@ -91,10 +90,7 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
         subjects.push_back(all);
     }
     if (document.drift().outcome()) {
-        subjects.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Whole-angle logs alone")),
-                            {},
-                            SetId::none,
-                            false});
+        subjects.push_back({ReportWords::tr("Whole-angle logs alone"), {}, SetId::none, false});
     }
     return subjects;
 }

@@ -32,23 +32,20 @@ QString wholeAngleSection(const ReportContent& content, bool new_page) {
     }
     const DriftOutcome& outcome = *content.drift;
     QString section =
-        heading(reportText(QT_TRANSLATE_NOOP("Report", "Drift of the whole angle")), new_page) +
-        filesOf(outcome);
+        heading(ReportWords::tr("Drift of the whole angle"), new_page) + filesOf(outcome);
     if (const QString settings = optionsText(outcome.settings); !settings.isEmpty()) {
         section += QStringLiteral("<p>%1</p>").arg(monospaced(settings));
     }
     if (!content.summary) {
         section += figureHtml(figureName(content, whole_angle_figure));
     }
-    section += smallHeading(reportText(QT_TRANSLATE_NOOP("Report", "Drift of the angle"))) +
+    section += smallHeading(ReportWords::tr("Drift of the angle")) +
                quantityTables(logHeaders(outcome.drift), logRows(outcome.drift, content.units),
                               most_logs, true);
     for (const QString& sentence : agreementTexts(outcome.drift)) {
         section += paragraph(sentence);
     }
-    return section +
-           smallHeading(
-               reportText(QT_TRANSLATE_NOOP("Report", "Resonator, from drift and efforts"))) +
+    return section + smallHeading(ReportWords::tr("Resonator, from drift and efforts")) +
            quantityTables({}, heldRows(outcome.drift.resonator, content.units), 1) +
            paragraph(channelsText(pick_offs(outcome.settings.tolerance)));
 }

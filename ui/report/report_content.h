@@ -36,7 +36,7 @@ struct ReportTitle {
 
 struct TitleField {
     const char* option;  // of the command line, without its dashes
-    const char* name;    // reportText()
+    const char* name;    // ReportWords::tr()
     const char* help;    // of the option
     QString ReportTitle::*text;
     std::string Conditions::*told;  // by a measurement list; nullptr: not told there

@@ -51,16 +51,16 @@ QStringList sentences(const std::vector<Finding>& findings) {
     return sentences(findings, findings.size());
 }
 
-QString bold(const char* text) {
-    return QStringLiteral("<b>%1</b>").arg(reportText(text).toHtmlEscaped());
+QString bold(const QString& text) {
+    return QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped());
 }
 
 QString checkText(const ReportRecording& recording) {
     if (!recording.check) {
-        return reportText(QT_TRANSLATE_NOOP("Report", "not finished yet"));
+        return ReportWords::tr("not finished yet");
     }
     return recording.check->empty()
-               ? reportText(QT_TRANSLATE_NOOP("Report", "no findings"))
+               ? ReportWords::tr("no findings")
                : sentences(findings_of(*recording.check)).join(QStringLiteral(" "));
 }
 
@@ -68,53 +68,40 @@ QString recordingsSection(const ReportContent& content) {
     if (content.recordings.empty()) {
         return {};
     }
-    const auto head = [](const char* text, const char* unit = "") {
-        return withUnit(reportText(text), unitText(unit));
-    };
-    HtmlTable table{
-        {head(QT_TRANSLATE_NOOP("Report", "File")), head(QT_TRANSLATE_NOOP("Report", "Format")),
-         head(QT_TRANSLATE_NOOP("Report", "Start")),
-         head(QT_TRANSLATE_NOOP("Report", "Rate"), "Hz"),
-         head(QT_TRANSLATE_NOOP("Report", "Length"), "s")},
-        {},
-        {26, 29, 18, 14, 13}};
+    HtmlTable table{{ReportWords::tr("File"), ReportWords::tr("Format"), ReportWords::tr("Start"),
+                     withUnit(ReportWords::tr("Rate"), unitText("Hz")),
+                     withUnit(ReportWords::tr("Length"), unitText("s"))},
+                    {},
+                    {26, 29, 18, 14, 13}};
     for (const ReportRecording& each : content.recordings) {
-        table.rows.push_back({QStringLiteral("<b>%1</b>").arg(each.name.toHtmlEscaped()),
-                              each.format.toHtmlEscaped(),
+        table.rows.push_back({bold(each.name), each.format.toHtmlEscaped(),
                               each.start.isEmpty() ? none : each.start.toHtmlEscaped(),
                               rateText(each.rate_hz), seconds(each.seconds, 3)});
-        const QString hash =
-            each.sha256.isEmpty()
-                ? reportText(QT_TRANSLATE_NOOP("Report", "not computed yet")).toHtmlEscaped()
-                : monospaced(each.sha256);
+        const QString hash = each.sha256.isEmpty()
+                                 ? ReportWords::tr("not computed yet").toHtmlEscaped()
+                                 : monospaced(each.sha256);
         table.rows.push_back({QStringLiteral("SHA-256: ") + hash});
         if (!each.is_log) {
-            table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Check: %1"))
-                                      .arg(richText(checkText(each)))});
+            table.rows.push_back({ReportWords::tr("Check: %1").arg(richText(checkText(each)))});
         }
         if (!each.conditions.isEmpty()) {
             table.rows.push_back(
-                {reportText(QT_TRANSLATE_NOOP("Report", "Conditions: %1"))
+                {ReportWords::tr("Conditions: %1")
                      .arg(each.conditions.join(QStringLiteral("; ")).toHtmlEscaped())});
         }
     }
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Recordings")), true) + html(table);
+    return heading(ReportWords::tr("Recordings"), true) + html(table);
 }
 
 QString settingsSection(const ReportContent& content) {
     if (content.analyses.empty()) {
         return {};
     }
-    const auto head = [](const char* text, const char* unit = "") {
-        return withUnit(reportText(text), unitText(unit));
-    };
-    HtmlTable table{{head(QT_TRANSLATE_NOOP("Report", "Recording")),
-                     head(QT_TRANSLATE_NOOP("Report", "Algorithm")),
-                     head(QT_TRANSLATE_NOOP("Report", "Window, hop (samples)")),
-                     head(QT_TRANSLATE_NOOP("Report", "Windows")),
-                     head(QT_TRANSLATE_NOOP("Report", "Mean frequency"), "Hz"),
-                     head(QT_TRANSLATE_NOOP("Report", "Instant of the mean"), "s"),
-                     head(QT_TRANSLATE_NOOP("Report", "Noise σ"))},
+    HtmlTable table{{ReportWords::tr("Recording"), ReportWords::tr("Algorithm"),
+                     ReportWords::tr("Window, hop (samples)"), ReportWords::tr("Windows"),
+                     withUnit(ReportWords::tr("Mean frequency"), unitText("Hz")),
+                     withUnit(ReportWords::tr("Instant of the mean"), unitText("s")),
+                     ReportWords::tr("Noise σ")},
                     {},
                     {16, 18, 13, 9, 21, 13, 10}};
     for (const ReportAnalysis& each : content.analyses) {
@@ -133,8 +120,7 @@ QString settingsSection(const ReportContent& content) {
             table.rows.push_back({monospaced(options)});
         }
     }
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Analyses and their settings"))) +
-           html(table);
+    return heading(ReportWords::tr("Analyses and their settings")) + html(table);
 }
 
 QString plotsSection(const ReportContent& content) {
@@ -142,8 +128,7 @@ QString plotsSection(const ReportContent& content) {
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
         const auto is_of = [k](const ReportAnalysis& analysis) { return analysis.recording == k; };
         if (std::ranges::any_of(content.analyses, is_of)) {
-            text += heading(reportText(QT_TRANSLATE_NOOP("Report", "Slow variables: %1"))
-                                .arg(content.recordings[k].name),
+            text += heading(ReportWords::tr("Slow variables: %1").arg(content.recordings[k].name),
                             true) +
                     figureHtml(plotsName(content, k));
         }
@@ -155,32 +140,27 @@ QString eventsSection(const ReportContent& content) {
     if (content.analyses.empty()) {
         return {};
     }
-    QString text = heading(reportText(QT_TRANSLATE_NOOP("Report", "Events")));
+    QString text = heading(ReportWords::tr("Events"));
     bool any = false;
     for (const ReportAnalysis& each : content.analyses) {
         if (each.events.empty()) {
             continue;
         }
         any = true;
-        HtmlTable table{{reportText(QT_TRANSLATE_NOOP("Report", "Time, s")),
-                         reportText(QT_TRANSLATE_NOOP("Report", "Event"))},
-                        {},
-                        {14, 86}};
+        HtmlTable table{{ReportWords::tr("Time, s"), ReportWords::tr("Event")}, {}, {14, 86}};
         for (std::size_t k = 0; k < std::min(each.events.size(), most_events); ++k) {
             table.rows.push_back(
                 {seconds(each.events[k].time_s, 4), richText(eventText(each.events[k]))});
         }
         if (each.events.size() > most_events) {
-            table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Further events: %1"))
+            table.rows.push_back({ReportWords::tr("Further events: %1")
                                       .arg(static_cast<qint64>(each.events.size() - most_events))});
         }
         text += smallHeading(QStringLiteral("%1, %2").arg(content.recordings[each.recording].name,
                                                           each.shown.name)) +
                 html(table);
     }
-    return any ? text
-               : text + paragraph(
-                            reportText(QT_TRANSLATE_NOOP("Report", "No axis crossings, no gaps.")));
+    return any ? text : text + paragraph(ReportWords::tr("No axis crossings, no gaps."));
 }
 
 // What the analyses found beside the recording check, which stands with the recordings.
@@ -198,28 +178,25 @@ std::vector<NamedWarnings> warningsOfAnalyses(const ReportContent& content) {
     return all;
 }
 
-QString warningsPart(const char* title, const std::vector<Finding>& findings) {
-    return findings.empty() ? QString()
-                            : smallHeading(reportText(title)) + items(sentences(findings));
+QString warningsPart(const QString& title, const std::vector<Finding>& findings) {
+    return findings.empty() ? QString() : smallHeading(title) + items(sentences(findings));
 }
 
 // Each kind once, the worst first; of the recordings, of the analyses, of the result.
 QString warningsSection(const ReportContent& content) {
     const QString text =
-        (content.outcome ? warningsPart(QT_TRANSLATE_NOOP("Report", "Of the resonator"),
+        (content.outcome ? warningsPart(ReportWords::tr("Of the resonator"),
                                         findings_of(content.outcome->identification.fit.warnings))
                          : QString()) +
-        (content.drift
-             ? warningsPart(QT_TRANSLATE_NOOP("Report", "Of the drift of the whole angle"),
-                            findings_of(content.drift->drift.warnings))
-             : QString()) +
-        warningsPart(QT_TRANSLATE_NOOP("Report", "Of the analyses"),
-                     findings_of(warningsOfAnalyses(content))) +
-        (content.outcome ? warningsPart(QT_TRANSLATE_NOOP("Report", "Of the recordings in the fit"),
+        (content.drift ? warningsPart(ReportWords::tr("Of the drift of the whole angle"),
+                                      findings_of(content.drift->drift.warnings))
+                       : QString()) +
+        warningsPart(ReportWords::tr("Of the analyses"), findings_of(warningsOfAnalyses(content))) +
+        (content.outcome ? warningsPart(ReportWords::tr("Of the recordings in the fit"),
                                         recordingFindings(*content.outcome))
                          : QString());
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Warnings"))) +
-           (text.isEmpty() ? paragraph(reportText(QT_TRANSLATE_NOOP("Report", "None."))) : text);
+    return heading(ReportWords::tr("Warnings")) +
+           (text.isEmpty() ? paragraph(ReportWords::tr("None.")) : text);
 }
 
 // The worst, for the first page; their section has all.
@@ -241,26 +218,25 @@ QString worstWarnings(const ReportContent& content) {
     }
     std::vector<Finding> findings = findings_of(all);
     findings.resize(count_warnings(findings));
-    return smallHeading(reportText(QT_TRANSLATE_NOOP("Report", "Warnings"))) +
-           (findings.empty() ? paragraph(reportText(QT_TRANSLATE_NOOP("Report", "None.")))
+    return smallHeading(ReportWords::tr("Warnings")) +
+           (findings.empty() ? paragraph(ReportWords::tr("None."))
                              : items(sentences(findings, most_shown)));
 }
 
 // Lines for those who answer for the report.
 QString signatures(const ReportTitle& title) {
-    HtmlTable table{{QString(), reportText(QT_TRANSLATE_NOOP("Report", "Name")),
-                     reportText(QT_TRANSLATE_NOOP("Report", "Date")),
-                     reportText(QT_TRANSLATE_NOOP("Report", "Signature"))},
-                    {},
-                    {16, 34, 18, 32}};
+    HtmlTable table{
+        {QString(), ReportWords::tr("Name"), ReportWords::tr("Date"), ReportWords::tr("Signature")},
+        {},
+        {16, 34, 18, 32}};
     const auto add = [&table](const QString& what, const QString& name) {
         // Two lines high, to write in.
         table.rows.push_back({what + QStringLiteral("<br>&nbsp;"), name, {}, {}});
     };
-    add(bold(QT_TRANSLATE_NOOP("Report", "Measured")), title.engineer.toHtmlEscaped());
-    add(bold(QT_TRANSLATE_NOOP("Report", "Checked")), {});
-    add(bold(QT_TRANSLATE_NOOP("Report", "Approved")), {});
-    return smallHeading(reportText(QT_TRANSLATE_NOOP("Report", "Signatures"))) + html(table);
+    add(bold(ReportWords::tr("Measured")), title.engineer.toHtmlEscaped());
+    add(bold(ReportWords::tr("Checked")), {});
+    add(bold(ReportWords::tr("Approved")), {});
+    return smallHeading(ReportWords::tr("Signatures")) + html(table);
 }
 
 // The page to be signed.
@@ -278,11 +254,10 @@ QString titleBlock(const ReportTitle& title, const QString& made) {
     };
     HtmlTable table{{}, {}, {32, 68}};
     for (const TitleField& field : title_fields) {
-        table.rows.push_back({bold(field.name), told(title.*field.text)});
+        table.rows.push_back({bold(ReportWords::tr(field.name)), told(title.*field.text)});
     }
     if (!made.isEmpty()) {
-        table.rows.push_back(
-            {bold(QT_TRANSLATE_NOOP("Report", "Report made")), made.toHtmlEscaped()});
+        table.rows.push_back({bold(ReportWords::tr("Report made")), made.toHtmlEscaped()});
     }
     return html(table);
 }

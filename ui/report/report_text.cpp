@@ -55,7 +55,7 @@ ReportText framedReport(const QString& report, const QString& about, const QStri
     text.title = QStringLiteral("%1: %2").arg(report, about);
     text.program = program;
     text.head = text.title;
-    text.foot = reportText(QT_TRANSLATE_NOOP("Report", "Page %1 of %2"));
+    text.foot = ReportWords::tr("Page %1 of %2");
     text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped());
     return text;
 }
@@ -82,10 +82,10 @@ ReportText reportTextOf(const ReportContent& content, const QString& program, QD
             about += QStringLiteral(" … ") + QString::fromStdString(logs.back().name);
         }
     }
-    ReportText text = framedReport(
-        ofLogsAlone(content) ? reportText(QT_TRANSLATE_NOOP("Report", "Report of whole-angle logs"))
-                             : reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay")),
-        about, program);
+    ReportText text =
+        framedReport(ofLogsAlone(content) ? ReportWords::tr("Report of whole-angle logs")
+                                          : ReportWords::tr("Report of a free decay"),
+                     about, program);
     text.author = content.title.engineer;
     text.html += titleBlock(content.title, madeText(program, made)) + reportSections(content);
     return text;
@@ -102,40 +102,35 @@ ReportChapter chapterOf(const ReportContent& content) {
 
 ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
                         const DisplayUnits& units, const QString& program, QDate made) {
-    const auto head = [](const char* text, const QString& unit = {}) {
-        return richText(withUnit(reportText(text), unit));
+    const auto head = [](const QString& text, const QString& unit = {}) {
+        return richText(withUnit(text, unit));
     };
-    HtmlTable table{
-        {head(QT_TRANSLATE_NOOP("Report", "Set, gyro")), head(QT_TRANSLATE_NOOP("Report", "Page")),
-         head(QT_TRANSLATE_NOOP("Report", "Mean f"), unitText("Hz")),
-         head(QT_TRANSLATE_NOOP("Report", "Split Δf"), unitText("Hz")),
-         head(QT_TRANSLATE_NOOP("Report", "Axis θ_w"), angleUnit(units)),
-         head(QT_TRANSLATE_NOOP("Report", "Quality factor Q"))},
-        {},
-        {17, 7, 25, 23, 14, 14},
-        true};
-    const char* const combined =
+    HtmlTable table{{head(ReportWords::tr("Set, gyro")), head(ReportWords::tr("Page")),
+                     head(ReportWords::tr("Mean f"), unitText("Hz")),
+                     head(ReportWords::tr("Split Δf"), unitText("Hz")),
+                     head(ReportWords::tr("Axis θ_w"), angleUnit(units)),
+                     head(ReportWords::tr("Quality factor Q"))},
+                    {},
+                    {17, 7, 25, 23, 14, 14},
+                    true};
+    const QString combined =
         std::ranges::any_of(chapters, &ReportChapter::assumed)
-            ? QT_TRANSLATE_NOOP(
-                  "Report",
+            ? ReportWords::tr(
                   "Values with their combined standard uncertainties u, with assumed tolerances of "
                   "the channels. A dash: the recordings do not show it; the page of the set gives "
                   "the reason.")
-            : QT_TRANSLATE_NOOP("Report",
-                                "Values with their combined standard uncertainties u. A dash: the "
-                                "recordings do not show it; the page of the set gives the reason.");
+            : ReportWords::tr(
+                  "Values with their combined standard uncertainties u. A dash: the recordings do "
+                  "not show it; the page of the set gives the reason.");
     QString pages;
     for (const ReportChapter& chapter : chapters) {
         table.rows.push_back(chapter.line);
         pages += chapter.html;
     }
-    ReportText text = framedReport(reportText(QT_TRANSLATE_NOOP("Report", "Report of free decays")),
-                                   about, program);
-    text.html +=
-        paragraph(QStringLiteral("%1: %2").arg(
-            reportText(QT_TRANSLATE_NOOP("Report", "Report made")), madeText(program, made))) +
-        heading(reportText(QT_TRANSLATE_NOOP("Report", "All sets"))) +
-        paragraph(reportText(combined)) + html(table) + pages;
+    ReportText text = framedReport(ReportWords::tr("Report of free decays"), about, program);
+    text.html += paragraph(QStringLiteral("%1: %2").arg(ReportWords::tr("Report made"),
+                                                        madeText(program, made))) +
+                 heading(ReportWords::tr("All sets")) + paragraph(combined) + html(table) + pages;
     return text;
 }
 

@@ -46,7 +46,7 @@ XYSeries normalCurve() {
     constexpr int points = 161;
     constexpr double reach = 4;
     XYSeries curve;
-    curve.name = residualsText(QT_TRANSLATE_NOOP("Residuals", "normal"));
+    curve.name = ResidualWords::tr("normal");
     curve.ink = Ink::text;
     curve.dashed = true;
     for (int k = 0; k < points; ++k) {
@@ -108,9 +108,9 @@ XYSeries correlationSeries(const Residuals& found, const ResidualChannel& channe
 
 XYPlot histogramPlot(const Residuals* found, const QString& empty) {
     XYPlot plot;
-    plot.x_name = residualsText(QT_TRANSLATE_NOOP("Residuals", "Residual"));
-    plot.x_unit = residualsText(QT_TRANSLATE_NOOP("Residuals", "sd"));
-    plot.y_name = residualsText(QT_TRANSLATE_NOOP("Residuals", "Probability density"));
+    plot.x_name = ResidualWords::tr("Residual");
+    plot.x_unit = ResidualWords::tr("sd");
+    plot.y_name = ResidualWords::tr("Probability density");
     plot.empty = empty;
     if (found != nullptr && !found->c.histogram.counts.empty() &&
         !found->d.histogram.counts.empty()) {
@@ -126,7 +126,7 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
     plot.x_name = QStringLiteral("f");
     plot.x_unit = unitName("Hz");
     plot.x_logarithmic = true;
-    plot.y_name = residualsText(QT_TRANSLATE_NOOP("Residuals", "Amplitude density"));
+    plot.y_name = ResidualWords::tr("Amplitude density");
     plot.y_unit =
         (unit.isEmpty() ? QStringLiteral("1") : unit) + QStringLiteral("/√") + unitName("Hz");
     plot.y_logarithmic = true;
@@ -145,22 +145,16 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
                    densitySeries(*found, found->d, "D", Ink::channel_d), lines};
     plot.y_range = densityRange({plot.series[0], plot.series[1]});
     if (chosen && *chosen < found->lines.size()) {
-        XYSeries mark;
-        mark.points = true;
-        mark.style = 1;
-        mark.ink = Ink::warning;
-        mark.x = {lines.x[*chosen]};
-        mark.y = {lines.y[*chosen]};
-        plot.series.push_back(std::move(mark));
+        plot.series.push_back(markOn(lines, *chosen, Ink::warning));
     }
     return plot;
 }
 
 XYPlot correlationPlot(const Residuals* found, const QString& empty) {
     XYPlot plot;
-    plot.x_name = residualsText(QT_TRANSLATE_NOOP("Residuals", "Lag"));
-    plot.x_unit = residualsText(QT_TRANSLATE_NOOP("Residuals", "ms"));
-    plot.y_name = residualsText(QT_TRANSLATE_NOOP("Residuals", "Autocorrelation"));
+    plot.x_name = ResidualWords::tr("Lag");
+    plot.x_unit = ResidualWords::tr("ms");
+    plot.y_name = ResidualWords::tr("Autocorrelation");
     plot.empty = empty;
     if (found == nullptr || found->c.autocorrelation.size() < 2 ||
         found->d.autocorrelation.size() < 2) {

@@ -3,14 +3,17 @@
 #include "core/residuals/residuals.h"
 #include "ui/widgets/quantity_table.h"
 
+#include <QCoreApplication>
 #include <QString>
 
 #include <vector>
 
 namespace vybeg::ui {
 
-// A text of the page Residuals in the language of the window.
-QString residualsText(const char* text);
+// Texts of the page Residuals in the language of the window.
+struct ResidualWords {
+    Q_DECLARE_TR_FUNCTIONS(Residuals)
+};
 
 // Sentences about the samples of a residual: how many, and which are left out.
 QString coverageText(const Residuals& found);

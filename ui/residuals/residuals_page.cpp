@@ -1,5 +1,6 @@
 #include "ui/residuals/residuals_page.h"
 
+#include "core/residuals/find_residuals.h"
 #include "ui/document/document.h"
 #include "ui/panels/reading.h"
 #include "ui/plots/xy_plot_view.h"
@@ -38,29 +39,18 @@ constexpr QMargins beside{6, 0, 6, 0};  // of a sentence
 ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
-      range_(new QComboBox(this)),
+      range_(withName(new QComboBox(this), "residualRange")),
       range_label_(new QLabel(this)),
       time_(new NumberField(this)),
       state_(sentence(this, "residualState", beside)) {
     setObjectName(QStringLiteral("residuals"));
-    range_->setObjectName(QStringLiteral("residualRange"));
     range_->addItems({QString(), QString(), QString()});
     range_->setCurrentIndex(static_cast<int>(Range::whole));
     time_->hide();
     range_label_->setBuddy(range_);
     time_->setLimits(0, 1e9);
-    auto* head = new QHBoxLayout;
-    head->setContentsMargins(6, 4, 6, 0);
-    head->addWidget(range_label_);
-    head->addWidget(range_);
-    head->addWidget(time_);
-    head->addStretch(1);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addLayout(head);
-    column->addWidget(state_);
-    column->addWidget(scrolled(buildContent()), 1);
+    auto* head = fill(new QHBoxLayout, {6, 4, 6, 0}, {range_label_, range_, time_, LayoutPart(1)});
+    fill(new QVBoxLayout(this), {}, 4, {head, state_, {scrolled(buildContent()), 1}});
 
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
@@ -76,21 +66,15 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
 QWidget* ResidualsPage::buildContent() {
     auto* content = new QWidget(this);
     spectrum_ = addPlot("spectrum", least_spectrum_height);
-    lines_ = new QComboBox(content);
-    lines_->setObjectName(QStringLiteral("residualLines"));
+    lines_ = withName(new QComboBox(content), "residualLines");
     lines_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     lines_->setMinimumContentsLength(16);
-    filter_ = new QPushButton(content);
-    filter_->setObjectName(QStringLiteral("residualFilter"));
+    filter_ = withName(new QPushButton(content), "residualFilter");
     sentence_ = sentence(content, "residualLine", beside);
     histogram_ = addPlot("histogram", least_plot_height);
     correlation_ = addPlot("correlation", least_plot_height);
-    numbers_ = new QuantityTable(content);
-    numbers_->setObjectName(QStringLiteral("residualNumbers"));
-    auto* choice = new QHBoxLayout;
-    choice->setContentsMargins(6, 0, 6, 0);
-    choice->addWidget(lines_, 1);
-    choice->addWidget(filter_);
+    numbers_ = withName(new QuantityTable(content), "residualNumbers");
+    auto* choice = fill(new QHBoxLayout, {6, 0, 6, 0}, {{lines_, 1}, filter_});
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);
@@ -202,8 +186,12 @@ void ResidualsPage::compute() {
     const AnalysisEntry* chosen = entry();
     const RecordingEntry* recording = chosen ? document_.recording(chosen->recording_id) : nullptr;
     if (asked_ && recording && recording->recording) {
-        job_.findResiduals(job_key, *recording->recording, asked_->analysis, asked_->range,
-                           [this](Result<Residuals> result) { take(std::move(result)); });
+        job_.run<Residuals>(
+            job_key,
+            [of = *recording->recording, asked = *asked_](const JobControl& job) {
+                return find_residuals(of, *asked.analysis, asked.range, job);
+            },
+            [this](Result<Residuals> result) { take(std::move(result)); });
     }
 }
 
@@ -331,9 +319,8 @@ void ResidualsPage::hideEvent(QHideEvent* event) {
 
 void ResidualsPage::retranslate() {
     range_label_->setText(tr("Residual of"));
-    range_->setItemText(static_cast<int>(Range::window), tr("the window at the cursor"));
-    range_->setItemText(static_cast<int>(Range::visible), tr("the visible part"));
-    range_->setItemText(static_cast<int>(Range::whole), tr("the whole analysis"));
+    setTexts(*range_,
+             {tr("the window at the cursor"), tr("the visible part"), tr("the whole analysis")});
     range_->setAccessibleName(tr("Range of the residual"));
     range_->setToolTip(
         tr("Samples less the wave of their window: of one window, of what the plots "

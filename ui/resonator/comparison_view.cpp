@@ -3,6 +3,7 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/difference_text.h"
 #include "ui/resonator/resonator_plots.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
@@ -11,7 +12,6 @@
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -20,28 +20,22 @@
 namespace vybeg::ui {
 
 ComparisonView::ComparisonView(Document& document, QWidget* parent)
-    : QWidget(parent),
+    : OutcomeView(parent),
       document_(document),
-      theme_(lightTheme()),
       passport_(sentence(this, "passport")),
       other_gyro_(sentence(this, "otherGyro")),
-      differences_(new QuantityTable(this)),
+      differences_(withName(new QuantityTable(this), "differences")),
       incomparable_(sentence(this, "incomparable")),
       track_choice_(new QComboBox(this)),
-      tracks_(new XYPlotView(this)),
+      tracks_(withName(new XYPlotView(this), "tracks")),
       close_(new QPushButton(this)) {
-    differences_->setObjectName(QStringLiteral("differences"));
-    tracks_->setObjectName(QStringLiteral("tracks"));
     auto* limit = new QWidget(this);
     limit_label_ = new QLabel(limit);
     limit_ = new NumberField(limit);
     limit_->setLimits(0, 1e6);
     limit_->setUnit(QStringLiteral("ppm"));
     limit_label_->setBuddy(limit_);
-    auto* limit_line = new QHBoxLayout(limit);
-    limit_line->setContentsMargins(6, 0, 6, 0);
-    limit_line->addWidget(limit_label_);
-    limit_line->addWidget(limit_, 1);
+    fill(new QHBoxLayout(limit), {6, 0, 6, 0}, {limit_label_, {limit_, 1}});
     track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -54,23 +48,12 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     connect(tracks_, &XYPlotView::exportWanted, this, &ComparisonView::exportWanted);
     connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
     connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::rebuild);
-    retranslate();
-}
-
-void ComparisonView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
-    shown_ = std::move(outcome);
-    rebuild();
-}
-
-void ComparisonView::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    rebuild();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void ComparisonView::setTheme(const Theme& theme) {
-    theme_ = theme;
     tracks_->setTheme(theme);
-    rebuild();
+    OutcomeView::setTheme(theme);
 }
 
 void ComparisonView::open() {
@@ -109,13 +92,6 @@ void ComparisonView::rebuild() {
     }
 }
 
-void ComparisonView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
-}
-
 void ComparisonView::retranslate() {
     section_->setTitle(tr("Comparison with the passport"));
     differences_->setAccessibleName(tr("Comparison with the passport"));
@@ -128,11 +104,8 @@ void ComparisonView::retranslate() {
     tracks_->setToolTip(
         richTip(tr("In the colours of the recordings; further from the background: the passport")));
     track_choice_->setAccessibleName(tr("What to overlay"));
-    const QString variables[] = {tr("Amplitude of the working wave"),
-                                 tr("Amplitude of the quadrature wave"), tr("Wave angle")};
-    for (int index = 0; index < track_choice_->count(); ++index) {
-        track_choice_->setItemText(index, variables[index]);
-    }
+    setTexts(*track_choice_, {tr("Amplitude of the working wave"),
+                              tr("Amplitude of the quadrature wave"), tr("Wave angle")});
     close_->setText(tr("Close the passport"));
     rebuild();
 }

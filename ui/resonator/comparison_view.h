@@ -2,10 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/plots/plot_file.h"
-#include "ui/widgets/theme.h"
-#include "ui/words/display_units.h"
-
-#include <QWidget>
+#include "ui/resonator/outcome_view.h"
 
 class QComboBox;
 class QLabel;
@@ -19,32 +16,23 @@ class Section;
 class XYPlotView;
 
 // The current set compared with the open passport; hidden without one.
-class ComparisonView : public QWidget {
+class ComparisonView : public OutcomeView {
     Q_OBJECT
 
 public:
     explicit ComparisonView(Document& document, QWidget* parent = nullptr);
 
-    // Null: the set is not identified yet.
-    void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome);
-    void setUnits(const DisplayUnits& units);
-    void setTheme(const Theme& theme);
+    void setTheme(const Theme& theme) override;
     void open();
 
 signals:
     void exportWanted(const Figure& figure);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void rebuild();
+    void rebuild() override;
     void retranslate();
 
     Document& document_;
-    std::shared_ptr<const ResonatorOutcome> shown_;
-    DisplayUnits units_;
-    Theme theme_;
     QLabel* passport_;
     QLabel* other_gyro_;
     QLabel* limit_label_;

@@ -13,23 +13,19 @@ QStringList conditionsText(const RecordingRef& recording) {
             lines << QStringLiteral("%1: %2").arg(name, text);
         }
     };
-    const auto number = [](const std::optional<double>& value, const char* with_unit) {
-        return value ? resonatorText(with_unit).arg(QLocale().toString(*value, 'g', 6)) : QString();
+    const auto number = [](const std::optional<double>& value, const QString& with_unit) {
+        return value ? with_unit.arg(QLocale().toString(*value, 'g', 6)) : QString();
     };
     const Conditions& told = recording.conditions;
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "gyro")), QString::fromStdString(told.gyro));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "date")), QString::fromStdString(told.date));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "bias voltage")),
-        number(told.bias_v, QT_TRANSLATE_NOOP("Resonator", "%1 V")));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "temperature")),
-        number(told.temperature_c, QT_TRANSLATE_NOOP("Resonator", "%1 °C")));
+    add(ResonatorWords::tr("gyro"), QString::fromStdString(told.gyro));
+    add(ResonatorWords::tr("date"), QString::fromStdString(told.date));
+    add(ResonatorWords::tr("bias voltage"), number(told.bias_v, ResonatorWords::tr("%1 V")));
+    add(ResonatorWords::tr("temperature"), number(told.temperature_c, ResonatorWords::tr("%1 °C")));
     if (told.exchanged) {
-        lines << resonatorText(QT_TRANSLATE_NOOP("Resonator", "the amplifiers are exchanged"));
+        lines << ResonatorWords::tr("the amplifiers are exchanged");
     }
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "operator")),
-        QString::fromStdString(told.operator_name));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "comment")),
-        QString::fromStdString(told.comment));
+    add(ResonatorWords::tr("operator"), QString::fromStdString(told.operator_name));
+    add(ResonatorWords::tr("comment"), QString::fromStdString(told.comment));
     for (const auto& [column, field] : recording.others) {
         add(QString::fromStdString(column), QString::fromStdString(field));
     }

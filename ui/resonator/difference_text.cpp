@@ -1,5 +1,6 @@
 #include "ui/resonator/difference_text.h"
 
+#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
@@ -67,11 +68,11 @@ QuantityCell sideCell(const Estimate& estimate, double factor) {
 
 QString verdictWord(Verdict verdict) {
     switch (verdict) {
-        case Verdict::unchanged: return resonatorText(QT_TRANSLATE_NOOP("Resonator", "unchanged"));
-        case Verdict::changed: return resonatorText(QT_TRANSLATE_NOOP("Resonator", "changed"));
+        case Verdict::unchanged: return ResonatorWords::tr("unchanged");
+        case Verdict::changed: return ResonatorWords::tr("changed");
         case Verdict::not_comparable: break;
     }
-    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "not comparable"));
+    return ResonatorWords::tr("not comparable");
 }
 
 // Sign, word and an Okabe-Ito colour are redundant.
@@ -87,7 +88,7 @@ QString whyText(const Difference& difference) {
     switch (difference.why) {
         case Incomparable::now_unknown: return reasonText(difference.now.reason);
         case Incomparable::then_unknown:
-            return resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
+            return ResonatorWords::tr("in the passport: %1")
                 .arg(reasonText(difference.then.reason));
         default:
             return QCoreApplication::translate("Reason", incomparable_sentence(difference.why));
@@ -104,7 +105,7 @@ QString verdictText(Verdict verdict) {
 }
 
 QString differenceSymbol(const std::string& name) {
-    return name.starts_with("modes[")  ? resonatorText("Modes")
+    return name.starts_with("modes[")  ? ResonatorWords::tr("Modes")
            : name.starts_with("runs[") ? titleOf(name)
                                        : titleOf(name).section(QLatin1Char(' '), -1);
 }
@@ -133,12 +134,9 @@ QStringList incomparableTexts(const std::vector<Difference>& differences) {
 }
 
 QStringList differenceHeaders() {
-    return {resonatorText(QT_TRANSLATE_NOOP("Resonator", "Verdict")),
-            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Difference, u")),
-            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Difference")),
-            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Relative")),
-            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Passport")),
-            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Now"))};
+    return {ResonatorWords::tr("Verdict"),    ResonatorWords::tr("Difference, u"),
+            ResonatorWords::tr("Difference"), ResonatorWords::tr("Relative"),
+            ResonatorWords::tr("Passport"),   ResonatorWords::tr("Now")};
 }
 
 std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,

@@ -4,13 +4,13 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QResizeEvent>
@@ -18,21 +18,17 @@
 
 namespace vybeg::ui {
 
-FiguresView::FiguresView(QWidget* parent) : QWidget(parent), hint_(sentence(this, "hint")) {
+FiguresView::FiguresView(QWidget* parent) : OutcomeView(parent), hint_(sentence(this, "hint")) {
     plots_ = buildPlots();
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMinimumHeight(120);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addWidget(hint_);
-    column->addWidget(plots_);
+    fill(new QVBoxLayout(this), {}, 2, {hint_, plots_});
     connect(rim_, &RoundView::exportWanted, this, &FiguresView::exportWanted);
     for (XYPlotView* plot : {drift_plot_, balance_plot_}) {
         connect(plot, &XYPlotView::exportWanted, this, &FiguresView::exportWanted);
     }
     connect(balance_axis_, &QComboBox::activated, this, &FiguresView::showBalance);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 QWidget* FiguresView::buildPlots() {
@@ -43,21 +39,15 @@ QWidget* FiguresView::buildPlots() {
     for (QLabel** name : {&rim_name_, &drift_name_, &balance_name_}) {
         *name = sentence(plots, "");
     }
-    rim_ = new RoundView(true, plots);
-    rim_->setObjectName(QStringLiteral("rim"));
+    rim_ = withName(new RoundView(true, plots), "rim");
     rim_->setMinimumSize(240, 300);
-    drift_plot_ = new XYPlotView(plots);
-    drift_plot_->setObjectName(QStringLiteral("drift"));
-    drift_ = new QuantityTable(plots);
-    drift_->setObjectName(QStringLiteral("harmonics"));
-    balance_plot_ = new XYPlotView(plots);
-    balance_plot_->setObjectName(QStringLiteral("balance"));
+    drift_plot_ = withName(new XYPlotView(plots), "drift");
+    drift_ = withName(new QuantityTable(plots), "harmonics");
+    balance_plot_ = withName(new XYPlotView(plots), "balance");
     balance_axis_ = new QComboBox(plots);
     balance_axis_->addItems({QString(), QString()});  // in the order of BalanceAxis
     balance_name_->setBuddy(balance_axis_);
-    auto* balance_head = new QHBoxLayout;
-    balance_head->addWidget(balance_name_, 1);
-    balance_head->addWidget(balance_axis_);
+    auto* balance_head = fill(new QHBoxLayout, {{balance_name_, 1}, balance_axis_});
     grid->addLayout(balance_head, 5, 0, 1, 2);
     grid->addWidget(balance_plot_, 6, 0, 1, 2);
     grid_ = grid;
@@ -89,16 +79,6 @@ void FiguresView::resizeEvent(QResizeEvent* event) {
     if (side_by_side_ != (width() >= wide)) {
         place(width() >= wide);
     }
-}
-
-void FiguresView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
-    shown_ = std::move(outcome);
-    rebuild();
-}
-
-void FiguresView::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    rebuild();
 }
 
 void FiguresView::setTheme(const Theme& theme) {
@@ -140,13 +120,6 @@ void FiguresView::showBalance() {
     }
 }
 
-void FiguresView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
-}
-
 void FiguresView::retranslate() {
     const auto head = [](QLabel* label, QWidget* widget, const QString& title) {
         label->setText(QStringLiteral("<b>%1</b>").arg(title));
@@ -161,8 +134,7 @@ void FiguresView::retranslate() {
                    "standard deviations, and the wave of each recording at its start, out of "
                    "scale")));
     balance_axis_->setAccessibleName(tr("What the balance is drawn against"));
-    balance_axis_->setItemText(static_cast<int>(BalanceAxis::time), tr("over time"));
-    balance_axis_->setItemText(static_cast<int>(BalanceAxis::angle), tr("over the wave angle"));
+    setTexts(*balance_axis_, {tr("over time"), tr("over the wave angle")});
     drift_->setAccessibleName(tr("Harmonics of the drift function"));
     drift_plot_->setToolTip(richTip(
         tr("Drift of the wave angle against the angle: measured points with their standard "

@@ -1,13 +1,7 @@
 #pragma once
 
 #include "ui/plots/figure_source.h"
-#include "ui/values/recording_set.h"
-#include "ui/widgets/theme.h"
-#include "ui/words/display_units.h"
-
-#include <QWidget>
-
-#include <memory>
+#include "ui/resonator/outcome_view.h"
 
 class QComboBox;
 class QGridLayout;
@@ -21,15 +15,13 @@ class XYPlotView;
 
 // An identification as figures: the rim, the drift function and the balance of the channels; for
 // the free model, the reason for their absence.
-class FiguresView : public QWidget {
+class FiguresView : public OutcomeView {
     Q_OBJECT
 
 public:
     explicit FiguresView(QWidget* parent = nullptr);
 
-    void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome);
-    void setUnits(const DisplayUnits& units);
-    void setTheme(const Theme& theme);
+    void setTheme(const Theme& theme) override;
 
     FigureSource figures() const;
 
@@ -37,19 +29,16 @@ signals:
     void exportWanted(const Figure& figure);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* buildPlots();
     // The rim beside the drift function, or above it where the page is narrow.
     void place(bool side_by_side);
-    void rebuild();
+    void rebuild() override;
     void showBalance();
     void retranslate();
 
-    std::shared_ptr<const ResonatorOutcome> shown_;
-    DisplayUnits units_;
     QLabel* hint_;
     QWidget* plots_ = nullptr;
     QGridLayout* grid_ = nullptr;

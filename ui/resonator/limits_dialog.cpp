@@ -2,6 +2,7 @@
 
 #include "ui/resonator/parameter_text.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QDialogButtonBox>
@@ -72,18 +73,13 @@ LimitsDialog::LimitsDialog(const std::vector<ParameterLimit>& limits, const Disp
            "without a value, nothing is said (?)."),
         this);
     meaning->setWordWrap(true);
-    fault_ = new QLabel(this);
-    fault_->setObjectName(QStringLiteral("fault"));
+    fault_ = withName(new QLabel(this), "fault");
     fault_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     ok_ = buttons->button(QDialogButtonBox::Ok);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* column = new QVBoxLayout(this);
-    column->addLayout(grid);
-    column->addWidget(meaning);
-    column->addWidget(fault_);
-    column->addWidget(buttons);
+    fill(new QVBoxLayout(this), {grid, meaning, fault_, buttons});
     check();
 }
 

@@ -2,11 +2,11 @@
 
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/warning_list.h"
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -32,18 +32,15 @@ QStringList markedNames(const ResonatorOutcome& outcome) {
 }  // namespace
 
 NumbersView::NumbersView(QWidget* parent)
-    : QWidget(parent),
-      theme_(lightTheme()),
-      findings_(new WarningList(this)),
-      warnings_(new WarningList(this)),
+    : OutcomeView(parent),
+      findings_(withName(new WarningList(this), "findings")),
+      warnings_(withName(new WarningList(this), "warnings")),
       statistical_(sentence(this, "statistical")),
-      waves_(table("waves")),
-      resonator_(table("resonator")),
-      sensitivities_(table("sensitivities")),
-      modes_(table("modes")),
-      runs_(table("runs")) {
-    findings_->setObjectName(QStringLiteral("findings"));
-    warnings_->setObjectName(QStringLiteral("warnings"));
+      waves_(withName(new QuantityTable(this), "waves")),
+      resonator_(withName(new QuantityTable(this), "resonator")),
+      sensitivities_(withName(new QuantityTable(this), "sensitivities")),
+      modes_(withName(new QuantityTable(this), "modes")),
+      runs_(withName(new QuantityTable(this), "runs")) {
     statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(statistical_, &QLabel::linkActivated, this,
             [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
@@ -56,28 +53,7 @@ NumbersView::NumbersView(QWidget* parent)
     sensitivities_section_ = addSection(*column, {sensitivities_});
     modes_section_ = addSection(*column, {modes_});
     runs_section_ = addSection(*column, {runs_});
-    retranslate();
-}
-
-QuantityTable* NumbersView::table(const char* name) {
-    auto* made = new QuantityTable(this);
-    made->setObjectName(QLatin1String(name));
-    return made;
-}
-
-void NumbersView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
-    shown_ = std::move(outcome);
-    rebuild();
-}
-
-void NumbersView::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    rebuild();
-}
-
-void NumbersView::setTheme(const Theme& theme) {
-    theme_ = theme;
-    rebuild();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
@@ -124,13 +100,6 @@ QString NumbersView::modesTitle(const ResonatorFit& fit) {
         return tr("Modes");
     }
     return fit.mode_order == ModeOrder::decay ? tr("Modes, by decay") : tr("Modes, by frequency");
-}
-
-void NumbersView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void NumbersView::retranslate() {

@@ -1,13 +1,8 @@
 #pragma once
 
 #include "core/resonator/results/parameter_limit.h"
-#include "ui/values/recording_set.h"
-#include "ui/widgets/theme.h"
-#include "ui/words/display_units.h"
+#include "ui/resonator/outcome_view.h"
 
-#include <QWidget>
-
-#include <memory>
 #include <vector>
 
 class QLabel;
@@ -19,33 +14,22 @@ class Section;
 class WarningList;
 
 // An identification as tables, with the sentences that belong to them.
-class NumbersView : public QWidget {
+class NumbersView : public OutcomeView {
     Q_OBJECT
 
 public:
     explicit NumbersView(QWidget* parent = nullptr);
 
-    // Null: nothing is shown.
-    void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome);
-    void setUnits(const DisplayUnits& units);
-    void setTheme(const Theme& theme);
     void setLimits(const std::vector<ParameterLimit>& limits);
 
 signals:
     void gainRatioChosen(const vybeg::Estimate& kappa);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    QuantityTable* table(const char* name);
-    void rebuild();
+    void rebuild() override;
     void retranslate();
     static QString modesTitle(const ResonatorFit& fit);
 
-    std::shared_ptr<const ResonatorOutcome> shown_;
-    DisplayUnits units_;
-    Theme theme_;
     std::vector<ParameterLimit> limits_;
     WarningList* findings_;
     WarningList* warnings_;

@@ -1,6 +1,7 @@
 #include "ui/resonator/parameter_text.h"
 
 #include "core/resonator/results/resonator_parameters.h"
+#include "ui/panels/reading.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
@@ -61,11 +62,6 @@ QString symbolOf(const std::string& parameter) {
 
 }  // namespace
 
-QString exactText(double value) {
-    return std::isnan(value) ? QString()
-                             : QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
-}
-
 QuantityCell valueCell(double value, double sd, double u) {
     return {valueText(value, sd, u), {exactText(value), exactText(sd), exactText(u)}, {}};
 }
@@ -86,8 +82,8 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
     Shown shown;
     for (const Texts& texts : parameter_texts) {
         if (name == texts.name) {
-            shown.title = resonatorText(texts.title);
-            shown.tip = resonatorText(texts.tip);
+            shown.title = ResonatorWords::tr(texts.title);
+            shown.tip = ResonatorWords::tr(texts.tip);
         }
     }
     if (QLatin1String(unit) == QLatin1String("rad")) {
@@ -103,20 +99,17 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
 }
 
 QString modeTitle(int index, const std::string& parameter) {
-    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "Mode %1: %2"))
-        .arg(index + 1)
-        .arg(symbolOf(parameter));
+    return ResonatorWords::tr("Mode %1: %2").arg(index + 1).arg(symbolOf(parameter));
 }
 
 QString directionTitle(int index, const std::string& parameter) {
-    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "Run %1: %2 of its direction"))
+    return ResonatorWords::tr("Run %1: %2 of its direction")
         .arg(index + 1)
         .arg(symbolOf(parameter));
 }
 
 QString angleUnit(const DisplayUnits& units) {
-    return units.angle == AngleUnit::degrees ? QStringLiteral("°")
-                                             : resonatorText(QT_TRANSLATE_NOOP("Resonator", "rad"));
+    return units.angle == AngleUnit::degrees ? QStringLiteral("°") : ResonatorWords::tr("rad");
 }
 
 double angleFactor(const DisplayUnits& units) {
@@ -124,9 +117,8 @@ double angleFactor(const DisplayUnits& units) {
 }
 
 QString angleRateUnit(const DisplayUnits& units) {
-    return units.angle == AngleUnit::degrees
-               ? resonatorText(QT_TRANSLATE_NOOP("Resonator", "°/h"))
-               : resonatorText(QT_TRANSLATE_NOOP("Resonator", "rad/s"));
+    return units.angle == AngleUnit::degrees ? ResonatorWords::tr("°/h")
+                                             : ResonatorWords::tr("rad/s");
 }
 
 double angleRateFactor(const DisplayUnits& units) {

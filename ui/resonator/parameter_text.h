@@ -25,8 +25,6 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
 QString modeTitle(int index, const std::string& parameter);
 QString directionTitle(int index, const std::string& parameter);
 
-// With all its digits, for a spreadsheet; empty for NaN.
-QString exactText(double value);
 QuantityCell valueCell(double value, double sd,
                        double u = std::numeric_limits<double>::quiet_NaN());
 // A text as a cell.

@@ -26,29 +26,14 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
       numbers_(new NumbersView(this)),
       figures_(new FiguresView(this)),
       comparison_(new ComparisonView(document, this)) {
-    auto* numbers = new QVBoxLayout;
-    numbers->addWidget(numbers_);
-    numbers->addStretch(1);
+    auto* numbers = fill(new QVBoxLayout, {numbers_, LayoutPart(1)});
     // Sets, their numbers, and the figures.
     constexpr int sets_width = 216;
     auto* left = new QWidget(this);
     left->setFixedWidth(sets_width);
-    auto* left_column = new QVBoxLayout(left);
-    left_column->setContentsMargins(0, 0, 0, 0);
-    left_column->setSpacing(0);
-    left_column->addWidget(set_);
-    left_column->addWidget(state_);
-    left_column->addStretch(1);
-    auto* right = new QVBoxLayout;
-    right->addWidget(comparison_);
-    right->addWidget(figures_);
-    right->addStretch(1);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(left);
-    layout->addWidget(scrolled(numbers), 5);
-    layout->addWidget(scrolled(right), 3);
+    fill(new QVBoxLayout(left), {}, 0, {set_, state_, LayoutPart(1)});
+    auto* right = fill(new QVBoxLayout, {comparison_, figures_, LayoutPart(1)});
+    fill(new QHBoxLayout(this), {}, 4, {left, {scrolled(numbers), 5}, {scrolled(right), 3}});
     connect(figures_, &FiguresView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(comparison_, &ComparisonView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(numbers_, &NumbersView::gainRatioChosen, this, &ResonatorPage::calibrate);

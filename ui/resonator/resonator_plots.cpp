@@ -98,7 +98,7 @@ double curveAngle(int step) {
 
 XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
     XYSeries curve;
-    curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "fitted"));
+    curve.name = ResonatorWords::tr("fitted");
     curve.ink = Ink::text;
     for (int k = 0; k <= curve_steps; ++k) {
         const double theta = curveAngle(k);
@@ -113,7 +113,7 @@ XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
 XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
     XYSeries curve;
-    curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "resonator"));
+    curve.name = ResonatorWords::tr("resonator");
     curve.ink = Ink::text;
     curve.dashed = true;
     for (int k = 0; k <= curve_steps; ++k) {
@@ -188,7 +188,7 @@ XYPlot balancePlot(const ResonatorOutcome& outcome, BalanceAxis axis, const Disp
     const bool over_time = axis == BalanceAxis::time;
     XYPlot plot;
     plot.x_name = over_time ? QStringLiteral("t") : QStringLiteral("θ_A");
-    plot.x_unit = over_time ? resonatorText(QT_TRANSLATE_NOOP("Resonator", "s")) : angleUnit(units);
+    plot.x_unit = over_time ? ResonatorWords::tr("s") : angleUnit(units);
     plot.x_in_degrees = !over_time && units.angle == AngleUnit::degrees;
     plot.y_name = displaySymbol(SlowVariable::orthogonality, {});
     plot.empty = reasonText({ReasonCode::free_model, {}});
@@ -242,7 +242,7 @@ XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, Trac
                  const DisplayUnits& units) {
     XYPlot plot;
     plot.x_name = QStringLiteral("t");
-    plot.x_unit = resonatorText(QT_TRANSLATE_NOOP("Resonator", "s"));
+    plot.x_unit = ResonatorWords::tr("s");
     const bool is_angle = variable == TrackVariable::two_theta_A;
     plot.y_name = is_angle                         ? QStringLiteral("2θ_A")
                   : variable == TrackVariable::a_A ? QStringLiteral("a_A")
@@ -253,7 +253,7 @@ XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, Trac
     for (std::size_t run = 0; run < passport.tracks.size(); ++run) {
         XYSeries then = trackOf(passport.tracks[run], variable, angle);
         if (run == 0) {  // one entry for the shade of all of them
-            then.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "passport"));
+            then.name = ResonatorWords::tr("passport");
         }
         then.style = static_cast<int>(run);
         then.shades = 2;

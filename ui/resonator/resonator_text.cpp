@@ -3,6 +3,7 @@
 #include "core/output/identify_json.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/run_parameters.h"
+#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/number_label.h"
@@ -32,8 +33,8 @@ void collapseRepeatedReasons(std::vector<QuantityRow>& rows) {
             const bool is_sentence = cell.exact.front() == cell.text;
             if (is_sentence && cell.text == rows[first].cells.front().text) {
                 const QString other = rows[first].name.section(QLatin1Char(','), 0, 0);
-                cell.text = resonatorText(QT_TRANSLATE_NOOP("Resonator", "As above: %1"))
-                                .arg(other.section(QLatin1Char(' '), -1));
+                cell.text =
+                    ResonatorWords::tr("As above: %1").arg(other.section(QLatin1Char(' '), -1));
                 break;
             }
         }
@@ -163,8 +164,9 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
         const WaveParameter& parameter = wave_parameters[k];
         const bool rate = QLatin1String(parameter.unit) == QLatin1String("rad/s");
         const QString unit = rate ? angleRateUnit(units) : unitText(parameter.unit);
-        QuantityRow row{
-            withUnit(resonatorText(texts[k].first), unit), resonatorText(texts[k].second), {}};
+        QuantityRow row{withUnit(ResonatorWords::tr(texts[k].first), unit),
+                        ResonatorWords::tr(texts[k].second),
+                        {}};
         for (const IdentifiedRun& run : found.runs) {
             row.cells.push_back(
                 cellOf(run.wave.*parameter.member, rate ? angleRateFactor(units) : 1));
@@ -192,7 +194,7 @@ QStringList sensitivityHeaders() {
     static_assert(texts.size() == usual_errors.size());
     QStringList headers;
     for (const char* text : texts) {
-        headers << resonatorText(text);
+        headers << ResonatorWords::tr(text);
     }
     return headers;
 }
@@ -222,9 +224,7 @@ std::vector<QuantityRow> sensitivityRows(const Identification& found, const Disp
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit) {
     std::vector<QuantityRow> rows;
     if (fit.modes.empty()) {
-        rows.push_back({resonatorText(QT_TRANSLATE_NOOP("Resonator", "Modes")),
-                        {},
-                        {sentenceCell(reasonText(fit.no_modes))}});
+        rows.push_back({ResonatorWords::tr("Modes"), {}, {sentenceCell(reasonText(fit.no_modes))}});
         return rows;
     }
     for (std::size_t k = 0; k < fit.modes.size(); ++k) {
@@ -240,11 +240,11 @@ std::vector<QuantityRow> modeRows(const ResonatorFit& fit) {
 
 std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units) {
     const QString hertz = unitText("Hz");
-    const QString amplitude = resonatorText(QT_TRANSLATE_NOOP("Resonator", "rec. units"));
+    const QString amplitude = ResonatorWords::tr("rec. units");
     std::vector<QuantityRow> rows;
-    const auto add = [&](const QString& title, const QString& unit, const char* tip,
+    const auto add = [&](const QString& title, const QString& unit, const QString& tip,
                          const auto& cell) {
-        QuantityRow row{withUnit(title, unit), resonatorText(tip), {}};
+        QuantityRow row{withUnit(title, unit), tip, {}};
         for (std::size_t k = 0; k < found.runs.size(); ++k) {
             row.cells.push_back(cell(k));
         }
@@ -255,45 +255,37 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
             return cellOf(found.fit.runs[k].*member, factor);
         };
     };
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Frequency offset")), hertz,
-        QT_TRANSLATE_NOOP("Resonator", "From the mean frequency of the runs"),
+    add(ResonatorWords::tr("Frequency offset"), hertz,
+        ResonatorWords::tr("From the mean frequency of the runs"),
         estimate(&RunEstimate::f_offset_hz, 1));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Start angle θ_A")), angleUnit(units),
-        QT_TRANSLATE_NOOP("Resonator", "Angle of the working wave at the start"),
+    add(ResonatorWords::tr("Start angle θ_A"), angleUnit(units),
+        ResonatorWords::tr("Angle of the working wave at the start"),
         estimate(&RunEstimate::two_theta_A_rad, angleFactor(units) / 2));
     add(QStringLiteral("a_A"), amplitude,
-        QT_TRANSLATE_NOOP("Resonator", "Amplitude of the working wave at the start"),
+        ResonatorWords::tr("Amplitude of the working wave at the start"),
         estimate(&RunEstimate::a_A, 1));
     add(QStringLiteral("a_B"), amplitude,
-        QT_TRANSLATE_NOOP("Resonator", "Amplitude of the quadrature wave at the start"),
+        ResonatorWords::tr("Amplitude of the quadrature wave at the start"),
         estimate(&RunEstimate::a_B, 1));
     add(QStringLiteral("Δf sin 4(θ_A − θ_w)"), hertz,
-        QT_TRANSLATE_NOOP("Resonator",
-                          "What of the frequency split makes the quadrature of this run grow"),
+        ResonatorWords::tr("What of the frequency split makes the quadrature of this run grow"),
         estimate(&RunEstimate::split_sin_hz, 1));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "f of this direction")), hertz,
-        QT_TRANSLATE_NOOP("Resonator",
-                          "Of a wave that stays in the direction in which this one "
-                          "starts"),
+    add(ResonatorWords::tr("f of this direction"), hertz,
+        ResonatorWords::tr("Of a wave that stays in the direction in which this one starts"),
         estimate(&RunEstimate::direction_f_hz, 1));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "τ of this direction")), unitText("s"),
-        QT_TRANSLATE_NOOP("Resonator",
-                          "Of a wave that stays in the direction in which this one "
-                          "starts"),
+    add(ResonatorWords::tr("τ of this direction"), unitText("s"),
+        ResonatorWords::tr("Of a wave that stays in the direction in which this one starts"),
         estimate(&RunEstimate::direction_tau_s, 1));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q of this wave")), {},
-        QT_TRANSLATE_NOOP(
-            "Resonator",
-            "Of its envelope alone: the power of this recording. Q of the resonator is "
-            "the mean of all directions"),
+    add(ResonatorWords::tr("Q of this wave"), {},
+        ResonatorWords::tr("Of its envelope alone: the power of this recording. Q of the resonator "
+                           "is the mean of all directions"),
         estimate(&RunEstimate::q_envelope, 1));
     const bool varies = std::ranges::any_of(
         found.fit.runs, [](const RunEstimate& run) { return run.law && run.q_envelope.given(); });
     if (varies) {
-        add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q over the amplitude")), {},
-            QT_TRANSLATE_NOOP("Resonator",
-                              "Amplitude at which Q of this wave holds; Q at the largest and "
-                              "at the smallest amplitude"),
+        add(ResonatorWords::tr("Q over the amplitude"), {},
+            ResonatorWords::tr("Amplitude at which Q of this wave holds; Q at the largest and at "
+                               "the smallest amplitude"),
             [&found](std::size_t k) {
                 const RunEstimate& run = found.fit.runs[k];
                 if (!run.law || !run.q_envelope.given()) {
@@ -302,33 +294,30 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
                 const QBand band = q_band(*run.law, run.q_envelope.value);
                 const QLocale locale;
                 const auto text = [&locale](double x) { return locale.toString(x, 'g', 3); };
-                return sentenceCell(
-                    resonatorText(QT_TRANSLATE_NOOP("Resonator", "at %1; %2 at %3, %4 at %5"))
-                        .arg(text(band.amplitude), text(band.q_at_largest), text(band.largest),
-                             text(band.q_at_smallest), text(band.smallest)));
+                return sentenceCell(ResonatorWords::tr("at %1; %2 at %3, %4 at %5")
+                                        .arg(text(band.amplitude), text(band.q_at_largest),
+                                             text(band.largest), text(band.q_at_smallest),
+                                             text(band.smallest)));
             });
     }
     if (found.fit.model == ResonatorModel::structured) {
-        add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q coherent")), {},
-            QT_TRANSLATE_NOOP("Resonator", "Quality factor from the coherent fit of all runs"),
+        add(ResonatorWords::tr("Q coherent"), {},
+            ResonatorWords::tr("Quality factor from the coherent fit of all runs"),
             [&found](std::size_t) { return cellOf(found.fit.resonator.q); });
     }
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Frequency drift")),
-        unitText("Hz") + "/" + unitText("s"),
-        QT_TRANSLATE_NOOP("Resonator", "Of this run, over time"),
-        estimate(&RunEstimate::drift_hz_per_s, 1));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Noise σ")), amplitude,
-        QT_TRANSLATE_NOOP("Resonator", "Standard deviation per sample and channel"),
-        [&found](std::size_t k) {
+    add(ResonatorWords::tr("Frequency drift"), unitText("Hz") + "/" + unitText("s"),
+        ResonatorWords::tr("Of this run, over time"), estimate(&RunEstimate::drift_hz_per_s, 1));
+    add(ResonatorWords::tr("Noise σ"), amplitude,
+        ResonatorWords::tr("Standard deviation per sample and channel"), [&found](std::size_t k) {
             const double sd = found.runs[k].noise_sd;
             return QuantityCell{noiseText(sd), {exactText(sd), QString(), QString()}, {}};
         });
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Windows used")), {},
-        QT_TRANSLATE_NOOP("Resonator", "Without gaps and faults, of all; samples in each"),
+    add(ResonatorWords::tr("Windows used"), {},
+        ResonatorWords::tr("Without gaps and faults, of all; samples in each"),
         [&found](std::size_t k) {
             const QLocale locale;
             const IdentifiedRun& run = found.runs[k];
-            const QString text = resonatorText(QT_TRANSLATE_NOOP("Resonator", "%1 of %2, n = %3"))
+            const QString text = ResonatorWords::tr("%1 of %2, n = %3")
                                      .arg(locale.toString(static_cast<qint64>(run.windows_used)),
                                           locale.toString(static_cast<qint64>(run.windows)),
                                           locale.toString(static_cast<qint64>(run.window)));
@@ -339,12 +328,12 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
 
 std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units) {
     const DriftFunction& drift = found.drift;
-    const QString names[] = {resonatorText(QT_TRANSLATE_NOOP("Resonator", "Mean drift")),
-                             QStringLiteral("cos 4θ_A"), QStringLiteral("sin 4θ_A"),
-                             QStringLiteral("cos 8θ_A"), QStringLiteral("sin 8θ_A")};
+    const QString names[] = {ResonatorWords::tr("Mean drift"), QStringLiteral("cos 4θ_A"),
+                             QStringLiteral("sin 4θ_A"), QStringLiteral("cos 8θ_A"),
+                             QStringLiteral("sin 8θ_A")};
     std::vector<QuantityRow> rows;
     if (drift.order == 0) {
-        rows.push_back({resonatorText(QT_TRANSLATE_NOOP("Resonator", "Harmonics")),
+        rows.push_back({ResonatorWords::tr("Harmonics"),
                         {},
                         {sentenceCell(reasonText(no_drift_function(found)))}});
     }
@@ -367,12 +356,12 @@ QString toleranceName(ErrorSource source, const IdentifySettings& settings) {
         QT_TRANSLATE_NOOP("Resonator", "Gain drift"),
         QT_TRANSLATE_NOOP("Resonator", "Sample rate"),
         QT_TRANSLATE_NOOP("Resonator", "Spread")};
-    const QString name = resonatorText(names[static_cast<std::size_t>(source)]);
+    const QString name = ResonatorWords::tr(names[static_cast<std::size_t>(source)]);
     const auto used = tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa);
     const bool assumed = std::ranges::any_of(used, [source](const ToleranceInUse& each) {
         return each.parameter.source == source && each.assumed;
     });
-    return assumed ? resonatorText(QT_TRANSLATE_NOOP("Resonator", "%1 (assumed)")).arg(name) : name;
+    return assumed ? ResonatorWords::tr("%1 (assumed)").arg(name) : name;
 }
 
 QStringList toleranceTexts(const IdentifySettings& settings) {
@@ -401,8 +390,7 @@ bool anyAssumed(const IdentifySettings& settings) {
 QString clockText(const IdentifySettings& settings) {
     return settings.tolerance.rate_ppm
                ? QString()
-               : resonatorText(
-                     QT_TRANSLATE_NOOP("Resonator", "Frequencies by the clock of the recorder."));
+               : ResonatorWords::tr("Frequencies by the clock of the recorder.");
 }
 
 QString gainRatioOffer(const Identification& found) {
@@ -413,20 +401,17 @@ QString gainRatioOffer(const Identification& found) {
         return {};
     }
     return QStringLiteral("<a href=\"kappa\">%1</a>")
-        .arg(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Calibrate with κ = %1"))
-                 .arg(valueText(kappa.value, kappa.sd)));
+        .arg(ResonatorWords::tr("Calibrate with κ = %1").arg(valueText(kappa.value, kappa.sd)));
 }
 
 QString uncertaintyText(const Identification& found) {
     const QStringList tolerances = toleranceTexts(found.settings);
-    QString text =
-        resonatorText(QT_TRANSLATE_NOOP("Resonator", "± is the statistical standard deviation."));
+    QString text = ResonatorWords::tr("± is the statistical standard deviation.");
     if (!tolerances.isEmpty()) {
         text +=
-            QLatin1Char(' ') + resonatorText(QT_TRANSLATE_NOOP("Resonator",
-                                                               "u, where it differs, holds the "
-                                                               "tolerances (Calibration) too: %1."))
-                                   .arg(tolerances.join(QStringLiteral("; ")));
+            QLatin1Char(' ') +
+            ResonatorWords::tr("u, where it differs, holds the tolerances (Calibration) too: %1.")
+                .arg(tolerances.join(QStringLiteral("; ")));
     }
     return QStringLiteral("%1 %2").arg(text, clockText(found.settings)).trimmed();
 }

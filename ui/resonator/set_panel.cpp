@@ -2,6 +2,8 @@
 
 #include "core/analysis/setting_table.h"
 #include "ui/resonator/conditions_text.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -73,42 +75,26 @@ QString SetMembers::hint() const {
 SetPanel::SetPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      sets_(new QComboBox(this)),
+      sets_(withName(new QComboBox(this), "sets")),
       add_(new QToolButton(this)),
       remove_(new QToolButton(this)),
       members_(new SetMembers(document, this)),
-      listed_(new QLabel(this)),
+      listed_(withName(new QLabel(this), "listed")),
       model_label_(new QLabel(this)),
-      model_(new QComboBox(this)),
-      identify_(new QPushButton(this)) {
-    sets_->setObjectName(QStringLiteral("sets"));
+      model_(withName(new QComboBox(this), "model")),
+      identify_(withName(new QPushButton(this), "identify")) {
     sets_->setEditable(true);
     sets_->setInsertPolicy(QComboBox::NoInsert);
     sets_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     add_->setText(QStringLiteral("+"));
     remove_->setText(QStringLiteral("−"));
-    listed_->setObjectName(QStringLiteral("listed"));
     listed_->setWordWrap(true);
     model_label_->setBuddy(model_);
-    model_->setObjectName(QStringLiteral("model"));
     model_->addItems({QString(), QString(), QString()});
-    identify_->setObjectName(QStringLiteral("identify"));
 
-    auto* names = new QHBoxLayout;
-    names->addWidget(sets_, 1);
-    names->addWidget(add_);
-    names->addWidget(remove_);
-    auto* choices = new QHBoxLayout;
-    choices->addWidget(model_label_);
-    choices->addWidget(model_, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 2);
-    layout->setSpacing(3);
-    layout->addLayout(names);
-    layout->addWidget(members_);
-    layout->addWidget(listed_);
-    layout->addLayout(choices);
-    layout->addWidget(identify_);
+    auto* names = fill(new QHBoxLayout, {{sets_, 1}, add_, remove_});
+    auto* choices = fill(new QHBoxLayout, {model_label_, {model_, 1}});
+    fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {names, members_, listed_, choices, identify_});
 
     connect(sets_, &QComboBox::activated, this, [this](int row) {
         document_.sets().setCurrent(static_cast<SetId>(sets_->itemData(row).toInt()));
@@ -147,7 +133,7 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::recordingsChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::recordingChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SetPanel::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void SetPanel::refresh() {
@@ -205,13 +191,6 @@ void SetPanel::refreshMembers(const RecordingSet* set) {
     }
     members_->setCurrentRow(std::min(row, members_->count() - 1));
     members_->updateGeometry();
-}
-
-void SetPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void SetPanel::retranslate() {

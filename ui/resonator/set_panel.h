@@ -33,9 +33,6 @@ class SetPanel : public QWidget {
 public:
     explicit SetPanel(Document& document, QWidget* parent = nullptr);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void refresh();
     void refreshMembers(const RecordingSet* set);

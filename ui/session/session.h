@@ -2,7 +2,6 @@
 
 #include "core/analysis/settings.h"
 #include "core/analysis/tolerance.h"
-#include "core/drift/drift_settings.h"
 #include "core/recording/samples/open_options.h"
 #include "ui/document/analysis_store.h"
 #include "ui/document/drift_store.h"
@@ -41,11 +40,6 @@ struct SessionSet {
     QJsonObject unknown;  // as Session::unknown
 };
 
-struct SessionDrift {
-    std::vector<DriftLog> logs;
-    DriftSettings settings;
-};
-
 // What the plots show.
 struct SessionView {
     ZoomState zoom;
@@ -68,7 +62,7 @@ struct Session {
     std::vector<SessionSet> sets;
     int current_set = -1;
     int current_analysis = -1;  // place among all analyses
-    SessionDrift drift;
+    DriftInput drift;
     SessionView view;
     // Keys of the file that this program does not know, written again.
     QJsonObject unknown;

@@ -160,7 +160,7 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
 }
 
 // `json` has the keys of a later version, which stay.
-QJsonObject driftToJson(const SessionDrift& drift, QJsonObject json, const QDir& folder) {
+QJsonObject driftToJson(const DriftInput& drift, QJsonObject json, const QDir& folder) {
     QJsonArray logs;
     for (const DriftLog& log : drift.logs) {
         logs.append(
@@ -174,8 +174,8 @@ QJsonObject driftToJson(const SessionDrift& drift, QJsonObject json, const QDir&
     return json;
 }
 
-Result<SessionDrift> driftFromJson(const QJsonObject& json, const QDir& folder) {
-    SessionDrift drift;
+Result<DriftInput> driftFromJson(const QJsonObject& json, const QDir& folder) {
+    DriftInput drift;
     auto settings = TRY(settingsFromJson(drift_settings(), json[settings_key].toObject()));
     drift.settings = std::move(settings);
     for (const auto& value : json[logs_key].toArray()) {

@@ -37,14 +37,8 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     session.dossier = document.dossier().dossier();
     session.live = document.live();
     for (const RecordingEntry& entry : document.recordings()) {
-        SessionRecording recording{entry.path, entry.sha256, entry.options, {}, {}};
-        for (std::size_t place = 0; place < document.analyses().size(); ++place) {
-            const AnalysisEntry& analysis = document.analyses()[place];
-            if (analysis.recording_id == entry.id) {
-                recording.analyses.push_back(wishOf(analysis, static_cast<int>(place)));
-            }
-        }
-        session.recordings.push_back(std::move(recording));
+        session.recordings.push_back(
+            {entry.path, entry.sha256, entry.options, wishesOf(document.analyses(), entry.id), {}});
     }
     if (const RecordingEntry* current = document.currentRecording()) {
         session.current = placeOf(document.recordings(), current->id);
@@ -123,7 +117,7 @@ std::vector<RecordingId> restoreSession(const Session& session, Document& docume
     if (session.current_set >= 0) {
         document.sets().setCurrent(set_ids[static_cast<std::size_t>(session.current_set)]);
     }
-    document.drift().startWith(session.drift.logs, session.drift.settings);
+    document.drift().startWith(session.drift);
     document.undoStack().clear();  // of this session alone
     return ids;
 }

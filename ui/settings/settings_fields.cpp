@@ -1,8 +1,8 @@
 #include "ui/settings/settings_fields.h"
 
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -64,11 +64,7 @@ std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first
     NumberField* right = makeField(second);
     entries_.back().unit_in_label = true;
     auto* pair = new QWidget(this);
-    auto* line = new QHBoxLayout(pair);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(4);
-    line->addWidget(label);
-    line->addStretch(1);
+    auto* line = fill(new QHBoxLayout(pair), {}, 4, {label, LayoutPart(1)});
     for (NumberField* field : {left, right}) {
         field->setFixedWidth(least_field);
         line->addWidget(field);
@@ -80,8 +76,7 @@ std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first
 
 // A line below the fields with their fault.
 void SettingsFields::addFaults(const std::vector<NumberField*>& fields) {
-    auto* line = new QLabel(this);
-    line->setObjectName(QStringLiteral("fault"));
+    auto* line = withName(new QLabel(this), "fault");
     line->setWordWrap(true);
     line->hide();
     form_->addRow(line);
@@ -139,13 +134,6 @@ void SettingsFields::retranslate() {
         }
     }
     refresh();
-}
-
-void SettingsFields::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 }  // namespace vybeg::ui

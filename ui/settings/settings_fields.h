@@ -59,9 +59,15 @@ protected:
     void addWide(QWidget* widget, const Texts& texts);
 
     const SettingsState& state() const { return state_; }
+    // Emits the settings as an edit changes them.
+    template <class Edit>
+    void change(Edit edit) {
+        Settings settings = state_.settings;
+        edit(settings);
+        emit edited(settings);
+    }
     virtual void refresh() = 0;
     virtual void retranslate();
-    void changeEvent(QEvent* event) override;
 
 private:
     struct Entry {

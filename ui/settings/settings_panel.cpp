@@ -4,6 +4,8 @@
 #include "ui/settings/signal_fields.h"
 #include "ui/settings/start_fields.h"
 #include "ui/settings/window_fields.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/wheel_guard.h"
 #include "ui/words/algorithm_text.h"
@@ -54,16 +56,12 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     sections_->setContentsMargins(2, 4, 2, 2);
     sections_->setSpacing(4);
 
-    algorithm_ = new QComboBox(content);
-    algorithm_->setObjectName(QStringLiteral("algorithm"));
+    algorithm_ = withName(new QComboBox(content), "algorithm");
     algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const Algorithm algorithm : all_algorithms) {
         algorithm_->addItem({}, static_cast<int>(algorithm));
     }
-    auto* first = new QHBoxLayout;
-    first->setContentsMargins(6, 0, 4, 4);
-    first->addWidget(algorithm_);
-    sections_->addLayout(first);
+    sections_->addLayout(fill(new QHBoxLayout, {6, 0, 4, 4}, {algorithm_}));
 
     add(new WindowFields(content), QT_TR_NOOP("Window"), true);
     auto* range = new RangeFields(content);
@@ -74,33 +72,18 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     add(calibration, QT_TR_NOOP("Calibration"), false);
     sections_->addStretch(1);
 
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll_ = scroll;
+    scroll_ = scrolled(content, this);
+    scroll_->setFocusPolicy(Qt::NoFocus);
     content->installEventFilter(this);
 
-    stale_ = new QLabel(this);
-    stale_->setObjectName(QStringLiteral("stale"));
+    stale_ = withName(new QLabel(this), "stale");
     stale_->setWordWrap(true);
     stale_->setContentsMargins(8, 0, 4, 0);
-    live_ = new QCheckBox(this);
-    live_->setObjectName(QStringLiteral("live"));
-    analyse_ = new QPushButton(this);
-    analyse_->setObjectName(QStringLiteral("analyse"));
+    live_ = withName(new QCheckBox(this), "live");
+    analyse_ = withName(new QPushButton(this), "analyse");
     analyse_->setDefault(true);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 4);
-    layout->addWidget(scroll, 1);
-    layout->addWidget(stale_);
-    auto* start = new QHBoxLayout;
-    start->setContentsMargins(8, 0, 4, 0);
-    start->addWidget(live_);
-    start->addWidget(analyse_, 1);
-    layout->addLayout(start);
+    auto* start = fill(new QHBoxLayout, {8, 0, 4, 0}, {live_, {analyse_, 1}});
+    fill(new QVBoxLayout(this), {0, 0, 0, 4}, {{scroll_, 1}, stale_, start});
 
     connect(algorithm_, &QComboBox::activated, this, [this](int index) {
         Settings settings = document_.settings();
@@ -124,7 +107,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::settingsChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
@@ -190,13 +173,6 @@ void SettingsPanel::showStaleness() {
     stale_->setVisible(!differences.isEmpty());
     stale_->setText(tr("The plots are older than these settings. Changed since: %1.")
                         .arg(differences.join(QStringLiteral(", "))));
-}
-
-void SettingsPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void SettingsPanel::retranslate() {

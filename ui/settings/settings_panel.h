@@ -34,7 +34,6 @@ signals:
     void wanted();
 
 protected:
-    void changeEvent(QEvent* event) override;
     // Of the groups, whose fields change with the language and with what is open.
     bool eventFilter(QObject* groups, QEvent* event) override;
 

@@ -1,6 +1,8 @@
 #include "ui/settings/signal_fields.h"
 
 #include "core/analysis/setting_table.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -21,28 +23,19 @@ RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
     from_ = pair.first;
     to_ = pair.second;
     auto* buttons = new QWidget(this);
-    auto* line = new QHBoxLayout(buttons);
-    line->setContentsMargins(0, 0, 0, 0);
     whole_ = new QPushButton(buttons);
     visible_ = new QPushButton(buttons);
-    line->addWidget(whole_, 1);
-    line->addWidget(visible_, 1);
+    fill(new QHBoxLayout(buttons), {}, {{whole_, 1}, {visible_, 1}});
     addWide(buttons);
     for (NumberField* field : {from_, to_}) {
         field->setOptional(true);
         field->setLimits(bounds_of(field == from_ ? "from" : "to"));
         field->setDigits(7);
     }
-    connect(from_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.from_s = value;
-        emit edited(settings);
-    });
-    connect(to_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.to_s = value;
-        emit edited(settings);
-    });
+    connect(from_, &NumberField::valueEdited, this,
+            [this](auto value) { change([&](Settings& settings) { settings.from_s = value; }); });
+    connect(to_, &NumberField::valueEdited, this,
+            [this](auto value) { change([&](Settings& settings) { settings.to_s = value; }); });
     connect(whole_, &QPushButton::clicked, this, [this] {
         Settings settings = state().settings;
         settings.from_s.reset();
@@ -50,7 +43,7 @@ RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
         emit edited(settings);
     });
     connect(visible_, &QPushButton::clicked, this, &RangeFields::visibleRangeWanted);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void RangeFields::retranslate() {
@@ -90,11 +83,8 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
                 {"", QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter to")});
     bands_ = {BandFields{"band", &Settings::band, band.first, band.second, std::nullopt},
               BandFields{"filter", &Settings::filter, filter.first, filter.second, std::nullopt}};
-    connect(f0_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.f0_hz = value;
-        emit edited(settings);
-    });
+    connect(f0_, &NumberField::valueEdited, this,
+            [this](auto value) { change([&](Settings& settings) { settings.f0_hz = value; }); });
     for (const BandFields& fields : bands_) {
         for (NumberField* field : {fields.low, fields.high}) {
             field->setOptional(true);
@@ -106,7 +96,7 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
                     [this, &fields] { editBand(fields); });
         }
     }
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void CarrierFields::editBand(const BandFields& fields) {
@@ -116,9 +106,9 @@ void CarrierFields::editBand(const BandFields& fields) {
     }
     const auto low = fields.low->value();
     const auto high = fields.high->value();
-    Settings settings = state().settings;
-    settings.*fields.member = low ? std::optional(Band{*low, *high}) : std::nullopt;
-    emit edited(settings);
+    change([&](Settings& settings) {
+        settings.*fields.member = low ? std::optional(Band{*low, *high}) : std::nullopt;
+    });
 }
 
 // Incomplete and reversed bands are not applied; they stay in the fields, with the reason.
@@ -191,30 +181,28 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
                                        "the article counts the angle from there.")});
     angle_zero_->setLimits(bounds_of("angle-zero"));
 
-    connect(kappa_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::kappa, *value); });
-    connect(offset_c_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::offset_c, *value); });
-    connect(offset_d_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::offset_d, *value); });
-    connect(delay_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::delay_d_s, *value / 1e6); });
-    connect(angle_zero_, &NumberField::valueEdited, this,
-            [this](auto value) { edit(&Calibration::angle_zero_deg, *value); });
+    // `per_unit`: units of the field in one of the setting.
+    const auto follow = [this](NumberField* field, double Calibration::*member,
+                               double per_unit = 1) {
+        connect(field, &NumberField::valueEdited, this, [this, member, per_unit](auto value) {
+            change([&](Settings& settings) { settings.calibration.*member = *value / per_unit; });
+        });
+    };
+    follow(kappa_, &Calibration::kappa);
+    follow(offset_c_, &Calibration::offset_c);
+    follow(offset_d_, &Calibration::offset_d);
+    follow(delay_, &Calibration::delay_d_s, 1e6);
+    follow(angle_zero_, &Calibration::angle_zero_deg);
     connect(offset_auto_, &QCheckBox::clicked, this, [this](bool automatic) {
-        Settings settings = state().settings;
-        settings.calibration.offset_auto = automatic;
-        emit edited(settings);
+        change([&](Settings& settings) { settings.calibration.offset_auto = automatic; });
     });
     repair_lost_ = new QCheckBox(this);
     addWide(repair_lost_);
     connect(repair_lost_, &QCheckBox::clicked, this, [this](bool wanted) {
-        Settings settings = state().settings;
-        settings.repair_lost = wanted;
-        emit edited(settings);
+        change([&](Settings& settings) { settings.repair_lost = wanted; });
     });
     addTolerances();
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void CalibrationFields::addTolerances() {
@@ -283,12 +271,6 @@ void CalibrationFields::showTolerances() {
         const bool none = row->source == rate_error || row->source == spread_error;
         each.field->setPlaceholderText(none ? QString() : QLocale().toString(assumed));
     }
-}
-
-void CalibrationFields::edit(double Calibration::*member, double value) {
-    Settings settings = state().settings;
-    settings.calibration.*member = value;
-    emit edited(settings);
 }
 
 void CalibrationFields::retranslate() {

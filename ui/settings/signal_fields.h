@@ -76,7 +76,6 @@ protected:
     void retranslate() override;
 
 private:
-    void edit(double Calibration::*member, double value);
     void addTolerances();
     void showTolerances();
 

@@ -1,6 +1,8 @@
 #include "ui/settings/start_fields.h"
 
 #include "core/analysis/setting_table.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QCheckBox>
@@ -11,8 +13,7 @@
 namespace vybeg::ui {
 
 StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
-    start_ = new QComboBox(this);
-    start_->setObjectName(QStringLiteral("start"));
+    start_ = withName(new QComboBox(this), "start");
     start_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     start_->addItems({{}, {}, {}});
     addWide(start_, {QT_TR_NOOP("Start from"), "",
@@ -39,11 +40,11 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
         connect(field, &NumberField::valueEdited, this, &StartFields::editTyped);
     }
     connect(every_window_, &QCheckBox::clicked, this, [this](bool every) {
-        Settings settings = state().settings;
-        settings.start = every ? StartRule::first : StartRule::previous;
-        emit edited(settings);
+        change([&](Settings& settings) {
+            settings.start = every ? StartRule::first : StartRule::previous;
+        });
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void StartFields::chooseStart(int start) {
@@ -58,16 +59,15 @@ void StartFields::chooseStart(int start) {
 }
 
 void StartFields::editTyped() {
-    Settings settings = state().settings;
-    settings.initial = StartValues{
-        {*a_A_->value(), *a_B_->value(), *two_theta_A_->value(), *alpha_->value()}, *f_->value()};
-    emit edited(settings);
+    change([&](Settings& settings) {
+        settings.initial =
+            StartValues{{*a_A_->value(), *a_B_->value(), *two_theta_A_->value(), *alpha_->value()},
+                        *f_->value()};
+    });
 }
 
 void StartFields::retranslate() {
-    start_->setItemText(automatic, tr("algorithm 1, each window"));
-    start_->setItemText(previous, tr("previous window"));
-    start_->setItemText(typed, tr("typed values"));
+    setTexts(*start_, {tr("algorithm 1, each window"), tr("previous window"), tr("typed values")});
     every_window_->setText(tr("for every window"));
     every_window_->setToolTip(richTip(
         tr("On: every window starts from the typed values. Off: only the first one, the others "

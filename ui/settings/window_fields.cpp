@@ -2,6 +2,8 @@
 
 #include "core/analysis/setting_table.h"
 #include "core/windows/window_plan.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -40,36 +42,25 @@ std::int64_t windowInUse(const SettingsState& state) {
 WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     // The length in the chosen unit, and below it in the others.
     auto* length = new QWidget(this);
-    auto* length_line = new QHBoxLayout(length);
-    length_line->setContentsMargins(0, 0, 0, 0);
-    length_line->setSpacing(4);
     length_ = makeField(
         {QT_TR_NOOP("Length"), "",
          QT_TR_NOOP("Window of n consecutive samples, the averaging interval T of (7). The slow "
                     "variables are constant inside it. At least 5 samples and three quarters of a "
                     "period. The article varies T from 1 to 10 periods, which may be fractions.")});
     length_->setDigits(6);
-    unit_ = new QComboBox(length);
-    unit_->setObjectName(QStringLiteral("lengthUnit"));
+    unit_ = withName(new QComboBox(length), "lengthUnit");
     unit_->addItems({QString(), QString(), QString()});
     unit_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    length_line->addWidget(length_, 1);
-    length_line->addWidget(unit_);
+    fill(new QHBoxLayout(length), {}, 4, {{length_, 1}, unit_});
     addWide(length);
     addFaults({length_});
-    others_ = new QLabel(this);
-    others_->setObjectName(QStringLiteral("otherLengths"));
+    others_ = withName(new QLabel(this), "otherLengths");
     addWide(others_);
 
     auto* check = new QWidget(this);
-    auto* line = new QHBoxLayout(check);
-    line->setContentsMargins(0, 0, 0, 0);
-    residual_ = new QLabel(check);
-    residual_->setObjectName(QStringLiteral("residual"));
-    snap_ = new QPushButton(check);
-    snap_->setObjectName(QStringLiteral("snap"));
-    line->addWidget(residual_, 1);
-    line->addWidget(snap_);
+    residual_ = withName(new QLabel(check), "residual");
+    snap_ = withName(new QPushButton(check), "snap");
+    fill(new QHBoxLayout(check), {}, {{residual_, 1}, snap_});
     addWide(check,
             {QT_TR_NOOP("Leakage"), "",
              QT_TR_NOOP("What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition "
@@ -93,9 +84,9 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     connect(length_, &NumberField::valueEdited, this, [this](auto value) { setLength(*value); });
     connect(unit_, &QComboBox::activated, this, &WindowFields::refresh);
     connect(hop_, &NumberField::valueEdited, this, [this](auto value) {
-        Settings settings = state().settings;
-        settings.hop = value ? static_cast<std::int64_t>(*value) : 0;
-        emit edited(settings);
+        change([&](Settings& settings) {
+            settings.hop = value ? static_cast<std::int64_t>(*value) : 0;
+        });
     });
     connect(overlap_, &NumberField::valueEdited, this, [this](auto value) {
         Settings settings = state().settings;
@@ -105,7 +96,7 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
         emit edited(settings);
     });
     connect(snap_, &QPushButton::clicked, this, &WindowFields::snap);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 WindowFields::Unit WindowFields::unit() const {
@@ -137,10 +128,7 @@ void WindowFields::snap() {
 }
 
 void WindowFields::retranslate() {
-    const std::array units{tr("samples"), tr("periods"), tr("ms")};
-    for (std::size_t k = 0; k < units.size(); ++k) {
-        unit_->setItemText(static_cast<int>(k), units[k]);
-    }
+    setTexts(*unit_, {tr("samples"), tr("periods"), tr("ms")});
     unit_->setAccessibleName(tr("Unit of the length"));
     unit_->setToolTip(tr("In which unit the length of the window is typed"));
     snap_->setText(tr("Snap"));

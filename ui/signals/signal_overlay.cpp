@@ -47,14 +47,11 @@ QString SignalOverlay::note(const SignalPanel& panel) const {
             : -1;
     if (!(k >= 0 && k < static_cast<double>(excerpt ? excerpt->size() : 0))) {
         if (residual) {
-            return stack_.picture().samples
-                       ? QString()
-                       : signalsText(QT_TRANSLATE_NOOP("SignalStack", "rms of the residual"));
+            return stack_.picture().samples ? QString() : SignalWords::tr("rms of the residual");
         }
         return !content.analysis || !content.wave ? QString()
-               : stack_.picture().smooth
-                   ? signalsText(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
-                   : signalsText(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the wave"));
+               : stack_.picture().smooth          ? SignalWords::tr("fitted wave")
+                                                  : SignalWords::tr("amplitude of the wave");
     }
     const auto at = static_cast<std::size_t>(k);
     const int decimals = decimalsOf(panel);
@@ -66,12 +63,10 @@ QString SignalOverlay::note(const SignalPanel& panel) const {
             .arg(number(excerpt->residual_c(at)), number(excerpt->residual_d(at)));
     }
     const bool d = panel.part() == SignalPart::d;
-    QString text = signalsText(QT_TRANSLATE_NOOP("SignalStack", "sample %1"))
-                       .arg(number(d ? excerpt->d[at] : excerpt->c[at]));
+    QString text = SignalWords::tr("sample %1").arg(number(d ? excerpt->d[at] : excerpt->c[at]));
     if (content.analysis) {
-        text +=
-            QStringLiteral("   ") + signalsText(QT_TRANSLATE_NOOP("SignalStack", "wave %1"))
-                                        .arg(number(d ? excerpt->fit_d[at] : excerpt->fit_c[at]));
+        text += QStringLiteral("   ") +
+                SignalWords::tr("wave %1").arg(number(d ? excerpt->fit_d[at] : excerpt->fit_c[at]));
     }
     return text;
 }

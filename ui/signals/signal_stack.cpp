@@ -16,10 +16,6 @@ constexpr int paper_panel_height = 170;
 
 }  // namespace
 
-QString signalsText(const char* text) {
-    return QCoreApplication::translate("SignalStack", text);
-}
-
 SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head)
     : TimeStack(plot, 0, head) {
     for (const SignalPart part : parts) {
@@ -51,13 +47,12 @@ void SignalStack::showLegend() {
     add(QStringLiteral("C"), theme.signalC);
     add(QStringLiteral("D"), theme.signalD);
     if (fitted && content_.wave) {
-        add(picture_.smooth
-                ? signalsText(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
-                : signalsText(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the wave")),
+        add(picture_.smooth ? SignalWords::tr("fitted wave")
+                            : SignalWords::tr("amplitude of the wave"),
             theme.text);
     }
     if (fitted && !picture_.samples) {
-        add(signalsText(QT_TRANSLATE_NOOP("SignalStack", "rms of the residual")), theme.mutedText);
+        add(SignalWords::tr("rms of the residual"), theme.mutedText);
     }
     headStrip().setEntries(std::move(entries), Qt::AlignLeft);
 }

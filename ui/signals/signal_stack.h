@@ -4,12 +4,16 @@
 #include "ui/plots/time_stack.h"
 #include "ui/signals/signal_picture.h"
 
+#include <QCoreApplication>
+
 #include <vector>
 
 namespace vybeg::ui {
 
-// A text of the plots of the signals in the language of the window.
-QString signalsText(const char* text);
+// Texts of the plots of the signals in the language of the window.
+struct SignalWords {
+    Q_DECLARE_TR_FUNCTIONS(SignalStack)
+};
 
 class SignalPanel;
 

@@ -4,10 +4,11 @@
 #include "ui/plots/track_view.h"
 #include "ui/signals/signal_stack.h"
 #include "ui/signals/signals_view.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -35,20 +36,15 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     : QWidget(parent),
       document_(document),
       tracks_(tracks),
-      state_(new QLabel(this)),
+      state_(withName(new QLabel(this), "signalsState")),
       view_(new SignalsView(tracks, this)),
       theme_(lightTheme()) {
     setObjectName(QStringLiteral("signals"));
-    state_->setObjectName(QStringLiteral("signalsState"));
     state_->setWordWrap(true);
     state_->setContentsMargins(6, 2, 6, 2);
     state_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     state_->setFocusPolicy(Qt::ClickFocus);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(state_);
-    column->addWidget(view_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {state_, {view_, 1}});
 
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
@@ -61,7 +57,7 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     connect(&document_, &Document::currentRecordingChanged, this, &SignalsPage::refresh);
     connect(&document_, &Document::envelopeGrown, this, &SignalsPage::refresh);
     connect(&document_, &Document::analysesChanged, this, &SignalsPage::refresh);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 const RecordingEntry* SignalsPage::recording() const {
@@ -169,16 +165,25 @@ void SignalsPage::request() {
     const auto end = static_cast<std::int64_t>(std::ceil(wanted.upper * recording.rate_hz)) + 1;
     const std::int64_t from = std::max<std::int64_t>(0, first);
     reading_ = true;
-    job_.readExcerpt(job_key, recording, analysis, same ? source_ : std::nullopt, from, end - from,
-                     [this](Result<ExcerptOutcome> result) { take(std::move(result)); });
+    job_.run<Excerpt>(
+        job_key,
+        [recording, analysis, known = same ? source_ : std::nullopt, from,
+         count = end - from](const JobControl& job) -> Result<Excerpt> {
+            auto source =
+                TRY(known ? Result<SignalSource>(*known) : signal_source(recording, analysis, job));
+            auto excerpt = TRY(signal_excerpt(source, from, count, job));
+            return Excerpt{std::move(source),
+                           std::make_shared<const SignalExcerpt>(std::move(excerpt))};
+        },
+        [this](Result<Excerpt> result) { take(std::move(result)); });
 }
 
-void SignalsPage::take(Result<ExcerptOutcome> result) {
+void SignalsPage::take(Result<Excerpt> result) {
     reading_ = false;
     failure_.reset();
     if (result) {
         source_ = std::move(result->source);
-        excerpt_ = std::move(result->excerpt);
+        excerpt_ = std::move(result->samples);
     } else {
         failure_ = result.error();
     }
@@ -244,12 +249,7 @@ FigureSource SignalsPage::figures() const {
         source.plots << tr("Residual");
     }
     source.figure = [shown, parts](const std::vector<int>& places) {
-        std::vector<SignalPart> some;
-        some.reserve(places.size());
-        for (const int place : places) {
-            some.push_back(parts[static_cast<std::size_t>(place)]);
-        }
-        return signalFigure(shown, some);
+        return signalFigure(shown, atPlaces(parts, places));
     };
     source.title = recording() ? recording()->name : QString();
     return source;
@@ -265,13 +265,6 @@ void SignalsPage::hideEvent(QHideEvent* event) {
     pause_.stop();
     job_.forget(job_key);
     reading_ = false;
-}
-
-void SignalsPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void SignalsPage::retranslate() {

@@ -44,17 +44,22 @@ public:
     FigureSource figures() const;
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
 private:
+    // Samples with their fitted wave, and what the next excerpt of the same is taken from.
+    struct Excerpt {
+        SignalSource source;
+        std::shared_ptr<const SignalExcerpt> samples;
+    };
+
     const RecordingEntry* recording() const;
     // The chosen analysis, if it is one of the current recording and has all its windows.
     const AnalysisEntry* fitted() const;
     void refresh();
     void request();
-    void take(Result<ExcerptOutcome> result);
+    void take(Result<Excerpt> result);
     SignalContent content() const;
     void showState();
     QString stateText() const;

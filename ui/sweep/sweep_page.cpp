@@ -34,22 +34,18 @@ SweepPage::SweepPage(Document& document, QWidget* parent)
       document_(document),
       recording_(new QLabel(this)),
       algorithm_label_(new QLabel(this)),
-      algorithm_(new QComboBox(this)),
-      snap_(new QCheckBox(this)),
+      algorithm_(withName(new QComboBox(this), "sweepAlgorithm")),
+      snap_(withName(new QCheckBox(this), "sweepSnap")),
       lengths_label_(new QLabel(this)),
-      lengths_(new LengthField(this)),
-      compute_(new QPushButton(this)),
+      lengths_(withName(new LengthField(this), "sweepLengths")),
+      compute_(withName(new QPushButton(this), "computeSweep")),
       progress_(new QProgressBar(this)),
-      cancel_(new QPushButton(this)),
+      cancel_(withName(new QPushButton(this), "sweepCancel")),
       state_(sentence(this, "sweepState", QMargins())) {
     setObjectName(QStringLiteral("sweep"));
     auto* head = buildHead();
     content_ = buildContent();
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addLayout(head);
-    column->addWidget(scrolled(content_), 1);
+    fill(new QVBoxLayout(this), {}, 4, {head, {scrolled(content_), 1}});
     connectWidgets();
     followSettings();
     retranslate();

@@ -34,67 +34,39 @@ constexpr int progress_steps = 1000;
 QLayout* SweepPage::buildHead() {
     recording_->setTextFormat(Qt::PlainText);
     recording_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    algorithm_->setObjectName(QStringLiteral("sweepAlgorithm"));
     for ([[maybe_unused]] const Algorithm each : all_algorithms) {
         algorithm_->addItem(QString());
     }
     algorithm_label_->setBuddy(algorithm_);
-    snap_->setObjectName(QStringLiteral("sweepSnap"));
-    lengths_->setObjectName(QStringLiteral("sweepLengths"));
     lengths_label_->setBuddy(lengths_);
-    compute_->setObjectName(QStringLiteral("computeSweep"));
-    cancel_->setObjectName(QStringLiteral("sweepCancel"));
     progress_->setRange(0, progress_steps);
     progress_->setMaximumHeight(compute_->sizeHint().height());
-    auto* first = new QHBoxLayout;
-    first->addWidget(recording_, 1);
-    first->addWidget(algorithm_label_);
-    first->addWidget(algorithm_);
-    first->addWidget(snap_);
-    auto* second = new QHBoxLayout;
-    second->addWidget(lengths_label_);
-    second->addWidget(lengths_, 2);
-    second->addWidget(compute_);
-    second->addWidget(progress_, 1);
-    second->addWidget(cancel_);
-    auto* rows = new QVBoxLayout;
-    rows->setContentsMargins(6, 4, 6, 0);
-    rows->setSpacing(4);
-    rows->addLayout(first);
-    rows->addLayout(second);
-    rows->addWidget(state_);
+    auto* first = fill(new QHBoxLayout, {{recording_, 1}, algorithm_label_, algorithm_, snap_});
+    auto* second =
+        fill(new QHBoxLayout, {lengths_label_, {lengths_, 2}, compute_, {progress_, 1}, cancel_});
+    auto* rows = fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, second, state_});
     return rows;
 }
 
 QWidget* SweepPage::buildContent() {
     auto* content = new QWidget(this);
     variable_label_ = new QLabel(content);
-    variable_ = new QComboBox(content);
-    variable_->setObjectName(QStringLiteral("sweepVariable"));
+    variable_ = withName(new QComboBox(content), "sweepVariable");
     variable_->setItemDelegate(new IndexDelegate(variable_));
     for ([[maybe_unused]] const SlowVariable each : main_slow_variables) {
         variable_->addItem(QString());
     }
     variable_->setCurrentIndex(2);
     variable_label_->setBuddy(variable_);
-    copy_ = new QPushButton(content);
-    copy_->setObjectName(QStringLiteral("sweepCopy"));
+    copy_ = withName(new QPushButton(content), "sweepCopy");
     scatter_ = addPlot("sweepScatter", least_plot_height);
     residual_ = addPlot("sweepResidual", least_plot_height);
     advice_ = sentence(content, "sweepAdvice", QMargins());
     point_ = sentence(content, "sweepPoint", QMargins());
-    use_ = new QPushButton(content);
-    use_->setObjectName(QStringLiteral("sweepUse"));
-    table_ = new QuantityTable(content);
-    table_->setObjectName(QStringLiteral("sweepTable"));
-    auto* choice = new QHBoxLayout;
-    choice->addWidget(variable_label_);
-    choice->addWidget(variable_);
-    choice->addStretch(1);
-    choice->addWidget(copy_);
-    auto* advice = new QHBoxLayout;
-    advice->addWidget(advice_, 1);
-    advice->addWidget(use_, 0, Qt::AlignTop);
+    use_ = withName(new QPushButton(content), "sweepUse");
+    table_ = withName(new QuantityTable(content), "sweepTable");
+    auto* choice = fill(new QHBoxLayout, {variable_label_, variable_, LayoutPart(1), copy_});
+    auto* advice = fill(new QHBoxLayout, {{advice_, 1}, {use_, 0, Qt::AlignTop}});
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(6, 0, 6, 0);
     grid->setSpacing(4);

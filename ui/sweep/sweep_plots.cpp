@@ -8,10 +8,6 @@
 
 namespace vybeg::ui {
 
-QString sweepText(const char* text) {
-    return QCoreApplication::translate("Sweep", text);
-}
-
 namespace {
 
 using ValueOf = std::function<double(const SweepLength&)>;
@@ -60,7 +56,7 @@ void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
     if (sweep.advice) {
         const auto n = static_cast<double>(sweep.lengths[sweep.advice->best].length);
         XYSeries line;
-        line.name = sweepText(QT_TRANSLATE_NOOP("Sweep", "recommended"));
+        line.name = SweepWords::tr("recommended");
         line.ink = Ink::accent;
         line.dashed = true;
         line.x = {n, n};
@@ -68,21 +64,14 @@ void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
         plot.series.push_back(std::move(line));
     }
     if (view.chosen) {
-        const XYSeries& points = plot.series.front();
-        XYSeries mark;
-        mark.points = true;
-        mark.style = 1;
-        mark.ink = Ink::warning;
-        mark.x = {points.x[*view.chosen]};
-        mark.y = {points.y[*view.chosen]};
-        plot.series.push_back(std::move(mark));
+        plot.series.push_back(markOn(plot.series.front(), *view.chosen, Ink::warning));
     }
 }
 
 XYPlot emptyPlot(const QString& empty) {
     XYPlot plot;
     plot.x_name = QStringLiteral("n");
-    plot.x_unit = sweepText(QT_TRANSLATE_NOOP("Sweep", "samples"));
+    plot.x_unit = SweepWords::tr("samples");
     plot.x_logarithmic = true;
     plot.y_logarithmic = true;
     plot.empty = empty;
@@ -108,31 +97,29 @@ QString sweepUnit(const SweepView& view, std::size_t variable) {
 
 XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QString& empty) {
     XYPlot plot = emptyPlot(empty);
-    plot.y_name = sweepText(QT_TRANSLATE_NOOP("Sweep", "Standard deviation of %1"))
+    plot.y_name = SweepWords::tr("Standard deviation of %1")
                       .arg(displaySymbol(main_slow_variables[view.variable], view.units));
     plot.y_unit = sweepUnit(view, view.variable);
     if (sweep == nullptr || sweep->lengths.empty()) {
         return plot;
     }
     const double factor = sweepFactor(*sweep, view, view.variable);
-    const auto series = [&](const char* name, double SweepValue::*member) {
-        return seriesOf(*sweep, sweepText(name), factor, [&](const SweepLength& each) {
+    const auto series = [&](const QString& name, double SweepValue::*member) {
+        return seriesOf(*sweep, name, factor, [&](const SweepLength& each) {
             return each.values[view.variable].*member;
         });
     };
-    XYSeries scatter =
-        asPoints(series(QT_TRANSLATE_NOOP("Sweep", "scatter"), &SweepValue::scatter), 0);
+    XYSeries scatter = asPoints(series(SweepWords::tr("scatter"), &SweepValue::scatter), 0);
     scatter.ink = Ink::text;
     for (const SweepLength& each : sweep->lengths) {
         scatter.sd.push_back(factor * each.values[view.variable].sd_scatter);
     }
     plot.series.push_back(std::move(scatter));
-    plot.series.push_back(withInk(
-        series(QT_TRANSLATE_NOOP("Sweep", "stated sd"), &SweepValue::stated), Ink::channel_c));
     plot.series.push_back(
-        withInk(series(QT_TRANSLATE_NOOP("Sweep", "bound"), &SweepValue::bound), Ink::muted, true));
-    XYSeries motion =
-        asPoints(series(QT_TRANSLATE_NOOP("Sweep", "motion"), &SweepValue::motion), 2);
+        withInk(series(SweepWords::tr("stated sd"), &SweepValue::stated), Ink::channel_c));
+    plot.series.push_back(
+        withInk(series(SweepWords::tr("bound"), &SweepValue::bound), Ink::muted, true));
+    XYSeries motion = asPoints(series(SweepWords::tr("motion"), &SweepValue::motion), 2);
     motion.ink = Ink::channel_d;
     plot.series.push_back(std::move(motion));
     Extent extent;
@@ -142,7 +129,7 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
     const double floor = extent.low / 4;
     for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
         XYSeries leakage = seriesOf(
-            *sweep, sweepText(QT_TRANSLATE_NOOP("Sweep", "leakage %1")).arg(k + 1), factor,
+            *sweep, SweepWords::tr("leakage %1").arg(k + 1), factor,
             [&](const SweepLength& each) { return each.values[view.variable].leakage[k]; });
         leakage.style = static_cast<int>(k) + 2;
         leakage.thin = true;
@@ -163,22 +150,21 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
 
 XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view, const QString& empty) {
     XYPlot plot = emptyPlot(empty);
-    plot.y_name = sweepText(QT_TRANSLATE_NOOP("Sweep", "Residual"));
+    plot.y_name = SweepWords::tr("Residual");
     plot.y_unit = view.channel_unit;
     if (sweep == nullptr || sweep->lengths.empty()) {
         return plot;
     }
-    const auto name = [](const char* text) { return sweepText(text); };
-    XYSeries noise = asPoints(seriesOf(*sweep, name(QT_TRANSLATE_NOOP("Sweep", "noise")), 1,
+    XYSeries noise = asPoints(seriesOf(*sweep, SweepWords::tr("noise"), 1,
                                        [](const SweepLength& each) { return each.noise; }),
                               0);
     noise.ink = Ink::text;
     plot.series.push_back(std::move(noise));
-    plot.series.push_back(withInk(seriesOf(*sweep, name(QT_TRANSLATE_NOOP("Sweep", "rms")), 1,
+    plot.series.push_back(withInk(seriesOf(*sweep, SweepWords::tr("rms"), 1,
                                            [](const SweepLength& each) { return each.rms; }),
                                   Ink::channel_c));
     plot.series.push_back(
-        withInk(seriesOf(*sweep, name(QT_TRANSLATE_NOOP("Sweep", "white")), 1,
+        withInk(seriesOf(*sweep, SweepWords::tr("white"), 1,
                          [sweep](const SweepLength&) { return sweep->white_noise; }),
                 Ink::muted, true));
     Extent extent;

@@ -4,12 +4,16 @@
 #include "ui/plots/xy_plot.h"
 #include "ui/words/display_units.h"
 
+#include <QCoreApplication>
+
 #include <optional>
 
 namespace vybeg::ui {
 
-// A text of the page Windows in the language of the window.
-QString sweepText(const char* text);
+// Texts of the page Windows in the language of the window.
+struct SweepWords {
+    Q_DECLARE_TR_FUNCTIONS(Sweep)
+};
 
 // What is shown of a sweep.
 struct SweepView {

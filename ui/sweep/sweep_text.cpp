@@ -45,33 +45,29 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
     };
     switch (advice.limit) {
         case WindowAdvice::Limit::motion:
-            return sweepText(QT_TRANSLATE_NOOP(
-                                 "Sweep",
-                                 "Longer windows blur %1: at n = %2 its bend inside the window "
-                                 "shifts the mean by %3, with a scatter of %4."))
+            return SweepWords::tr(
+                       "Longer windows blur %1: at n = %2 its bend inside the window shifts the "
+                       "mean by %3, with a scatter of %4.")
                 .arg(symbol, counted(next().length),
                      valueText(next().values[advice.variable].motion),
                      valueText(next().values[advice.variable].scatter));
         case WindowAdvice::Limit::scatter:
-            return sweepText(
-                       QT_TRANSLATE_NOOP("Sweep",
-                                         "Longer windows are not better: at n = %2 the expected "
-                                         "error of %1 is %3, here %4."))
+            return SweepWords::tr(
+                       "Longer windows are not better: at n = %2 the expected error of %1 is %3, "
+                       "here %4.")
                 .arg(symbol, counted(next().length),
                      valueText(next().values[advice.variable].error()),
                      valueText(sweep.lengths[advice.best].values[advice.variable].error()));
         case WindowAdvice::Limit::flat:
-            return sweepText(QT_TRANSLATE_NOOP(
-                "Sweep", "Longer windows of the list are better by less than a quarter."));
+            return SweepWords::tr("Longer windows of the list are better by less than a quarter.");
         case WindowAdvice::Limit::no_values:
-            return sweepText(QT_TRANSLATE_NOOP(
-                "Sweep", "In the longer windows of the list some variables have no value."));
-        case WindowAdvice::Limit::list_end:
-            return sweepText(QT_TRANSLATE_NOOP("Sweep", "It is the longest tried."));
+            return SweepWords::tr(
+                "In the longer windows of the list some variables have no value.");
+        case WindowAdvice::Limit::list_end: return SweepWords::tr("It is the longest tried.");
         case WindowAdvice::Limit::list_begin:
-            return sweepText(QT_TRANSLATE_NOOP("Sweep",
-                                               "It is the shortest of the list, and %1 moves even "
-                                               "inside it by more than its scatter."))
+            return SweepWords::tr(
+                       "It is the shortest of the list, and %1 moves even inside it by more than "
+                       "its scatter.")
                 .arg(symbol);
     }
     return {};
@@ -88,10 +84,9 @@ QString coloredNoise(const WindowSweep& sweep, const SweepView& view) {
         if (value.scatter > notable * explained &&
             value.scatter - explained > significant * value.sd_scatter) {
             return QStringLiteral(" ") +
-                   sweepText(
-                       QT_TRANSLATE_NOOP("Sweep",
-                                         "Neighbouring values of %1 scatter %2 times as much as "
-                                         "the white noise explains."))
+                   SweepWords::tr(
+                       "Neighbouring values of %1 scatter %2 times as much as the white noise "
+                       "explains.")
                        .arg(symbolOf(v, view), shortText(value.scatter / explained));
         }
     }
@@ -124,39 +119,34 @@ std::vector<Column> shownColumns(const WindowSweep& sweep, const SweepView& view
 
 QString lengthText(const WindowSweep& sweep, std::size_t length) {
     const auto n = static_cast<double>(sweep.lengths[length].length);
-    return sweepText(QT_TRANSLATE_NOOP("Sweep", "n = %1, %2 ms, %3 periods"))
+    return SweepWords::tr("n = %1, %2 ms, %3 periods")
         .arg(counted(sweep.lengths[length].length), shortText(1e3 * n / sweep.rate_hz),
              shortText(n * sweep.f0_hz / sweep.rate_hz));
 }
 
 QString adviceText(const WindowSweep& sweep, const SweepView& view) {
     if (!sweep.advice) {
-        return sweepText(QT_TRANSLATE_NOOP(
-            "Sweep",
-            "No window is recommended: a comparison needs two lengths with 14 undisturbed "
-            "windows or more, and white noise between the lines of the spectrum."));
+        return SweepWords::tr(
+            "No window is recommended: a comparison needs two lengths with 14 undisturbed windows "
+            "or more, and white noise between the lines of the spectrum.");
     }
     const WindowAdvice& advice = *sweep.advice;
-    QString text =
-        QStringLiteral("%1. ").arg(sweepText(QT_TRANSLATE_NOOP("Sweep", "Recommended: %1"))
-                                       .arg(lengthText(sweep, advice.best)));
+    QString text = QStringLiteral("%1. ").arg(
+        SweepWords::tr("Recommended: %1").arg(lengthText(sweep, advice.best)));
     text += reasonOf(sweep, view);
     constexpr double one_sided = 2;
     text += QStringLiteral(" ");
     if (advice.loss > one_sided) {
-        text +=
-            sweepText(QT_TRANSLATE_NOOP("Sweep",
-                                        "No window suits all variables: here the expected error of "
-                                        "%1 is %2 times its least in the list."))
-                .arg(symbolOf(advice.loser, view), shortText(advice.loss));
+        text += SweepWords::tr(
+                    "No window suits all variables: here the expected error of %1 is %2 times its "
+                    "least in the list.")
+                    .arg(symbolOf(advice.loser, view), shortText(advice.loss));
     } else if (advice.shortest < advice.longest) {
-        text +=
-            sweepText(QT_TRANSLATE_NOOP("Sweep",
-                                        "From n = %1 to %2 no expected error exceeds %3 times its "
-                                        "least in the list."))
-                .arg(counted(sweep.lengths[advice.shortest].length),
-                     counted(sweep.lengths[advice.longest].length),
-                     shortText(loss_span * advice.loss));
+        text += SweepWords::tr(
+                    "From n = %1 to %2 no expected error exceeds %3 times its least in the list.")
+                    .arg(counted(sweep.lengths[advice.shortest].length),
+                         counted(sweep.lengths[advice.longest].length),
+                         shortText(loss_span * advice.loss));
     }
     return text + coloredNoise(sweep, view);
 }
@@ -173,9 +163,8 @@ QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView&
     const SweepLength& at = sweep.lengths[length];
     const SweepValue& value = at.values[view.variable];
     const double factor = sweepFactor(sweep, view, view.variable);
-    return sweepText(QT_TRANSLATE_NOOP("Sweep",
-                                       "%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by "
-                                       "motion %7); noise %8"))
+    return SweepWords::tr(
+               "%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by motion %7); noise %8")
         .arg(lengthText(sweep, length), symbolOf(view.variable, view),
              valueText(factor * value.scatter, factor * value.sd_scatter),
              sweepUnit(view, view.variable), shortText(factor * value.stated),
@@ -184,13 +173,11 @@ QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView&
 }
 
 QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view) {
-    QStringList headers{sweepText(QT_TRANSLATE_NOOP("Sweep", "windows")),
-                        sweepText(QT_TRANSLATE_NOOP("Sweep", "scatter"))};
+    QStringList headers{SweepWords::tr("windows"), SweepWords::tr("scatter")};
     for (const Column& column : shownColumns(sweep, view)) {
-        headers << sweepText(column.name);
+        headers << SweepWords::tr(column.name);
     }
-    return headers << sweepText(QT_TRANSLATE_NOOP("Sweep", "rms"))
-                   << sweepText(QT_TRANSLATE_NOOP("Sweep", "noise"));
+    return headers << SweepWords::tr("rms") << SweepWords::tr("noise");
 }
 
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
@@ -223,8 +210,8 @@ std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& vi
 
 QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
     const auto number = [](double value) { return QLocale().toString(value, 'g', 12); };
-    QStringList head{QStringLiteral("n"), sweepText("windows"), sweepText("rms"),
-                     sweepText("noise")};
+    QStringList head{QStringLiteral("n"), SweepWords::tr("windows"), SweepWords::tr("rms"),
+                     SweepWords::tr("noise")};
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {
         const QString unit = sweepUnit(view, v);
         const QString symbol = indexPlain(symbolOf(v, view));
@@ -232,13 +219,13 @@ QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
             head << symbol + QStringLiteral(": ") + what +
                         (unit.isEmpty() ? QString() : QStringLiteral(", ") + unit);
         };
-        add(sweepText("scatter"));
-        add(sweepText(QT_TRANSLATE_NOOP("Sweep", "sd of the scatter")));
+        add(SweepWords::tr("scatter"));
+        add(SweepWords::tr("sd of the scatter"));
         for (const Column& column : columns) {
-            add(sweepText(column.name));
+            add(SweepWords::tr(column.name));
         }
         for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
-            add(sweepText(QT_TRANSLATE_NOOP("Sweep", "leakage, algorithm %1")).arg(k + 1));
+            add(SweepWords::tr("leakage, algorithm %1").arg(k + 1));
         }
     }
     QStringList lines{head.join(QLatin1Char('\t'))};

@@ -1,6 +1,7 @@
 #include "ui/widgets/check_list.h"
 
 #include "core/base/finding.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 
 #include <QEvent>
@@ -26,11 +27,7 @@ CheckList::CheckList(QWidget* parent)
     title_->setContentsMargins(6, 2, 6, 2);
     list_->setOpenLinks(false);
     list_->setFrameShape(QFrame::NoFrame);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(title_);
-    layout->addWidget(list_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {title_, {list_, 1}});
     connect(list_, &QTextBrowser::anchorClicked, this, &CheckList::choose);
     refresh();
 }

@@ -67,6 +67,10 @@ void NumberField::setValue(std::optional<double> value) {
     showValue();
 }
 
+std::optional<double> NumberField::typed() const {
+    return isModified() && isValid() ? readNumber(text()) : value_;
+}
+
 void NumberField::setConflict(const QString& sentence) {
     if (sentence != conflict_) {
         conflict_ = sentence;

@@ -39,6 +39,9 @@ public:
     // Shows a value without emitting an edit. Keeps text being typed if the value is the same.
     void setValue(std::optional<double> value);
     std::optional<double> value() const { return value_; }
+    // The number that is being typed; otherwise the value, which may have more digits than are
+    // shown.
+    std::optional<double> typed() const;
     // Applies the text as on leaving the field.
     void commit();
     // Reason why the committed text is no value; otherwise the conflict of setConflict(). Empty:

@@ -3,15 +3,27 @@
 #include "ui/widgets/section.h"
 #include "ui/words/rich_text.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace vybeg::ui {
 
+void addParts(QBoxLayout& layout, LayoutParts parts) {
+    for (const LayoutPart& part : parts) {
+        if (part.widget) {
+            layout.addWidget(part.widget, part.stretch, part.alignment);
+        } else if (part.layout) {
+            layout.addLayout(part.layout, part.stretch);
+        } else {
+            layout.addStretch(part.stretch);
+        }
+    }
+}
+
 QLabel* sentence(QWidget* parent, const char* name, const QMargins& around) {
-    auto* label = new QLabel(parent);
-    label->setObjectName(QLatin1String(name));
+    auto* label = withName(new QLabel(parent), name);
     makeSentence(*label);
     label->setContentsMargins(around);
     return label;
@@ -23,6 +35,12 @@ void makeSentence(QLabel& label) {
     label.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     label.setContentsMargins(around_sentence);
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
+}
+
+void setTexts(QComboBox& box, const QStringList& texts, int first) {
+    for (int k = 0; k < texts.size(); ++k) {
+        box.setItemText(first + k, texts[k]);
+    }
 }
 
 QString paragraphs(const QStringList& texts, const QString& form) {
@@ -53,8 +71,8 @@ QScrollArea* scrolled(QVBoxLayout* column) {
     return scrolled(content);
 }
 
-QScrollArea* scrolled(QWidget* content) {
-    auto* scroll = new QScrollArea;
+QScrollArea* scrolled(QWidget* content, QWidget* parent) {
+    auto* scroll = new QScrollArea(parent);
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);

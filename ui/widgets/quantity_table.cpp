@@ -1,11 +1,11 @@
 #include "ui/widgets/quantity_table.h"
 
+#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/wrapping_delegate.h"
 #include "ui/words/rich_text.h"
 
 #include <QAction>
 #include <QClipboard>
-#include <QEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLayout>
@@ -45,7 +45,7 @@ QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new 
     addAction(copy_);
     connect(copy_, &QAction::triggered, this,
             [this] { QGuiApplication::clipboard()->setText(tableText()); });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void QuantityTable::setContent(const QStringList& headers, const std::vector<QuantityRow>& rows) {
@@ -217,13 +217,6 @@ void QuantityTable::layOutAround() {
             layout->invalidate();
             layout->activate();
         }
-    }
-}
-
-void QuantityTable::changeEvent(QEvent* event) {
-    QTableWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
     }
 }
 

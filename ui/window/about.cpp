@@ -1,6 +1,7 @@
 #include "ui/window/about.h"
 
 #include "ui/document/document.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QAction>
 #include <QApplication>
@@ -16,9 +17,9 @@ namespace vybeg::ui {
 
 namespace {
 
-QString aboutText(const char* text) {
-    return QCoreApplication::translate("About", text);
-}
+struct AboutWords {
+    Q_DECLARE_TR_FUNCTIONS(About)
+};
 
 }  // namespace
 
@@ -44,27 +45,21 @@ QString diagnosticsOf(const Document& document, const QString& language, bool da
 void showAbout(QWidget* window, QAction* copy_diagnostics) {
     auto* dialog = new QDialog(window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(aboutText(QT_TRANSLATE_NOOP("About", "About Vybeg")));
+    dialog->setWindowTitle(AboutWords::tr("About Vybeg"));
     auto* text = new QLabel(
-        aboutText(
-            QT_TRANSLATE_NOOP("About",
-                              "<h3>Vybeg %1</h3><p>Standing waves in the free decay of "
-                              "hemispherical resonator "
-                              "gyros.</p><p>Qt %2, QCustomPlot %3</p><p>Free software: GNU General "
-                              "Public License, "
-                              "version 3 or later.</p>"))
+        AboutWords::tr("<h3>Vybeg %1</h3><p>Standing waves in the free decay of hemispherical "
+                       "resonator gyros.</p><p>Qt %2, QCustomPlot %3</p><p>Free software: GNU "
+                       "General Public License, version 3 or later.</p>")
             .arg(QCoreApplication::applicationVersion(), QLatin1String(qVersion()),
                  QLatin1String(QCUSTOMPLOT_VERSION_STR)),
         dialog);
     text->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
-    QPushButton* copy = buttons->addButton(
-        aboutText(QT_TRANSLATE_NOOP("About", "Copy diagnostics")), QDialogButtonBox::ActionRole);
+    QPushButton* copy =
+        buttons->addButton(AboutWords::tr("Copy diagnostics"), QDialogButtonBox::ActionRole);
     QObject::connect(copy, &QPushButton::clicked, copy_diagnostics, &QAction::trigger);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-    auto* layout = new QVBoxLayout(dialog);
-    layout->addWidget(text);
-    layout->addWidget(buttons);
+    fill(new QVBoxLayout(dialog), {text, buttons});
     dialog->open();
 }
 

@@ -1,6 +1,7 @@
 #include "ui/window/export_dialog.h"
 
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -49,13 +50,11 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
       width_mm_(new NumberField(this)),
       height_mm_(new NumberField(this)),
       dpi_(new NumberField(this)),
-      title_(new QLineEdit(this)),
+      title_(withName(new QLineEdit(this), "title")),
       settings_(new QCheckBox(tr("Settings of the analyses below the plots"), this)),
       copy_(new QPushButton(tr("&Copy"), this)),
-      save_(new QPushButton(tr("&Save…"), this)) {
+      save_(withName(new QPushButton(tr("&Save…"), this), "save")) {
     setWindowTitle(tr("Export plots"));
-    title_->setObjectName(QStringLiteral("title"));
-    save_->setObjectName(QStringLiteral("save"));
     setAttribute(Qt::WA_DeleteOnClose);
     resize(900, 620);
     auto* form = new QFormLayout;
@@ -136,9 +135,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     left->setMaximumWidth(340);
     sides->addWidget(left);
     sides->addWidget(preview_, 1);
-    auto* column = new QVBoxLayout(this);
-    column->addLayout(sides, 1);
-    column->addWidget(buttons);
+    fill(new QVBoxLayout(this), {{sides, 1}, buttons});
     propose();
     refresh();
 }

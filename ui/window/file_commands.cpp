@@ -284,6 +284,12 @@ void FileCommands::reportSaved(const Status& status, const QString& path) {
     }
 }
 
+void FileCommands::put(const QString& path, const std::function<void(const Done&)>& write) {
+    const Done done = [this, path](const Status& status) { reportSaved(status, path); };
+    const Status possible = stayAsTheyAre(document_, path);
+    possible ? write(done) : done(possible);
+}
+
 void FileCommands::exportPlots(const FigureSource& source) {
     auto* dialog = new ExportDialog(source, window_);
     connect(dialog, &ExportDialog::saveWanted, this, [this, dialog] {
@@ -305,14 +311,13 @@ void FileCommands::exportHistory(const HistoryExport& all) {
 }
 
 void FileCommands::exportHistoryTo(const QString& path, const HistoryExport& all) {
-    const auto done = [this, path](const Status& status) { reportSaved(status, path); };
-    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
-        done(possible);
-    } else if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
-        reports_.write(all.report, all.figures, path, done);
-    } else {
-        done(write_file(std::filesystem::path(path.toStdU16String()), all.table, JobControl()));
-    }
+    put(path, [&](const Done& done) {
+        if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
+            reports_.write(all.report, all.figures, path, done);
+        } else {
+            done(write_file(std::filesystem::path(path.toStdU16String()), all.table, JobControl()));
+        }
+    });
 }
 
 void FileCommands::askForReport(bool of_set) {
@@ -335,12 +340,7 @@ void FileCommands::askForReport(bool of_set) {
 
 void FileCommands::writeReport(const std::vector<ReportContent>& contents, const QString& about,
                                const QString& path) {
-    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
-        reportSaved(possible, path);
-        return;
-    }
-    reports_.write(contents, about, path,
-                   [this, path](const Status& status) { reportSaved(status, path); });
+    put(path, [&](const Done& done) { reports_.write(contents, about, path, done); });
 }
 
 bool FileCommands::writeFigure(const Figure& figure, const Paper& paper, const QString& path) {
@@ -351,12 +351,8 @@ bool FileCommands::writeFigure(const Figure& figure, const Paper& paper, const Q
 }
 
 void FileCommands::exportTrackTo(const QString& path) {
-    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
-        reportSaved(possible, path);
-        return;
-    }
-    document_.exportTrack(ledger_.currentAnalysis(), path,
-                          [this, path](const Status& status) { reportSaved(status, path); });
+    put(path,
+        [&](const Done& done) { document_.exportTrack(ledger_.currentAnalysis(), path, done); });
 }
 
 void FileCommands::exportDriftTo(const QString& path) {
@@ -379,13 +375,9 @@ void FileCommands::exportDriftTo(const QString& path) {
 }
 
 void FileCommands::savePassportTo(const QString& path) {
-    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
-        reportSaved(possible, path);
-        return;
-    }
-    document_.sets().savePassport(
-        path, document_.dossier().dossier().gyro,
-        [this, path](const Status& status) { reportSaved(status, path); });
+    put(path, [&](const Done& done) {
+        document_.sets().savePassport(path, document_.dossier().dossier().gyro, done);
+    });
 }
 
 }  // namespace vybeg::ui

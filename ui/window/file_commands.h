@@ -86,6 +86,9 @@ private:
     // Before the session's file loses what another program wrote into it.
     void askToReplaceAndThen(const std::function<void()>& then);
     void reportSaved(const Status& status, const QString& path);
+    // What `write` does, unless it would take the place of an open recording or log.
+    using Done = std::function<void(const Status&)>;
+    void put(const QString& path, const std::function<void(const Done&)>& write);
 
     Document& document_;
     SessionKeeper& session_;

@@ -8,17 +8,11 @@
 #include <QLineEdit>
 #include <QSettings>
 
-#include <algorithm>
-
 namespace vybeg::ui {
 
 namespace {
 
 const QString folder_key = QStringLiteral("folder");
-
-void keepFolder(const QString& file) {
-    QSettings().setValue(folder_key, QFileInfo(file).absolutePath());
-}
 
 // The patterns of the names of a group's files.
 QString endingsOf(FileFormat::Group group) {
@@ -36,6 +30,12 @@ QString endingsOf(FileFormat::Group group) {
 }
 
 }  // namespace
+
+void FileQuestions::keepFolder(const QString& answer, Folder folder) {
+    if (folder == Folder::follows) {
+        QSettings().setValue(folder_key, QFileInfo(answer).absolutePath());
+    }
+}
 
 FileQuestions::FileQuestions(QWidget* window) : QObject(window), window_(window) {}
 
@@ -61,111 +61,90 @@ QFileDialog& FileQuestions::dialog(const QString& title) {
     return *dialog;
 }
 
-void FileQuestions::recordings(const std::function<void(const QStringList&)>& open) {
-    QFileDialog& asked = dialog(tr("Open recordings"));
-    asked.setFileMode(QFileDialog::ExistingFiles);
+void FileQuestions::recordings(const Files& open) {
     const QString audio = endingsOf(FileFormat::Group::audio);
     const QString tables = endingsOf(FileFormat::Group::tables);
     const QString arrays = endingsOf(FileFormat::Group::arrays);
-    asked.setNameFilters({tr("Recordings and sessions (%1)")
-                              .arg(QStringLiteral("*.vybeg ") + audio + QLatin1Char(' ') + tables +
-                                   QLatin1Char(' ') + arrays),
-                          tr("Sessions (%1)").arg(QStringLiteral("*.vybeg")),
-                          tr("Audio (%1)").arg(audio), tr("Tables of numbers (%1)").arg(tables),
-                          tr("Arrays (%1)").arg(arrays), tr("All files (*)")});
-    connect(&asked, &QFileDialog::filesSelected, this, [open](const QStringList& files) {
-        keepFolder(files.first());
-        open(files);
-    });
-    asked.open();
+    files(tr("Open recordings"),
+          {tr("Recordings and sessions (%1)")
+               .arg(QStringLiteral("*.vybeg ") + audio + QLatin1Char(' ') + tables +
+                    QLatin1Char(' ') + arrays),
+           tr("Sessions (%1)").arg(QStringLiteral("*.vybeg")), tr("Audio (%1)").arg(audio),
+           tr("Tables of numbers (%1)").arg(tables), tr("Arrays (%1)").arg(arrays),
+           tr("All files (*)")},
+          open);
 }
 
-void FileQuestions::logs(const std::function<void(const QStringList&)>& open) {
-    QFileDialog& asked = dialog(tr("Open logs"));
-    asked.setFileMode(QFileDialog::ExistingFiles);
-    asked.setNameFilters({tr("Logs (%1)")
-                              .arg(endingsOf(FileFormat::Group::tables) + QLatin1Char(' ') +
-                                   endingsOf(FileFormat::Group::arrays) + QStringLiteral(" *.zip")),
-                          tr("All files (*)")});
-    connect(&asked, &QFileDialog::filesSelected, this, [open](const QStringList& files) {
-        keepFolder(files.first());
-        open(files);
-    });
-    asked.open();
+void FileQuestions::logs(const Files& open) {
+    files(tr("Open logs"),
+          {tr("Logs (%1)")
+               .arg(endingsOf(FileFormat::Group::tables) + QLatin1Char(' ') +
+                    endingsOf(FileFormat::Group::arrays) + QStringLiteral(" *.zip")),
+           tr("All files (*)")},
+          open);
 }
 
-void FileQuestions::parts(const std::function<void(const QStringList&)>& take) {
-    QFileDialog& asked = dialog(tr("Files of the recording"));
-    asked.setFileMode(QFileDialog::ExistingFiles);
-    asked.setNameFilter(tr("All files (*)"));
-    connect(&asked, &QFileDialog::filesSelected, this, take);
-    asked.open();
+void FileQuestions::parts(const Files& take) {
+    files(tr("Files of the recording"), {tr("All files (*)")}, take, Folder::stays);
 }
 
-void FileQuestions::import(const QString& now, const std::function<void(const QString&)>& open) {
-    QFileDialog& asked = dialog(tr("Import a recording"));
+void FileQuestions::wholeAngleLogs(const Files& open) {
+    files(tr("Open whole-angle logs"),
+          {tr("Tables of numbers (%1)").arg(endingsOf(FileFormat::Group::tables)),
+           tr("Arrays (%1)").arg(endingsOf(FileFormat::Group::arrays)), tr("All files (*)")},
+          open);
+}
+
+void FileQuestions::import(const QString& now, const File& open) {
+    file(tr("Import a recording"), {tr("All files (*)")}, open, Folder::follows, now);
+}
+
+void FileQuestions::missingRecording(const QString& name, const File& open) {
+    file(tr("Where is %1?").arg(name), {tr("All files (*)")}, open);
+}
+
+void FileQuestions::passport(const File& open) {
+    file(tr("Compare with passport"), {tr("Passport (*.json)"), tr("All files (*)")}, open);
+}
+
+void FileQuestions::database(const File& open) {
+    file(tr("Open database"), {tr("Database of results (*.db *.sqlite)"), tr("All files (*)")},
+         open);
+}
+
+void FileQuestions::list(const File& open) {
+    file(tr("Measurement list"), {tr("Measurement list (*.csv *.txt)"), tr("All files (*)")}, open,
+         Folder::follows);
+}
+
+void FileQuestions::file(const QString& title, const QStringList& filters, const File& open,
+                         Folder folder, const QString& now) {
+    QFileDialog& asked = dialog(title);
     asked.setFileMode(QFileDialog::ExistingFile);
-    asked.setNameFilter(tr("All files (*)"));
+    asked.setNameFilters(filters);
     if (!now.isEmpty()) {
         asked.selectFile(now);
     }
-    connect(&asked, &QFileDialog::fileSelected, this, [open](const QString& file) {
-        keepFolder(file);
-        open(file);
+    connect(&asked, &QFileDialog::fileSelected, this, [open, folder](const QString& answer) {
+        keepFolder(answer, folder);
+        open(answer);
     });
     asked.open();
 }
 
-void FileQuestions::missingRecording(const QString& name,
-                                     const std::function<void(const QString&)>& open) {
-    QFileDialog& asked = dialog(tr("Where is %1?").arg(name));
-    asked.setFileMode(QFileDialog::ExistingFile);
-    asked.setNameFilter(tr("All files (*)"));
-    connect(&asked, &QFileDialog::fileSelected, this, open);
-    asked.open();
-}
-
-void FileQuestions::passport(const std::function<void(const QString&)>& open) {
-    QFileDialog& asked = dialog(tr("Compare with passport"));
-    asked.setFileMode(QFileDialog::ExistingFile);
-    asked.setNameFilters({tr("Passport (*.json)"), tr("All files (*)")});
-    connect(&asked, &QFileDialog::fileSelected, this, open);
-    asked.open();
-}
-
-void FileQuestions::database(const std::function<void(const QString&)>& open) {
-    QFileDialog& asked = dialog(tr("Open database"));
-    asked.setFileMode(QFileDialog::ExistingFile);
-    asked.setNameFilters({tr("Database of results (*.db *.sqlite)"), tr("All files (*)")});
-    connect(&asked, &QFileDialog::fileSelected, this, open);
-    asked.open();
-}
-
-void FileQuestions::wholeAngleLogs(const std::function<void(const QStringList&)>& open) {
-    QFileDialog& asked = dialog(tr("Open whole-angle logs"));
+void FileQuestions::files(const QString& title, const QStringList& filters, const Files& open,
+                          Folder folder) {
+    QFileDialog& asked = dialog(title);
     asked.setFileMode(QFileDialog::ExistingFiles);
-    asked.setNameFilters({tr("Tables of numbers (%1)").arg(endingsOf(FileFormat::Group::tables)),
-                          tr("Arrays (%1)").arg(endingsOf(FileFormat::Group::arrays)),
-                          tr("All files (*)")});
-    connect(&asked, &QFileDialog::filesSelected, this, [open](const QStringList& files) {
-        keepFolder(files.first());
-        open(files);
+    asked.setNameFilters(filters);
+    connect(&asked, &QFileDialog::filesSelected, this, [open, folder](const QStringList& answer) {
+        keepFolder(answer.first(), folder);
+        open(answer);
     });
     asked.open();
 }
 
-void FileQuestions::list(const std::function<void(const QString&)>& open) {
-    QFileDialog& asked = dialog(tr("Measurement list"));
-    asked.setFileMode(QFileDialog::ExistingFile);
-    asked.setNameFilters({tr("Measurement list (*.csv *.txt)"), tr("All files (*)")});
-    connect(&asked, &QFileDialog::fileSelected, this, [open](const QString& file) {
-        keepFolder(file);
-        open(file);
-    });
-    asked.open();
-}
-
-void FileQuestions::folder(const QString& title, const std::function<void(const QString&)>& open) {
+void FileQuestions::folder(const QString& title, const File& open) {
     QFileDialog& asked = dialog(title);
     asked.setFileMode(QFileDialog::Directory);
     asked.setNameFilter(tr("All files (*)"));
@@ -174,55 +153,56 @@ void FileQuestions::folder(const QString& title, const std::function<void(const 
     asked.open();
 }
 
-void FileQuestions::sessionTarget(const QString& name, const Save& save) {
+void FileQuestions::sessionTarget(const QString& name, const File& save) {
     target(tr("Save session"), name + QStringLiteral(".vybeg"), {tr("Session (*.vybeg)")}, save);
 }
 
-void FileQuestions::trackTarget(const QString& name, const Save& save) {
+void FileQuestions::trackTarget(const QString& name, const File& save) {
     target(tr("Export track"), name + QStringLiteral(".csv"),
            {tr("Track (*.csv)"), tr("Track for MATLAB (*.mat)"), tr("Track, HDF5 (*.h5)"),
             tr("Track for NumPy (*.npz)")},
            save);
 }
 
-void FileQuestions::passportTarget(const Save& save) {
+void FileQuestions::passportTarget(const File& save) {
     target(tr("Save passport"), QStringLiteral("passport.json"), {tr("Passport (*.json)")}, save);
 }
 
-void FileQuestions::databaseTarget(const Save& save) {
+void FileQuestions::databaseTarget(const File& save) {
     target(tr("New database"), QStringLiteral("results.db"), {tr("Database of results (*.db)")},
            save);
 }
 
-void FileQuestions::databaseToFill(const Save& save) {
+void FileQuestions::databaseToFill(const File& save) {
     target(tr("Database of results"), QStringLiteral("results.db"),
            {tr("Database of results (*.db *.sqlite)")}, save, Existing::stays);
 }
 
-void FileQuestions::tableTarget(const QString& name, const Save& save) {
+void FileQuestions::tableTarget(const QString& name, const File& save) {
     target(tr("Results"), name, {tr("Table (*.csv)")}, save, Existing::stays);
 }
 
-void FileQuestions::picture(const QString& name, const Save& save) {
-    pictureTarget(tr("Export plots"), name + QStringLiteral(".png"), save);
+void FileQuestions::picture(const QString& name, const File& save) {
+    target(tr("Export plots"), name + QStringLiteral(".png"),
+           {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")}, save);
 }
 
-void FileQuestions::historyTarget(const QString& name, const Save& save) {
+void FileQuestions::historyTarget(const QString& name, const File& save) {
     target(tr("Export history"), name + QStringLiteral(".csv"),
            {tr("Table (*.csv)"), tr("PDF document (*.pdf)")}, save);
 }
 
-void FileQuestions::driftTarget(const Save& save) {
+void FileQuestions::driftTarget(const File& save) {
     target(tr("Export drift"), QStringLiteral("drift.csv"),
            {tr("Table (*.csv)"), tr("Result (*.json)")}, save);
 }
 
-void FileQuestions::reportTarget(const QString& name, const Save& save) {
+void FileQuestions::reportTarget(const QString& name, const File& save) {
     target(tr("Save report"), name + QStringLiteral(".pdf"), {tr("PDF document (*.pdf)")}, save);
 }
 
 void FileQuestions::target(const QString& title, const QString& name, const QStringList& filters,
-                           const Save& save, Existing existing) {
+                           const File& save, Existing existing) {
     QFileDialog& asked = dialog(title);
     asked.setAcceptMode(QFileDialog::AcceptSave);
     asked.setOption(QFileDialog::DontConfirmOverwrite, existing == Existing::stays);
@@ -235,16 +215,6 @@ void FileQuestions::target(const QString& title, const QString& name, const QStr
     });
     connect(&asked, &QFileDialog::fileSelected, this, save);
     asked.open();
-}
-
-void FileQuestions::pictureTarget(const QString& title, const QString& name, const Save& save) {
-    QStringList filters{tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"),
-                        tr("PDF document (*.pdf)")};
-    const QString ending = QFileInfo(name).suffix();
-    std::stable_partition(filters.begin(), filters.end(), [&](const QString& filter) {
-        return filter.endsWith(QStringLiteral("*.%1)").arg(ending));
-    });
-    target(title, name, filters, save);
 }
 
 }  // namespace vybeg::ui

@@ -1,7 +1,9 @@
 #include "ui/window/help_view.h"
 
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
+
 #include <QAction>
-#include <QEvent>
 #include <QFile>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -31,11 +33,7 @@ HelpView::HelpView(const QString& language, QWidget* parent)
     back_->setShortcut(QKeySequence::Back);
     forward_->setShortcut(QKeySequence::Forward);
     home_->setShortcut(QKeyCombination(Qt::ALT, Qt::Key_Home));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(bar);
-    layout->addWidget(browser_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {bar, {browser_, 1}});
     connect(back_, &QAction::triggered, browser_, &QTextBrowser::backward);
     connect(forward_, &QAction::triggered, browser_, &QTextBrowser::forward);
     connect(home_, &QAction::triggered, this,
@@ -45,7 +43,7 @@ HelpView::HelpView(const QString& language, QWidget* parent)
     back_->setEnabled(false);
     forward_->setEnabled(false);
     setLanguage(language);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void HelpView::setLanguage(const QString& language) {
@@ -58,13 +56,6 @@ void HelpView::setLanguage(const QString& language) {
         page = QStringLiteral("index.html");
     }
     browser_->setSource(pageUrl(language, page));
-}
-
-void HelpView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void HelpView::retranslate() {

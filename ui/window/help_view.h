@@ -20,9 +20,6 @@ public:
     void setLanguage(const QString& language);
     const QTextBrowser& browser() const { return *browser_; }
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
 

@@ -15,6 +15,7 @@
 #include "ui/settings/settings_panel.h"
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/window/about.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
@@ -145,15 +146,9 @@ void MainWindow::buildTopRow() {
         tools_->addAction(action(command));
     }
     auto* row = new QWidget(this);
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(0);
     menu_bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
-    line->addWidget(menu_bar_, 0, Qt::AlignVCenter);
-    line->addStretch(1);
-    line->addWidget(pages_->tabs());
-    line->addStretch(1);
-    line->addWidget(tools_);
+    fill(new QHBoxLayout(row), {}, 0,
+         {{menu_bar_, 0, Qt::AlignVCenter}, LayoutPart(1), pages_->tabs(), LayoutPart(1), tools_});
     setMenuWidget(row);
 }
 

@@ -4,8 +4,9 @@
 #include "ui/panels/findings_flag.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
-#include <QEvent>
 #include <QVBoxLayout>
 
 namespace vybeg::ui {
@@ -23,9 +24,7 @@ Overview::Overview(Document& document, TrackView& tracks, QWidget* parent)
       tracks_(tracks),
       signal_(new SignalView(this)),
       flag_(new FindingsFlag(document, this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(signal_);
+    fill(new QVBoxLayout(this), {}, {signal_});
     flag_->setGeometry(2, 4, 50, 26);
     connect(&document_, &Document::recordingsChanged, this, &Overview::showRecording);
     connect(&document_, &Document::recordingChanged, this, [this](RecordingId id) {
@@ -54,7 +53,7 @@ Overview::Overview(Document& document, TrackView& tracks, QWidget* parent)
         signal_->setMargins(left, right + signal_->width() - tracks_.width());
         flag_->setFixedWidth(std::max(40, left - 8));
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
     showRecording();
 }
 
@@ -123,13 +122,6 @@ void Overview::editAnalysedRange(double from_s, double to_s) {
 
 void Overview::setTheme(const Theme& theme) {
     signal_->setTheme(theme);
-}
-
-void Overview::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void Overview::retranslate() {

@@ -26,9 +26,6 @@ public:
     void analyseVisibleRange();
     void setTheme(const Theme& theme);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void showRecording();
     void showEnvelope();

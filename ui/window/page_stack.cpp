@@ -1,7 +1,9 @@
 #include "ui/window/page_stack.h"
 
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
+
 #include <QCoreApplication>
-#include <QEvent>
 #include <QKeySequence>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -60,19 +62,18 @@ std::optional<Page> pageOfWord(const QString& word) {
 }
 
 PageStack::PageStack(QWidget* welcome, QWidget* parent)
-    : QWidget(parent), tabs_(new QTabBar(this)), stack_(new QStackedWidget(this)) {
-    tabs_->setObjectName(QStringLiteral("pages"));
+    : QWidget(parent),
+      tabs_(withName(new QTabBar(this), "pages")),
+      stack_(new QStackedWidget(this)) {
     tabs_->setDocumentMode(true);
     tabs_->setExpanding(false);
     tabs_->setDrawBase(false);
     tabs_->setUsesScrollButtons(false);
     stack_->addWidget(welcome);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(stack_, 1);
+    fill(new QVBoxLayout(this), {}, 0, {LayoutPart(stack_, 1)});
     connect(tabs_, &QTabBar::currentChanged, this, &PageStack::showTab);
     showTab();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void PageStack::add(QWidget* page) {
@@ -110,13 +111,6 @@ void PageStack::showTab() {
     tabs_->setVisible(!welcomes());
     stack_->setCurrentIndex(welcomes() ? 0 : tabs_->currentIndex() + 1);
     emit pageShown();
-}
-
-void PageStack::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void PageStack::retranslate() {

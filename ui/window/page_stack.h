@@ -46,9 +46,6 @@ public:
 signals:
     void pageShown();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     bool welcomes() const;
     void showTab();

@@ -1,9 +1,9 @@
 #include "ui/window/recent_files.h"
 
+#include "ui/widgets/keep_translated.h"
 #include "ui/words/rich_text.h"
 
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QSettings>
 
@@ -19,7 +19,7 @@ const QString key = QStringLiteral("recent_files");
 RecentFiles::RecentFiles(QWidget* parent) : QMenu(parent) {
     setToolTipsVisible(true);
     connect(this, &QMenu::aboutToShow, this, &RecentFiles::rebuild);
-    rebuild();
+    keepTranslated(*this, [this] { rebuild(); });
 }
 
 QStringList RecentFiles::paths() const {
@@ -57,13 +57,6 @@ void RecentFiles::rebuild() {
             // Queued: the action that was triggered belongs to the menu being rebuilt.
             QMetaObject::invokeMethod(this, &RecentFiles::rebuild, Qt::QueuedConnection);
         });
-    }
-}
-
-void RecentFiles::changeEvent(QEvent* event) {
-    QMenu::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        rebuild();
     }
 }
 

@@ -18,9 +18,6 @@ public:
 signals:
     void chosen(const QString& path);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void rebuild();
 };

@@ -1,6 +1,7 @@
 #include "ui/window/report_dialog.h"
 
 #include "ui/report/budget_text.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -48,7 +49,7 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     for (std::size_t k = 0; k < title_fields.size(); ++k) {
         fields_[k] = new QLineEdit(this);
         fields_[k]->setObjectName(QLatin1String(title_fields[k].option));
-        add(reportText(title_fields[k].name), fields_[k], by_hand);
+        add(ReportWords::tr(title_fields[k].name), fields_[k], by_hand);
     }
     all_plots_->setToolTip(tr("Off: the five slow variables"));
     form->addRow(summary_);
@@ -59,8 +60,7 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     connect(subject_, &QComboBox::currentIndexChanged, this, &ReportDialog::propose);
     propose();
     auto* buttons = new QDialogButtonBox(this);
-    auto* save = new QPushButton(tr("&Save…"), this);
-    save->setObjectName(QStringLiteral("save"));
+    auto* save = withName(new QPushButton(tr("&Save…"), this), "save");
     save->setToolTip(tr("As a PDF document"));
     save->setDefault(true);
     buttons->addButton(save, QDialogButtonBox::AcceptRole);

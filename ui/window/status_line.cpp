@@ -1,8 +1,9 @@
 #include "ui/window/status_line.h"
 
 #include "ui/document/document.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -28,17 +29,11 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
       status_(new QLabel(this)),
       time_left_(new QLabel(this)),
       progress_(new QProgressBar(this)),
-      cancel_(new QPushButton(this)) {
+      cancel_(withName(new QPushButton(this), "cancel")) {
     progress_->setRange(0, 1000);
     progress_->setFixedWidth(180);
     progress_->setTextVisible(false);
-    cancel_->setObjectName(QStringLiteral("cancel"));
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(status_, 1);
-    layout->addWidget(time_left_);
-    layout->addWidget(progress_);
-    layout->addWidget(cancel_);
+    fill(new QHBoxLayout(this), {}, {{status_, 1}, time_left_, progress_, cancel_});
     wait_.setSingleShot(true);
     wait_.setInterval(patience_ms);
     connect(&wait_, &QTimer::timeout, this, &StatusLine::refresh);
@@ -65,7 +60,7 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
             tell(message.text);
         }
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 QString StatusLine::text() const {
@@ -111,13 +106,6 @@ void StatusLine::refresh() {
     if (busy) {
         tell([] { return tr("Analysing…"); });
         analysing_ = true;
-    }
-}
-
-void StatusLine::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
     }
 }
 

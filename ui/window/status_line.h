@@ -24,9 +24,6 @@ public:
     QString text() const;
     void cancel();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void tell(std::function<QString()> text);
     void whenBusyChanged();

@@ -4,6 +4,7 @@
 #include "ui/plots/figure.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/index_text.h"
 
@@ -55,18 +56,11 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
 }  // namespace
 
 TracksPage::TracksPage(Document& document, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
-      tracks_(new TrackView(this)),
-      scroll_(new QScrollArea(this)) {
-    scroll_->setWidget(tracks_);
-    scroll_->setWidgetResizable(true);
-    scroll_->setFrameShape(QFrame::NoFrame);
-    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll_->setFocusPolicy(Qt::NoFocus);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scroll_);
+    : QWidget(parent), document_(document), tracks_(new TrackView(this)) {
+    // Where the page is too low for all plots.
+    auto* scroll = scrolled(tracks_, this);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    fill(new QVBoxLayout(this), {}, {scroll});
     connect(&document_, &Document::analysesChanged, this, &TracksPage::showAnalyses);
     connect(&document_, &Document::liveChanged, this, &TracksPage::showAnalyses);
     showAnalyses();
@@ -124,10 +118,7 @@ FigureSource TracksPage::figures() const {
     }
     source.figure = [content](const std::vector<int>& places) {
         PlotContent some = content;
-        some.variables.clear();
-        for (const int place : places) {
-            some.variables.push_back(content.variables[static_cast<std::size_t>(place)]);
-        }
+        some.variables = atPlaces(content.variables, places);
         return Figure{plotsDrawing(some), paperSize(some), QStringLiteral("vybeg")};
     };
     source.title = recordings.join(QStringLiteral(", "));
@@ -157,10 +148,7 @@ FigureSource TracksPage::articleFigure() const {
     source.figure = [columns, options,
                      variables = tracks_->shownVariables()](const std::vector<int>& places) {
         FigureOptions some = options;
-        some.variables.clear();
-        for (const int place : places) {
-            some.variables.push_back(variables[static_cast<std::size_t>(place)]);
-        }
+        some.variables = atPlaces(variables, places);
         return Figure{figureDrawing(columns, some), figureSize(columns.size(), some),
                       QStringLiteral("figure")};
     };

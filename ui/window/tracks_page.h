@@ -6,8 +6,6 @@
 
 #include <QWidget>
 
-class QScrollArea;
-
 namespace vybeg::ui {
 
 class Document;
@@ -36,7 +34,6 @@ private:
 
     Document& document_;
     TrackView* tracks_;
-    QScrollArea* scroll_;  // of the plots, where the page is too low for all of them
     AnalysisId chosen_ = AnalysisId::none;
 };
 

@@ -1,9 +1,10 @@
 #include "ui/window/welcome_page.h"
 
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,32 +18,19 @@ WelcomePage::WelcomePage(QWidget* parent)
     : QWidget(parent),
       text_(new QLabel(this)),
       open_(new QPushButton(this)),
-      demonstration_(new QPushButton(this)),
+      demonstration_(withName(new QPushButton(this), "demonstration")),
       recent_name_(new QLabel(this)),
-      recent_(new QListWidget(this)) {
+      recent_(withName(new QListWidget(this), "recent")) {
     text_->setAlignment(Qt::AlignCenter);
     text_->setWordWrap(true);
-    recent_->setObjectName(QStringLiteral("recent"));
     recent_->setMaximumWidth(640);
     recent_->setAlternatingRowColors(true);
     recent_->setTextElideMode(Qt::ElideMiddle);
     recent_name_->setBuddy(recent_);
-    demonstration_->setObjectName(QStringLiteral("demonstration"));
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(open_);
-    buttons->addWidget(demonstration_);
-    buttons->addStretch(1);
-    auto* files = new QVBoxLayout;
-    files->addWidget(recent_name_);
-    files->addWidget(recent_, 1);
-    auto* middle = new QHBoxLayout;
-    middle->addStretch(1);
-    middle->addLayout(files, 4);
-    middle->addStretch(1);
-    auto* layout = new QVBoxLayout(this);
-    layout->addStretch(2);
-    layout->addWidget(text_);
+    auto* buttons = fill(new QHBoxLayout, {LayoutPart(1), open_, demonstration_, LayoutPart(1)});
+    auto* files = fill(new QVBoxLayout, {recent_name_, {recent_, 1}});
+    auto* middle = fill(new QHBoxLayout, {LayoutPart(1), {files, 4}, LayoutPart(1)});
+    auto* layout = fill(new QVBoxLayout(this), {LayoutPart(2), text_});
     layout->addSpacing(12);
     layout->addLayout(buttons);
     layout->addSpacing(18);
@@ -55,7 +43,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     });
     connect(recent_, &QListWidget::itemClicked, recent_, &QListWidget::itemActivated);
     setRecent({});
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 void WelcomePage::setRecent(const QStringList& paths) {
@@ -70,13 +58,6 @@ void WelcomePage::setRecent(const QStringList& paths) {
     }
     recent_name_->setVisible(!paths.isEmpty());
     recent_->setVisible(!paths.isEmpty());
-}
-
-void WelcomePage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void WelcomePage::retranslate() {

@@ -23,9 +23,6 @@ signals:
     void demonstrationWanted();
     void recentChosen(const QString& path);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
 

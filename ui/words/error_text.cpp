@@ -16,6 +16,18 @@ namespace vybeg::ui {
 
 namespace {
 
+struct FindingWords {
+    Q_DECLARE_TR_FUNCTIONS(Finding)
+};
+
+struct FlagWords {
+    Q_DECLARE_TR_FUNCTIONS(Flag)
+};
+
+struct EventWords {
+    Q_DECLARE_TR_FUNCTIONS(Event)
+};
+
 // A number as core/ writes it ("-2.03e+04"), with the interface's decimal sign, a minus and a power
 // of ten; "nan" and "inf" as they are.
 QString localised(const QString& text) {
@@ -77,20 +89,16 @@ namespace {
 // What the sentence of the first leaves out; empty: nothing.
 QString restText(const Finding& finding) {
     const auto others = static_cast<int>(finding.more.size());
-    const auto translated = [others](const char* text) {
-        return QLatin1Char(' ') + QCoreApplication::translate("Finding", text, nullptr, others);
-    };
     if (others == 0) {
         return {};
     }
-    if (finding.diagnostic.first_frame < 0) {
-        return translated(QT_TRANSLATE_N_NOOP("Finding", "(And %n more of the kind.)"));
-    }
-    return finding.frames == 0
-               ? translated(QT_TRANSLATE_N_NOOP("Finding", "(And %n more place(s).)"))
-               : translated(
-                     QT_TRANSLATE_N_NOOP("Finding", "(And %n more place(s); %1 samples in all.)"))
-                     .arg(QLocale().toString(static_cast<qint64>(finding.frames)));
+    return QLatin1Char(' ') +
+           (finding.diagnostic.first_frame < 0
+                ? FindingWords::tr("(And %n more of the kind.)", nullptr, others)
+            : finding.frames == 0
+                ? FindingWords::tr("(And %n more place(s).)", nullptr, others)
+                : FindingWords::tr("(And %n more place(s); %1 samples in all.)", nullptr, others)
+                      .arg(QLocale().toString(static_cast<qint64>(finding.frames))));
 }
 
 }  // namespace
@@ -102,8 +110,7 @@ QString findingText(const Finding& finding) {
 }
 
 QString moreText(std::size_t count) {
-    return QCoreApplication::translate("Finding", QT_TRANSLATE_N_NOOP("Finding", "%n more"),
-                                       nullptr, static_cast<int>(count));
+    return FindingWords::tr("%n more", nullptr, static_cast<int>(count));
 }
 
 QString reasonText(const Reason& reason) {
@@ -125,17 +132,16 @@ QString flagsText(Flags flags) {
             reasons << text;
         }
     };
-    add(Flag::no_quadrature, QCoreApplication::translate("Flag", "a_B is not estimated"));
-    add(Flag::circular, QCoreApplication::translate("Flag", "circular wave: no angle"));
-    add(Flag::gap, QCoreApplication::translate("Flag", "samples are missing"));
-    add(Flag::clipped, QCoreApplication::translate("Flag", "samples at the rail"));
-    add(Flag::filter_transient, QCoreApplication::translate("Flag", "transient of the band-pass"));
-    add(Flag::delay_reach,
-        QCoreApplication::translate("Flag", "the delay reaches beyond the samples"));
-    add(Flag::leakage, QCoreApplication::translate("Flag", "leakage above one standard deviation"));
-    add(Flag::moving, QCoreApplication::translate("Flag", "the wave moves inside the window"));
-    add(Flag::not_converged, QCoreApplication::translate("Flag", "not converged"));
-    add(Flag::at_bound, QCoreApplication::translate("Flag", "frequency at its bound"));
+    add(Flag::no_quadrature, FlagWords::tr("a_B is not estimated"));
+    add(Flag::circular, FlagWords::tr("circular wave: no angle"));
+    add(Flag::gap, FlagWords::tr("samples are missing"));
+    add(Flag::clipped, FlagWords::tr("samples at the rail"));
+    add(Flag::filter_transient, FlagWords::tr("transient of the band-pass"));
+    add(Flag::delay_reach, FlagWords::tr("the delay reaches beyond the samples"));
+    add(Flag::leakage, FlagWords::tr("leakage above one standard deviation"));
+    add(Flag::moving, FlagWords::tr("the wave moves inside the window"));
+    add(Flag::not_converged, FlagWords::tr("not converged"));
+    add(Flag::at_bound, FlagWords::tr("frequency at its bound"));
     return reasons.join(QStringLiteral("; "));
 }
 
@@ -154,26 +160,18 @@ QString eventText(const Event& event) {
                 angle = halves == 2 ? sign + QStringLiteral("π")
                                     : sign + QStringLiteral("%1π").arg(halves / 2);
             }
-            return event.direction > 0
-                       ? QCoreApplication::translate("Event", "2θ_A passes %1, rising").arg(angle)
-                       : QCoreApplication::translate("Event", "2θ_A passes %1, falling").arg(angle);
+            return event.direction > 0 ? EventWords::tr("2θ_A passes %1, rising").arg(angle)
+                                       : EventWords::tr("2θ_A passes %1, falling").arg(angle);
         }
-        case EventKind::gap:
-            return QCoreApplication::translate("Event", "Samples are missing, %1 s").arg(seconds());
-        case EventKind::clipped:
-            return QCoreApplication::translate("Event", "Clipped, %1 s").arg(seconds());
-        case EventKind::not_converged:
-            return QCoreApplication::translate("Event", "Not converged, %1 s").arg(seconds());
+        case EventKind::gap: return EventWords::tr("Samples are missing, %1 s").arg(seconds());
+        case EventKind::clipped: return EventWords::tr("Clipped, %1 s").arg(seconds());
+        case EventKind::not_converged: return EventWords::tr("Not converged, %1 s").arg(seconds());
         case EventKind::filter_transient:
-            return QCoreApplication::translate("Event", "Transient of the band-pass, %1 s")
-                .arg(seconds());
+            return EventWords::tr("Transient of the band-pass, %1 s").arg(seconds());
         case EventKind::delay_reach:
-            return QCoreApplication::translate("Event",
-                                               "The delay reaches beyond the samples, %1 s")
-                .arg(seconds());
+            return EventWords::tr("The delay reaches beyond the samples, %1 s").arg(seconds());
         case EventKind::moving:
-            return QCoreApplication::translate("Event", "The wave moves inside its windows, %1 s")
-                .arg(seconds());
+            return EventWords::tr("The wave moves inside its windows, %1 s").arg(seconds());
     }
     return {};
 }

@@ -6,10 +6,6 @@
 
 namespace vybeg::ui {
 
-QString resonatorText(const char* text) {
-    return QCoreApplication::translate("Resonator", text);
-}
-
 QString unitText(const char* unit) {
     // Those that core/ gives with its parameters and in its warnings.
     static constexpr std::array<const char*, 9> known{
@@ -24,7 +20,7 @@ QString unitText(const char* unit) {
         QT_TRANSLATE_NOOP("Resonator", "ppm")};
     for (const char* each : known) {
         if (QLatin1String(each) == QLatin1String(unit)) {
-            return resonatorText(each);
+            return ResonatorWords::tr(each);
         }
     }
     return QString::fromLatin1(unit);

@@ -2,12 +2,15 @@
 
 #include "core/recording/samples/recording.h"
 
+#include <QCoreApplication>
 #include <QString>
 
 namespace vybeg::ui {
 
-// A text of context "Resonator", and a unit as core/ names it, in the interface's language.
-QString resonatorText(const char* text);
+// Texts of context "Resonator", and a unit as core/ names it, in the interface's language.
+struct ResonatorWords {
+    Q_DECLARE_TR_FUNCTIONS(Resonator)
+};
 QString unitText(const char* unit);
 QString withUnit(const QString& name, const QString& unit);
 

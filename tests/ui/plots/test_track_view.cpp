@@ -375,8 +375,9 @@ private slots:
 
     void a_change_of_unit_gives_up_ranges_in_the_old_one() {
         Bench bench;
-        bench.view.setValueRange(SlowVariable::f, AxisRange{5299, 5301});
-        bench.view.setValueRange(SlowVariable::a_A, AxisRange{0, 2});
+        bench.view.setZoom(
+            {bench.view.timeRange(),
+             {{SlowVariable::f, AxisRange{5299, 5301}}, {SlowVariable::a_A, AxisRange{0, 2}}}});
         bench.settle();
         QCOMPARE(bench.values(3), (AxisRange{5299, 5301}));
         DisplayUnits units;

@@ -118,7 +118,7 @@ class TestSession : public QObject {
         emit the<WindowMenus>().unitsChosen(units);
         tracks.setShownVariables({SlowVariable::a_A, SlowVariable::f, SlowVariable::alpha});
         tracks.setTimeRange({0.4, 1.7});
-        tracks.setValueRange(SlowVariable::f, AxisRange{-0.5, 0.75});
+        tracks.setZoom({tracks.timeRange(), {{SlowVariable::f, AxisRange{-0.5, 0.75}}}});
         tracks.setFocus();
         tracks.setTracker(0.5);
         QTest::keyClick(&tracks, Qt::Key_1);
