@@ -3691,6 +3691,10 @@
         <translation>величины a, b и theta волны</translation>
     </message>
     <message>
+        <source>%1 is named twice</source>
+        <translation>%1 указано дважды</translation>
+    </message>
+    <message>
         <source>the powers E, R, S and Q</source>
         <translation>величины E, R, S и Q</translation>
     </message>

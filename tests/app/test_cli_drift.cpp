@@ -107,6 +107,10 @@ private slots:
             0);
         QCOMPARE(run_cli({"drift", log, "--columns", "t,phi"}, folder.path()).status, 2);
         QCOMPARE(run_cli({"drift", log, "--columns", "t"}, folder.path()).status, 2);
+        const Outcome twice =
+            run_cli({"drift", log, "--columns", "t,theta=psi,theta=2"}, folder.path());
+        QCOMPARE(twice.status, 2);
+        QVERIFY2(twice.err.contains("theta is named twice"), twice.err.constData());
     }
 
     void logs_that_differ_are_told_so() {

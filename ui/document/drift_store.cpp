@@ -93,7 +93,9 @@ void DriftStore::compute() {
     failure_.reset();
     computing_ = !input_.logs.empty();
     if (!computing_) {
-        job_.forget(key_);
+        if (key_ != 0) {  // none of its own was ever started
+            job_.forget(key_);
+        }
         emit settled(Topic::drift);
         return;
     }

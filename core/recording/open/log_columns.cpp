@@ -330,6 +330,12 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                     "=COLUMN where the file calls it otherwise"),
                       {joined(roles, ", ", &ColumnRole::name)}));
         }
+        if (std::ranges::any_of(wishes, [&role](const ColumnWish& wish) {
+                return wish.role.name == std::string_view(role->name);
+            })) {
+            return refused_value("--columns", text,
+                                 words(VYBEG_MESSAGE("Words", "%1 is named twice"), {role->name}));
+        }
         wishes.push_back({*role, column, true});
         at = end + 1;
     }
