@@ -353,7 +353,7 @@ MessageRow message_row(ErrorCode code) {
                               "is |c|^2 + |d|^2, R is |c|^2 - |d|^2, S and Q are twice the real "
                               "and the imaginary part of c d*.")};
         case ErrorCode::angle_unit_wrong:
-            return {"angle-unit-wrong", bad_input,
+            return {"angle-unit-wrong", impossible,
                     VYBEG_MESSAGE("Message",
                                   "%1: each time the angle reaches an end, it comes back by %2 "
                                   "degrees. A wave's angle comes back by 90, 180 or 360 degrees, "
