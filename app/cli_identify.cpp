@@ -132,11 +132,13 @@ Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token st
         const auto to_store = TRY(stored_result(*result, identify_json(*result)));
         TRY(store(*database, to_store, log));
     }
-    // All of them appear, or none.
+    // All of them appear, or none: a text that has no room in memory is missed before the first.
+    const std::string text = summary ? identify_text(*result) : identify_json(*result);
+    const std::string kept = passport ? passport_json(passport_of(*result)) : std::string();
     std::vector<OutputFile*> files{&output};
-    TRY(output.write(summary ? identify_text(*result) : identify_json(*result)));
+    TRY(output.write(text));
     if (passport) {
-        TRY(passport->write(passport_json(passport_of(*result))));
+        TRY(passport->write(kept));
         files.push_back(&*passport);
     }
     TRY(OutputFile::commit_together(files));

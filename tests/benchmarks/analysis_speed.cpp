@@ -143,7 +143,8 @@ void read_and_write(benchmark::State& state, const fs::path& from, std::vector<c
 void run(benchmark::State& state, const std::function<Status(cli::Log&)>& command) {
     cli::Log log(false, true);
     for ([[maybe_unused]] const auto _ : state) {
-        if (!command(log)) {
+        if (const Status done = command(log); !done) {
+            log.fail(done.error());
             state.SkipWithError("the command failed");
         }
     }
@@ -182,7 +183,8 @@ int main(int argc, char** argv) {
             return cli::run_analyze(request, log, {});
         };
         cli::Log log(false, true);
-        if (!analyze(log)) {
+        if (const Status done = analyze(log); !done) {
+            log.fail(done.error());
             fail("the recording cannot be analysed");
         }
         for (const auto& [name, output] : {std::pair("read and write", Output::plain),
