@@ -7,7 +7,8 @@
 
 namespace vybeg {
 
-// Everything that can go wrong. The English sentence of each stands in messages.cpp, in this order.
+// Everything that can go wrong. The English sentence of each stands in error_messages.cpp, in this
+// order.
 enum class ErrorCode {
     // The call itself is wrong: exit status 2.
     setting_invalid,  // args: name of the setting, its value, what is allowed

@@ -38,7 +38,6 @@ struct Message {
 
 Message errorMessage(const Error& error, Topic topic = Topic::none);
 Message warningMessage(std::function<QString()> text);
-// A warning about a file.
 // A message for each of the worst findings about a file; none for notes.
 std::vector<Message> warningMessages(const QString& file,
                                      const std::vector<Diagnostic>& diagnostics);

@@ -34,8 +34,8 @@ public:
     // Emits no signal.
     void setOptions(const OpenOptions& options);
     OpenOptions options() const;
-    // Whether every field that is shown has an acceptable text.
     void focusRate();
+    // Whether every field that is shown has an acceptable text.
     bool isValid() const;
     // Sets the automatic values and the names of the channels from a preview of these options.
     void setPreview(const RecordingPreview& preview);
