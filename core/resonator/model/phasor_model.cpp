@@ -33,8 +33,8 @@ Real real(const Vector2cd& z) {
 
 RealMap real(const Eigen::Matrix2cd& map) {
     RealMap out;
-    for (int row = 0; row < 2; ++row) {
-        for (int column = 0; column < 2; ++column) {
+    for (Eigen::Index row = 0; row < 2; ++row) {
+        for (Eigen::Index column = 0; column < 2; ++column) {
             const Complex at = map(row, column);
             out.block<2, 2>(2 * row, 2 * column) << at.real(), -at.imag(), at.imag(), at.real();
         }
