@@ -99,11 +99,11 @@ public:
     // Makes a file.
     void write(int key, std::function<Status(const JobControl&)> work,
                std::function<void(Status)> done);
-    // Any other work on values of its own; it hears an interruption.
+    // Any other work: on values of its own, and it ends when its JobControl is cancelled.
     template <class Value>
     void run(Kind kind, int key, std::function<Result<Value>(const JobControl&)> work,
              std::function<void(Result<Value>)> done);
-    // The only one with that key of a page, or of a store.
+    // The same for a page or a store, which has one such work for each key.
     template <class Value>
     void run(int key, std::function<Result<Value>(const JobControl&)> work,
              std::function<void(Result<Value>)> done) {
