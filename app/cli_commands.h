@@ -10,7 +10,8 @@ namespace vybeg::cli {
 
 inline constexpr const char* program = "vybeg-cli " VYBEG_VERSION;
 
-// The subcommands. Each writes its warnings to `log` and returns its error, which the caller writes.
+// The subcommands. Each writes its warnings to `log` and returns its error, which the caller
+// writes.
 Status run_info(const InfoRequest& request, Log& log, std::stop_token stop);
 Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop);
 Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop);
