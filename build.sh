@@ -12,6 +12,7 @@ packages=(
     libsndfile1-dev libhdf5-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
     zlib1g-dev                              # files that are packed
     libsqlite3-dev                          # database of results
+    libqpdf-dev                             # outline of the report
     libcli11-dev                            # command line
     fonts-dejavu-core                       # text without a display
 )

@@ -12,6 +12,9 @@
 #include <QTextDocument>
 #include <QTextFrame>
 #include <QTextObjectInterface>
+#define POINTERHOLDER_TRANSITION 4  // qpdf without the pointers of its past
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFWriter.hh>
 
 #include <algorithm>
 #include <cmath>
@@ -155,6 +158,74 @@ void layOut(QTextDocument& document, const QString& html) {
     keepHeadingsWithTheirText(document);
 }
 
+struct Heading {
+    QString text;
+    std::size_t level = 1;
+    int page = 0;         // from 0
+    double place_pt = 0;  // above the lower edge of the page
+};
+
+// `top`: from the upper edge of a page of this height to its content, device pixels.
+std::vector<Heading> headingsOf(const QTextDocument& document, double page_height, double top) {
+    constexpr double points = 72.0 / resolution;
+    std::vector<Heading> headings;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        if (const int level = block.blockFormat().headingLevel(); level > 0) {
+            const int page = pageOf(document, block);
+            const double place = document.documentLayout()->blockBoundingRect(block).top() -
+                                 page * document.pageSize().height();
+            headings.push_back({block.text(), static_cast<std::size_t>(level), page,
+                                (page_height - top - place) * points});
+        }
+    }
+    return headings;
+}
+
+// The pages with their headings as the outline that viewers show beside them: QPdfWriter of Qt 6.4
+// makes none. The same pages and headings give the same bytes.
+QByteArray withOutline(const QByteArray& bytes, const std::vector<Heading>& headings) {
+    using Object = QPDFObjectHandle;
+    QPDF pdf;
+    pdf.processMemoryFile("report", bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    const std::vector<Object> pages = pdf.getAllPages();
+    // The outline, and below it the last heading of each level.
+    std::vector<Object> path{pdf.makeIndirectObject(Object::newDictionary())};
+    for (const Heading& heading : headings) {
+        path.resize(std::min(path.size(), heading.level));
+        for (Object& above : path) {
+            const auto count = above.hasKey("/Count") ? above.getKey("/Count").getIntValue() : 0;
+            above.replaceKey("/Count", Object::newInteger(count + 1));
+        }
+        Object parent = path.back();
+        Object item = pdf.makeIndirectObject(Object::newDictionary());
+        item.replaceKey("/Title", Object::newUnicodeString(heading.text.toStdString()));
+        item.replaceKey("/Parent", parent);
+        item.replaceKey(
+            "/Dest", Object::newArray({pages.at(static_cast<std::size_t>(heading.page)),
+                                       Object::newName("/XYZ"), Object::newNull(),
+                                       Object::newReal(heading.place_pt, 1), Object::newNull()}));
+        if (parent.hasKey("/Last")) {
+            Object before = parent.getKey("/Last");
+            before.replaceKey("/Next", item);
+            item.replaceKey("/Prev", before);
+        } else {
+            parent.replaceKey("/First", item);
+        }
+        parent.replaceKey("/Last", item);
+        path.push_back(item);
+    }
+    pdf.getRoot().replaceKey("/Outlines", path.front());
+    pdf.getRoot().replaceKey("/PageMode", Object::newName("/UseOutlines"));
+    QPDFWriter writer(pdf);
+    writer.setOutputMemory();
+    writer.setStreamDataMode(qpdf_s_preserve);
+    writer.setDeterministicID(true);
+    writer.write();
+    const auto written = writer.getBufferSharedPointer();
+    return QByteArray(reinterpret_cast<const char*>(written->getBuffer()),
+                      static_cast<qsizetype>(written->getSize()));
+}
+
 // As XML, with the characters that it reserves.
 QByteArray metadata(const ReportText& text) {
     const auto list = [](const char* kind, const char* item, const QString& value) {
@@ -247,7 +318,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
         painter.restore();
     }
     painter.end();
-    return withoutInstant(std::move(bytes));
+    return withOutline(withoutInstant(std::move(bytes)), headingsOf(document, pdf.height(), top));
 }
 
 }  // namespace vybeg::ui

@@ -316,6 +316,7 @@ private slots:
         write(contents, path);
         const QString text = textOf(path);
         QVERIFY2(!text.contains(QChar(0x27E6)), qPrintable(text));
+        const QString outline = output("pdftohtml", {"-xml", "-i", "-stdout", path});
         int page = 0;
         for (const ReportContent& content : contents) {
             // The line of the set: its name, its page, the reason.
@@ -325,6 +326,11 @@ private slots:
             QVERIFY2(line.hasMatch(), qPrintable(text));
             VYBEG_MORE(line.captured(1).toInt(), page);
             page = line.captured(1).toInt();
+            const QRegularExpression item(
+                QStringLiteral("<item page=\"%1\">[^<]*%2")
+                    .arg(page)
+                    .arg(QRegularExpression::escape(content.set.toHtmlEscaped())));
+            QVERIFY2(outline.contains(item), qPrintable(outline.section("<outline>", 1)));
             // Its first page is to be signed, the next one has the recordings.
             const QString chapter =
                 output("pdftotext", {"-layout", "-f", QString::number(page), "-l",
