@@ -5042,7 +5042,7 @@
     </message>
     <message>
         <source>Make gaps of lost samples</source>
-        <translation>Пропуски вместо потерянных отсчётов</translation>
+        <translation>Пропуски на месте потерь</translation>
     </message>
     <message>
         <source>Where the recording check finds lost samples, as many missing ones are put in, so that time runs on behind them. Windows over them have no values.</source>

@@ -24,6 +24,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <ranges>
 
 namespace vybeg::ui {
 
@@ -54,7 +55,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     auto* content = new QWidget;
     sections_ = new QVBoxLayout(content);
     sections_->setContentsMargins(2, 4, 2, 2);
-    sections_->setSpacing(4);
+    sections_->setSpacing(8);
 
     algorithm_ = withName(new QComboBox(content), "algorithm");
     algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -114,7 +115,8 @@ void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
     auto* section = new Section(fields, sections_->parentWidget());
     section->setOpen(open);
     sections_->addWidget(section);
-    groups_.push_back({section, fields, title});
+    groups_.push_back({section, fields, title, !open});
+    connect(section, &Section::clicked, this, [this] { folded_by_person_ = true; });
     connect(fields, &SettingsFields::edited, this,
             [this](const Settings& settings) { document_.setSettings(settings); });
 }
@@ -128,6 +130,7 @@ void SettingsPanel::analyse() {
         if (NumberField* field = group.fields->faulty()) {
             emit wanted();
             group.section->setOpen(true);
+            folded_by_person_ = true;
             scroll_->ensureWidgetVisible(field);
             field->setFocus();
             return;
@@ -165,6 +168,33 @@ bool SettingsPanel::eventFilter(QObject* groups, QEvent* event) {
         fitWidth();
     }
     return QWidget::eventFilter(groups, event);
+}
+
+void SettingsPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    unfold();
+}
+
+// Sections that begin folded are open where the window has room for them, the last one first: what
+// would be blank is in use. From a person's first click on, they stay as the person leaves them.
+void SettingsPanel::unfold() {
+    if (folded_by_person_) {
+        return;
+    }
+    layout()->activate();
+    const auto height = [this](const Group& group) {
+        return group.fields->sizeHint().height() + sections_->spacing();
+    };
+    int room = scroll_->viewport()->height() - scroll_->widget()->sizeHint().height();
+    for (const Group& group : groups_) {
+        room += group.folds && group.section->isOpen() ? height(group) : 0;
+    }
+    for (const Group& group : groups_ | std::views::reverse) {
+        if (group.folds) {
+            group.section->setOpen(height(group) <= room);
+            room -= group.section->isOpen() ? height(group) : 0;
+        }
+    }
 }
 
 void SettingsPanel::showStaleness() {

@@ -36,18 +36,21 @@ signals:
 protected:
     // Of the groups, whose fields change with the language and with what is open.
     bool eventFilter(QObject* groups, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Group {
         Section* section;
         SettingsFields* fields;
         const char* title;
+        bool folds = false;  // begins folded
     };
 
     void add(SettingsFields* fields, const char* title, bool open);
     void refresh();
     void showStaleness();
     void fitWidth();
+    void unfold();
     void retranslate();
 
     Document& document_;
@@ -58,6 +61,7 @@ private:
     std::vector<Group> groups_;
     QVBoxLayout* sections_;
     QScrollArea* scroll_;
+    bool folded_by_person_ = false;
 };
 
 }  // namespace vybeg::ui

@@ -22,6 +22,7 @@ Section::Section(QWidget* content, QWidget* parent)
     layout->setSpacing(2);
     layout->addWidget(title_);
     layout->addWidget(content_);
+    connect(title_, &QToolButton::clicked, this, &Section::clicked);
     connect(title_, &QToolButton::toggled, this, [this](bool open) {
         content_->setVisible(open);
         title_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);

@@ -15,6 +15,11 @@ public:
 
     void setTitle(const QString& title);
     void setOpen(bool open);
+    bool isOpen() const { return title_->isChecked(); }
+
+signals:
+    // By a person.
+    void clicked();
 
 private:
     QToolButton* title_;
