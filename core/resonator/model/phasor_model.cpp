@@ -323,6 +323,39 @@ private:
     Complex cross_;
 };
 
+// What the mean over a window makes of the motion at its centre while the run's frequency drifts,
+// over what it makes of it at the run's own frequency, which belongs to the start. With F(s) =
+// sinh(s w/2)/(s w/2), M with the run's frequency, and the frequency off by d rad/s:
+//     F(M + i d)/F(M) = 1 + i d F'(M)/F(M) - d^2 w^2/24 + ...
+// Of two modes it makes one decay faster and the other slower.
+class DriftedMean {
+public:
+    DriftedMean(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own)
+        : reference_s_(run.reference_s), drift_(2 * pi * own[drift_at]) {
+        if (drifts()) {
+            const double w2 = run.window_s * run.window_s;
+            const Eigen::Matrix2cd m =
+                SlowDynamics(rates_of(shared)).matrix() +
+                2 * pi * own[frequency_at] * i * Eigen::Matrix2cd::Identity();
+            by_offset_ = i * (w2 / 12) * (m - w2 / 60 * m * m * m);
+            by_square_ = -w2 / 24;
+        }
+    }
+
+    bool drifts() const { return drift_ != 0; }
+
+    Eigen::Matrix2cd at(double t) const {
+        const double off = drift_ * (t - reference_s_);
+        return off * by_offset_ + (1 + by_square_ * off * off) * Eigen::Matrix2cd::Identity();
+    }
+
+private:
+    double reference_s_;
+    double drift_;
+    Eigen::Matrix2cd by_offset_ = Eigen::Matrix2cd::Zero();
+    double by_square_ = 0;
+};
+
 // Turns the channels of a run by its angle zero.
 Eigen::Matrix2d turn_of(double two_theta_zero) {
     Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
@@ -371,9 +404,11 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
     expected.reserve(windows);
     PassedBreaks breaks(run, own);
     const ChannelFactors channels(run, shared, own);
+    const DriftedMean mean(run, shared, own);
     const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
     const auto seen = [&](double t, const Vector2cd& z) {
-        return Vector2cd(turn * channels.at(breaks, t).seen(turn.transpose() * z));
+        const Vector2cd wave = turn.transpose() * (mean.drifts() ? Vector2cd(mean.at(t) * z) : z);
+        return Vector2cd(turn * channels.at(breaks, t).seen(wave));
     };
     if (shared[cubic_at] == 0) {
         const SlowDynamics dynamics(rates_of(shared));
@@ -410,6 +445,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
     MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0, Wanted::derivatives);
     PassedBreaks breaks(run, own);
     const ChannelFactors factors(run, shared, own);
+    const DriftedMean mean(run, shared, own);
     const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
     const Eigen::Matrix2d whitened_turn = run.whitening * turn;
     const double kappa = shared[kappa_at];
@@ -419,7 +455,11 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         }
         const Channels channels = factors.at(breaks, run.time_s[k]);
         const Motion& at = motion.at(k);
-        const Vector2cd wave = turn.transpose() * at.z;
+        Eigen::Matrix2cd to_wave = turn.transpose();
+        if (mean.drifts()) {
+            to_wave *= mean.at(run.time_s[k]);
+        }
+        const Vector2cd wave = to_wave * at.z;
         const Vector2cd of_channels = channels.seen(wave);
         const Vector2cd expected = turn * of_channels;
         const auto row = static_cast<Eigen::Index>(4 * k);
@@ -427,7 +467,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         Eigen::Matrix2cd seen;
         seen << channels.c, 0, channels.cross, channels.gain;
         const RealMap map =
-            real(Eigen::Matrix2cd(run.weight[k] * (whitened_turn * seen * turn.transpose())));
+            real(Eigen::Matrix2cd(run.weight[k] * (whitened_turn * seen * to_wave)));
         out.by_parameter.block<4, rate_count>(row, 0) = map.lazyProduct(at.by.by_rates);
         const RealMap by_start = map.lazyProduct(at.by.by_start);
         out.by_parameter.block<4, 4>(row, own_column(start_at)) = by_start;

@@ -127,6 +127,55 @@ private slots:
         VYBEG_CLOSE_RATIO(chi2, residuals, 4 * std::sqrt(2 / residuals));
     }
 
+    // A window's mean loses more of the mode whose frequency the drift takes away from the carrier.
+    // The third order, of a turn of half a radian, leaves 1e-6.
+    void means_over_windows_of_a_drifting_motion_are_expected() {
+        using std::numbers::pi;
+        ScaledRun run = some_run();
+        run.breaks.clear();
+        for (const double split_hz : {0.02, 0.11, 0.7}) {
+            for (const double drift : {-0.003, 0.0003, 0.02}) {
+                Eigen::VectorXd shared = some_shared(0);
+                shared.segment(kappa_at, cubic_at - kappa_at).setZero();
+                shared[kappa_at] = 1;
+                shared[split_cos_at] = split_hz * std::cos(0.8);
+                shared[split_sin_at] = split_hz * std::sin(0.8);
+                Eigen::VectorXd own = some_own().head(int{own_count});
+                own[drift_at] = drift;
+                const SlowDynamics dynamics(rates_of(shared));
+                const auto mean_at = [&](double t) {
+                    constexpr int parts = 2000;
+                    Eigen::Vector2cd sum = Eigen::Vector2cd::Zero();
+                    for (int k = 0; k < parts; ++k) {
+                        const double at = t + ((k + 0.5) / parts - 0.5) * run.window_s;
+                        const double u = at - run.reference_s;
+                        const double turns = u * (own[frequency_at] + drift * u / 2);
+                        sum += std::polar(1.0 / parts, 2 * pi * turns) *
+                               (dynamics.propagator(at) * start_of(own));
+                    }
+                    return sum;
+                };
+                // The mean at the run's own frequency belongs to the start.
+                Eigen::VectorXd averaged = own;
+                const Eigen::Vector2cd start =
+                    dynamics.window_mean(run.window_s, own[frequency_at]) * start_of(own);
+                averaged.head<4>() << start[0].real(), start[0].imag(), start[1].real(),
+                    start[1].imag();
+                const auto expected = expected_phasors(run, shared, averaged, run.size());
+                // A phase of its own, the same in all windows: half the drift times w^2/12.
+                const auto phase = std::polar(1.0, pi * drift * run.window_s * run.window_s / 12);
+                for (std::size_t k = 0; k < run.size(); ++k) {
+                    const double off = (phase * expected[k] - mean_at(run.time_s[k])).norm();
+                    VYBEG_LESS(off, 1e-6 * start.norm(),
+                               qPrintable(QString("split %1, drift %2, window %3")
+                                              .arg(split_hz)
+                                              .arg(drift)
+                                              .arg(k)));
+                }
+            }
+        }
+    }
+
     void a_prior_of_no_width_holds_its_parameter() {
         const std::vector runs{some_run()};
         const std::array<std::size_t, 1> breaks{8};
