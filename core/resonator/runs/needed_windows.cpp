@@ -114,7 +114,7 @@ double line_beyond(const FittedMotion& motion, std::span<const PhasorRun> fine) 
 }  // namespace
 
 NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorRun> fine) {
-    constexpr double even_turn = 0.003;  // rad
+    constexpr double even_turn = 0.01;  // rad
     constexpr double whole_turn = 0.02;
     constexpr double most_for_turn = 1000;
     constexpr double per_cycle = 4;
