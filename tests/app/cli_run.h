@@ -75,10 +75,26 @@ inline QJsonObject json_of(const Outcome& outcome) {
     return object(outcome.out);
 }
 
+// What stands between the spaces of a command line.
+inline QStringList words(const QString& line) {
+    return line.split(' ', Qt::SkipEmptyParts);
+}
+
 // What the tests of the program share: a folder that it is run in.
 class CliFolder {
 protected:
     Outcome run(const QStringList& arguments) const { return run_cli(arguments, folder_.path()); }
+    Outcome run(const QString& line, const QStringList& more = {}) const {
+        return run(words(line) + more);
+    }
+    Outcome run_here(const QString& program, const QStringList& arguments,
+                     const std::function<void()>& prepare = {}) const {
+        return run_program(program, arguments, folder_.path(), prepare);
+    }
+    void start(QProcess& process, const QStringList& arguments) const {
+        process.setWorkingDirectory(folder_.path());
+        process.start(VYBEG_CLI, arguments);
+    }
     QString path(const QString& name) const { return folder_.filePath(name); }
     QByteArray file(const QString& name) const { return content(path(name)); }
     // What an output that was not finished would leave.

@@ -11,23 +11,18 @@ namespace test_cli_channel_files {
 
 using namespace vybeg::test;
 
-class TestCliChannelFiles : public QObject {
+class TestCliChannelFiles : public QObject, private CliFolder {
     Q_OBJECT
 
 private:
-    QTemporaryDir folder_;
-
-    Outcome run(const QString& arguments) { return run_cli(arguments.split(' '), folder_.path()); }
-    QString path(const QString& name) { return folder_.filePath(name); }
-
     // What an identification says of the modes.
-    static QJsonArray modes(const QByteArray& json) { return object(json)["modes"].toArray(); }
+    static QJsonValue modes(const QByteArray& json) { return object(json)["modes"]; }
 
     static void same_modes(const QByteArray& one, const QByteArray& other) {
-        QCOMPARE(modes(one).size(), 2);
+        QCOMPARE(modes(one).toArray().size(), 2);
         for (int k = 0; k < 2; ++k) {
             const auto f_hz = [k](const QByteArray& json) {
-                return modes(json)[k].toObject()["f_hz"].toObject()["value"].toDouble();
+                return modes(json)[k]["f_hz"]["value"].toDouble();
             };
             // The samples are rounded to 32 bits.
             VYBEG_CLOSE(f_hz(one), f_hz(other), 1e-5);
@@ -42,7 +37,7 @@ private slots:
             0);
         std::vector<double> c;
         std::vector<double> d;
-        for (const QByteArray& line : content(path("run.csv")).split('\n')) {
+        for (const QByteArray& line : file("run.csv").split('\n')) {
             const QList<QByteArray> fields = line.split(',');
             if (fields.size() == 3 && fields[0] != "t_s" && !line.startsWith('#')) {
                 c.push_back(fields[1].toDouble());
@@ -62,7 +57,7 @@ private slots:
         const Outcome outcome =
             run("identify sig0001.ana --channel-d sig0002.ana -o pair.json --threads 1");
         QCOMPARE(outcome.status, 0);
-        same_modes(content(path("whole.json")), content(path("pair.json")));
+        same_modes(file("whole.json"), file("pair.json"));
     }
 
     void a_list_names_the_other_file_from_its_own_folder() {
@@ -70,15 +65,15 @@ private slots:
         QVERIFY(put(path("lists/list.csv"), "file,channel-d\n../sig0001.ana,../sig0002.ana\n"));
         const Outcome outcome = run("identify --list lists/list.csv -o list.json --threads 1");
         QCOMPARE(outcome.status, 0);
-        same_modes(content(path("pair.json")), content(path("list.json")));
+        same_modes(file("pair.json"), file("list.json"));
         // The hash is that of both.
         const auto sha256 = [](const QByteArray& json) {
-            return object(json)["inputs"].toArray()[0].toObject()["sha256"].toString();
+            return object(json)["inputs"][0]["sha256"].toString();
         };
-        QCOMPARE(sha256(content(path("list.json"))), sha256(content(path("pair.json"))));
+        QCOMPARE(sha256(file("list.json")), sha256(file("pair.json")));
         QCOMPARE(
             object(run("info --json sig0001.ana --channel-d sig0002.ana").out)["sha256"].toString(),
-            sha256(content(path("pair.json"))));
+            sha256(file("pair.json")));
     }
 
     void one_file_alone_names_the_other() {
