@@ -46,4 +46,16 @@ inline std::vector<double> as_counts(std::vector<double> x) {
     return x;
 }
 
+// What a file keeps of the samples.
+enum class Rounding { none, to_float, to_counts };
+
+inline Samples rounded(const Samples& samples, Rounding rounding) {
+    const auto kept = [&](const std::vector<double>& x) {
+        return rounding == Rounding::none       ? x
+               : rounding == Rounding::to_float ? as_float(x)
+                                                : as_counts(x);
+    };
+    return {kept(samples.c), kept(samples.d)};
+}
+
 }  // namespace vybeg::test
