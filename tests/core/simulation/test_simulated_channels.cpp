@@ -67,7 +67,37 @@ class TestSimulatedChannels : public QObject {
     Q_OBJECT
 
 private slots:
-    void without_errors_the_samples_are_those_of_the_linear_motion_to_the_last_bit();
+
+    // The samples before there were any errors to set: carrier, motion, gain, offset, white noise.
+    void without_errors_the_samples_are_those_of_the_linear_motion_to_the_last_bit() {
+        for (const std::uint64_t seed : {1U, 20U}) {
+            FreeDecay decay = demo_decay();
+            decay.seconds = 3;
+            decay.seed = seed;
+            decay.kappa = 1.02;
+            decay.offset_c = 0.1;
+            decay.two_theta_A = 0.3 + static_cast<double>(seed);
+            const auto samples = simulate(decay, {});
+            QVERIFY(bool(samples));
+            const SlowMotion motion(decay);
+            const Eigen::Matrix2cd step = motion.propagator(1 / decay.rate_hz) * motion.carrier(1);
+            GaussianNoise noise(seed);
+            Eigen::Vector2cd z;
+            for (std::size_t k = 0; k < samples->c.size(); ++k) {
+                if (k % 256 == 0) {
+                    z = motion.at_frame(static_cast<double>(k));
+                }
+                const auto [noise_c, noise_d] = noise.next();
+                double c = z(0).real() + decay.offset_c;
+                double d = z(1).real() / decay.kappa + decay.offset_d;
+                c += decay.noise * noise_c;
+                d += decay.noise * noise_d;
+                QCOMPARE(samples->c[k] - c, 0.0);
+                QCOMPARE(samples->d[k] - d, 0.0);
+                z = step * z;
+            }
+        }
+    }
 
     void skew_and_gain_ratio_mix_the_channels_as_written() {
         for (const Case& x : cases) {
@@ -342,38 +372,6 @@ private slots:
         QCOMPARE(true_track(decay, 60).error(), samples.error());
     }
 };
-
-// The samples before there were any errors to set: carrier, motion, gain, offset, white noise.
-void TestSimulatedChannels::
-    without_errors_the_samples_are_those_of_the_linear_motion_to_the_last_bit() {
-    for (const std::uint64_t seed : {1U, 20U}) {
-        FreeDecay decay = demo_decay();
-        decay.seconds = 3;
-        decay.seed = seed;
-        decay.kappa = 1.02;
-        decay.offset_c = 0.1;
-        decay.two_theta_A = 0.3 + static_cast<double>(seed);
-        const auto samples = simulate(decay, {});
-        QVERIFY(bool(samples));
-        const SlowMotion motion(decay);
-        const Eigen::Matrix2cd step = motion.propagator(1 / decay.rate_hz) * motion.carrier(1);
-        GaussianNoise noise(seed);
-        Eigen::Vector2cd z;
-        for (std::size_t k = 0; k < samples->c.size(); ++k) {
-            if (k % 256 == 0) {
-                z = motion.at_frame(static_cast<double>(k));
-            }
-            const auto [noise_c, noise_d] = noise.next();
-            double c = z(0).real() + decay.offset_c;
-            double d = z(1).real() / decay.kappa + decay.offset_d;
-            c += decay.noise * noise_c;
-            d += decay.noise * noise_d;
-            QCOMPARE(samples->c[k] - c, 0.0);
-            QCOMPARE(samples->d[k] - d, 0.0);
-            z = step * z;
-        }
-    }
-}
 
 VYBEG_TEST(TestSimulatedChannels)
 

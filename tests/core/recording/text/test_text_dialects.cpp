@@ -351,29 +351,27 @@ private slots:
         QVERIFY(!guess_text_format({}));
     }
 
-    void lines_longer_than_a_read_and_reads_that_end_inside_a_line_end_are_one_text();
-};
-
-void TestTextDialects::
-    lines_longer_than_a_read_and_reads_that_end_inside_a_line_end_are_one_text() {
-    // Files of more than one read of 1 MiB, with every possible place of the boundary in "\r\n".
-    const Folder folder;
-    const std::string row = "0.125, -2.5\r\n";
-    const std::size_t rows = 100000;
-    for (std::size_t shift = 0; shift < row.size(); ++shift) {
-        std::string text = std::string(shift, ' ') + "C, D\r\n";
-        for (std::size_t i = 0; i < rows; ++i) {
-            text += row;
+    void lines_longer_than_a_read_and_reads_that_end_inside_a_line_end_are_one_text() {
+        // Files of more than one read of 1 MiB, with every possible place of the boundary in
+        // "\r\n".
+        const Folder folder;
+        const std::string row = "0.125, -2.5\r\n";
+        const std::size_t rows = 100000;
+        for (std::size_t shift = 0; shift < row.size(); ++shift) {
+            std::string text = std::string(shift, ' ') + "C, D\r\n";
+            for (std::size_t i = 0; i < rows; ++i) {
+                text += row;
+            }
+            const Samples read = read_all(opened(folder.write("run", text), at_1000_hz()));
+            QCOMPARE(read.c, std::vector<double>(rows, 0.125));
+            QCOMPARE(read.d, std::vector<double>(rows, -2.5));
+            // A line end cut in two would be counted twice.
+            const auto wrong = open(folder.write("run", text + "1, x\r\n"), at_1000_hz());
+            QVERIFY(!wrong);
+            QCOMPARE(wrong.error().args.at(0), std::to_string(rows + 2));
         }
-        const Samples read = read_all(opened(folder.write("run", text), at_1000_hz()));
-        QCOMPARE(read.c, std::vector<double>(rows, 0.125));
-        QCOMPARE(read.d, std::vector<double>(rows, -2.5));
-        // A line end cut in two would be counted twice.
-        const auto wrong = open(folder.write("run", text + "1, x\r\n"), at_1000_hz());
-        QVERIFY(!wrong);
-        QCOMPARE(wrong.error().args.at(0), std::to_string(rows + 2));
     }
-}
+};
 
 VYBEG_TEST(TestTextDialects, threads)
 
