@@ -79,22 +79,21 @@ private slots:
     void one_file_alone_names_the_other() {
         const Outcome outcome = run("info sig0001.ana");
         QCOMPARE(outcome.status, 3);
-        QVERIFY2(outcome.err.contains("--channel-d sig0002.ana."), outcome.err.constData());
+        QVERIFY2(outcome.err.contains("--channel-d sig0002.ana."), outcome.err);
     }
 
     void a_part_belongs_to_one_recording_once() {
         const Outcome several = run("identify sig0001.ana run.csv --channel-d sig0002.ana");
         QCOMPARE(several.status, 2);
-        QVERIFY2(several.err.contains("it would belong to several recordings"),
-                 several.err.constData());
+        QVERIFY2(several.err.contains("it would belong to several recordings"), several.err);
         QCOMPARE(run("identify run.csv whole.csv --join more.csv").status, 2);
         const Outcome same = run("info sig0001.ana --channel-d ./sig0001.ana");
         QCOMPARE(same.status, 2);
-        QVERIFY2(same.err.contains("it is the channel that is read as C"), same.err.constData());
+        QVERIFY2(same.err.contains("it is the channel that is read as C"), same.err);
         QCOMPARE(run("info run.csv --channel-d run.csv").status, 0);  // another column of it
         const Outcome twice = run("info run.csv --join ./run.csv");
         QCOMPARE(twice.status, 2);
-        QVERIFY2(twice.err.contains("it is a piece already"), twice.err.constData());
+        QVERIFY2(twice.err.contains("it is a piece already"), twice.err);
     }
 
     void values_take_units() {
@@ -115,7 +114,7 @@ private slots:
         }
         const Outcome wrong = run(analyze + "--from 1kHz");
         QCOMPARE(wrong.status, 2);
-        QVERIFY2(wrong.err.contains("in s or with its unit"), wrong.err.constData());
+        QVERIFY2(wrong.err.contains("in s or with its unit"), wrong.err);
     }
 };
 

@@ -78,8 +78,7 @@ private slots:
         const QJsonObject harmonics = json_of(outcome)["harmonics"].toObject();
         VYBEG_CLOSE(harmonics["mean_deg_h"]["value"].toDouble(), 0.05 * deg_h, 0.01);
         const Outcome named = run("drift alone.csv --rate 10 --columns theta=psi");
-        QVERIFY2(named.err.contains("there is no column \"psi\"; the file has 1."),
-                 named.err.constData());
+        QVERIFY2(named.err.contains("there is no column \"psi\"; the file has 1."), named.err);
     }
 
     void columns_are_named_and_units_asked_for() {
@@ -95,7 +94,7 @@ private slots:
         QCOMPARE(run({"drift", log, "--columns", "t"}).status, 2);
         const Outcome twice = run({"drift", log, "--columns", "t,theta=psi,theta=2"});
         QCOMPARE(twice.status, 2);
-        QVERIFY2(twice.err.contains("theta is named twice"), twice.err.constData());
+        QVERIFY2(twice.err.contains("theta is named twice"), twice.err);
     }
 
     void logs_that_differ_are_told_so() {

@@ -144,7 +144,7 @@ private slots:
         QFETCH(QString, part);
         const QByteArray recording = file("good.wav");
         const Outcome outcome = run(arguments);
-        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err.constData());
+        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err);
         QCOMPARE(outcome.status, status);
         QCOMPARE(outcome.out, QByteArray());
         check_sentence(outcome);
@@ -167,7 +167,7 @@ private slots:
         }
         const Outcome outcome = run_here(command[0], command.mid(1));
         QCOMPARE(outcome.status, 3);
-        QVERIFY2(outcome.err.contains("no permission"), outcome.err.constData());
+        QVERIFY2(outcome.err.contains("no permission"), outcome.err);
         check_sentence(outcome);
     }
 
@@ -192,8 +192,7 @@ private slots:
         const Outcome outcome = run("analyze early.wav -o early.csv");
         QCOMPARE(outcome.status, 0);
         QCOMPARE(outcome.err_lines().size(), 1);
-        QVERIFY2(outcome.err.startsWith("vybeg-cli: warning: The file ends early"),
-                 outcome.err.constData());
+        QVERIFY2(outcome.err.startsWith("vybeg-cli: warning: The file ends early"), outcome.err);
         const qsizetype frames = (500001 - 44) / 16;
         const qsizetype rows = TrackTable(file("early.csv")).rows();
         VYBEG_AT_LEAST(rows, frames / 60 - 2);
@@ -219,7 +218,7 @@ private slots:
         const Outcome outcome =
             run_here("sh", {"-c", "ulimit -f 8; exec " + QString(VYBEG_CLI) + " " + command});
         QCOMPARE(outcome.status, 5);
-        QVERIFY2(outcome.err.contains("cannot be written"), outcome.err.constData());
+        QVERIFY2(outcome.err.contains("cannot be written"), outcome.err);
         QCOMPARE(outcome.err_lines().size(), 1);
         for (const char* name : {"old.csv", "old.wav", "old.mat", "small.wav"}) {
             QCOMPARE(file(name), QByteArray("old"));

@@ -316,7 +316,7 @@ private slots:
         const Outcome outcome = run("identify early.wav r1.wav -o -");
         QCOMPARE(outcome.status, 0);
         QVERIFY2(outcome.err.startsWith("vybeg-cli: warning: early.wav: The file ends early"),
-                 outcome.err.constData());
+                 outcome.err);
         const QJsonValue warning = object(outcome.out)["warnings"][0];
         QCOMPARE(warning["kind"].toString(), QString("file-ends-early"));
         QCOMPARE(warning["input"].toString(), QString("early.wav"));

@@ -51,7 +51,7 @@ private slots:
             "identify dev1_demods_0_sample_00000.csv --channel-d dev1_demods_1_sample_00000.csv");
         const Outcome refused = run(demods + choice);
         QCOMPARE(refused.status, 3);
-        QVERIFY2(refused.err.contains("--rate"), refused.err.constData());
+        QVERIFY2(refused.err.contains("--rate"), refused.err);
         const auto wave = [&](const QStringList& arguments) {
             const Outcome read = run(arguments);
             if (read.status != 0) {
@@ -89,7 +89,7 @@ private slots:
             run("identify long_C.csv --channel-d long_D.csv --phasors fixed --f-ref 5300 --y-sign "
                 "+ --amplitude peak --verbose");
         QVERIFY2(read.err.contains("differ in length: long_C.csv has 400 samples, long_D.csv has "),
-                 read.err.constData());
+                 read.err);
     }
 
     void the_phase_of_a_moving_oscillator_is_not_guessed() {
@@ -100,7 +100,7 @@ private slots:
         const Outcome refused =
             run("identify gap.csv --phasors common --y-sign + --amplitude peak");
         QCOMPARE(refused.status, 2);
-        QVERIFY2(refused.err.contains("--from or --to"), refused.err.constData());
+        QVERIFY2(refused.err.contains("--from or --to"), refused.err);
     }
 
     // A beat of 0.8 Hz behind a filter of 0.5 Hz, whose delay is longer than a second.
@@ -183,7 +183,7 @@ private slots:
         write("both.csv", lines.join('\n'));
         const Outcome outcome =
             run("identify both.csv -o - --phasors common --y-sign + --amplitude peak");
-        VYBEG_EQUAL(outcome.status, 0, outcome.err.constData());
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
         const QJsonObject f = json_of(outcome)["runs"][0]["wave"].toObject();
         VYBEG_WITHIN(f["f_hz"]["value"].toDouble(), 5300, 0.05);
     }
@@ -199,7 +199,7 @@ private slots:
         }
         write("unlike.csv", lines.join('\n'));
         const Outcome told = identify_fixed({"unlike.csv"}, {"--lock-in", "4,30Hz", "--to", "6"});
-        QVERIFY2(told.err.contains("as if Y of one had the other sign"), told.err.constData());
+        QVERIFY2(told.err.contains("as if Y of one had the other sign"), told.err);
     }
 
     void noise_is_no_wave() {
@@ -216,8 +216,7 @@ private slots:
         write("noise.csv", noise);
         const Outcome refused = identify_fixed({"noise.csv"}, {});
         QCOMPARE(refused.status, 4);
-        QVERIFY2(refused.err.contains("noise.csv: no wave stands out of the noise"),
-                 refused.err.constData());
+        QVERIFY2(refused.err.contains("noise.csv: no wave stands out of the noise"), refused.err);
     }
 
     // A real Moku Pro phasemeter, 37.25 Hz.
@@ -235,11 +234,11 @@ private slots:
         for (const char* command : {"info", "identify"}) {
             const Outcome refused = run({command, csv});
             QCOMPARE(refused.status, 3);
-            QVERIFY2(refused.err.contains("it holds phasors"), refused.err.constData());
+            QVERIFY2(refused.err.contains("it holds phasors"), refused.err);
         }
         const Outcome read = run({"identify", zip, "-o", "-", "--phasors", "pll", "--y-sign", "+",
                                   "--amplitude", "peak", "--to", "60"});
-        VYBEG_EQUAL(read.status, 0, read.err.constData());
+        VYBEG_EQUAL(read.status, 0, read.err);
         const QJsonObject run = json_of(read)["runs"][0].toObject();
         const double f_hz = run["wave"]["f_hz"]["value"].toDouble();
         // The mean of the whole log; the frequency wanders by some mHz.
@@ -287,7 +286,7 @@ scipy.io.savemat('labone.mat', {'dev3000': {'demods': demods}})
         }
         const Outcome refused = identify_fixed({"labone.h5"}, {});
         QCOMPARE(refused.status, 3);
-        QVERIFY2(refused.err.contains("--rate"), refused.err.constData());
+        QVERIFY2(refused.err.contains("--rate"), refused.err);
     }
 };
 

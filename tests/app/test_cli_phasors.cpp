@@ -73,7 +73,7 @@ private slots:
                                                rms ? std::numbers::sqrt2 : 1));
         }
         const Outcome identified = run(arguments);
-        VYBEG_EQUAL(identified.status, 0, identified.err.constData());
+        VYBEG_EQUAL(identified.status, 0, identified.err);
         const QJsonObject found = json_of(identified)["resonator"].toObject();
         const QJsonObject expected = resonator_of_samples({order, bandwidth, samples});
         for (const QString name :
@@ -93,7 +93,7 @@ private slots:
         const QStringList decay = words(
             "simulate -o lock.wav --seconds 10 --tau 40 --f0 5300.1 --noise 1e-3 --split 0.05");
         const Outcome made = run(decay + words("--lock-in 4,30Hz,200"));
-        VYBEG_EQUAL(made.status, 0, made.err.constData());
+        VYBEG_EQUAL(made.status, 0, made.err);
         const auto tau = [&](const QStringList& arguments) {
             const QJsonObject json = json_of(run(arguments));
             return json["runs"][0]["wave"]["tau_s"].toObject();
@@ -138,8 +138,7 @@ private slots:
         VYBEG_CLOSE(value(told, "theta_w_rad"), value(as_it_is, "theta_w_rad"), 2 * sd);
         VYBEG_CLOSE(value(told, "kappa"), 1, 0.002);
         const Outcome idle = run(identify + words("--window 600"));
-        QVERIFY2(idle.err.contains("--window has no effect: a log holds no samples"),
-                 idle.err.constData());
+        QVERIFY2(idle.err.contains("--window has no effect: a log holds no samples"), idle.err);
     }
 
     void analyze_writes_the_track_of_a_log() {
@@ -147,7 +146,7 @@ private slots:
         const QStringList analyze = words(
             "analyze track_of.csv -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak");
         const Outcome outcome = run(analyze);
-        VYBEG_EQUAL(outcome.status, 0, outcome.err.constData());
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QVERIFY(outcome.out.contains("# phasors: fixed\n"));
         QVERIFY(outcome.out.contains("# y-sign: +\n"));
         QVERIFY(!outcome.out.contains("# algorithm"));
@@ -178,7 +177,7 @@ private slots:
                         files));
         QVERIFY(told["resonator"]["tau_s"]["value"].toDouble() > 0);
         const Outcome batch = run("batch logs.csv -o - --json json --rate 33333");
-        QVERIFY2(!batch.err.contains("formula"), batch.err.constData());
+        QVERIFY2(!batch.err.contains("formula"), batch.err);
         QCOMPARE(field_of(batch.out, 0, "status"), QByteArray("ok"));
         const QJsonObject listed = object(file("json/A.json"));
         for (const QString part : {"resonator", "modes", "runs", "settings", "model"}) {
@@ -214,7 +213,7 @@ private slots:
                  audio.constData());
         // An option that has no part beside what the set has is told.
         const Outcome idle = run("identify 0.npy --rate 33333 --y-sign +");
-        QVERIFY2(idle.err.contains("--y-sign has no effect"), idle.err.constData());
+        QVERIFY2(idle.err.contains("--y-sign has no effect"), idle.err);
     }
 
     // A moved part of a log, whose first seconds are those of a hand.
@@ -228,12 +227,12 @@ private slots:
         const QStringList choice = words(
             "identify hand.csv -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak");
         const Outcome read = run(choice + words("--from 2"));
-        VYBEG_EQUAL(read.status, 0, read.err.constData());
+        VYBEG_EQUAL(read.status, 0, read.err);
         const QJsonObject wave = json_of(read)["runs"][0]["wave"].toObject();
         VYBEG_LESS(std::abs(wave["tau_s"]["value"].toDouble() - 60), 2.0);
         const Outcome none = run(choice + words("--from 200"));
         QCOMPARE(none.status, 4);
-        QVERIFY2(none.err.contains("200"), none.err.constData());
+        QVERIFY2(none.err.contains("200"), none.err);
     }
 
     void what_no_data_show_is_asked_for_data() {
@@ -256,8 +255,8 @@ private slots:
         QFETCH(QString, asked);
         write("asked.csv", log_of_run(0, {4, 30, 150}, Frame::fixed));
         const Outcome refused = run("identify asked.csv", options);
-        QVERIFY2(refused.status == 2 || refused.status == 3, refused.err.constData());
-        QVERIFY2(refused.err.contains(asked.toUtf8()), refused.err.constData());
+        QVERIFY2(refused.status == 2 || refused.status == 3, refused.err);
+        QVERIFY2(refused.err.contains(asked.toUtf8()), refused.err);
     }
 
     // Frames that the columns contradict.
@@ -272,7 +271,7 @@ private slots:
         QCOMPARE(moves.status, 2);
         QVERIFY2(moves.err.contains("the oscillator's frequency moves from 5299.8 Hz to 5300.4 Hz "
                                     "(column F)"),
-                 moves.err.constData());
+                 moves.err);
 
         const std::vector<Complex> c = demodulated(samples_of(samples, 0), filter);
         const std::vector<Complex> d = demodulated(samples_of(samples, 1), filter);
@@ -289,7 +288,7 @@ private slots:
         const Outcome twice =
             run("identify own.csv --phasors pll --f-ref 5300.1 --y-sign + --amplitude peak");
         QCOMPARE(twice.status, 2);
-        QVERIFY2(twice.err.contains("is the phase of X + iY itself"), twice.err.constData());
+        QVERIFY2(twice.err.contains("is the phase of X + iY itself"), twice.err);
     }
 
     // 0.15 phasors a second of a split of 0.05 Hz.
@@ -310,7 +309,7 @@ private slots:
         const Outcome refused =
             run("identify slow.csv --phasors fixed --f-ref 5300 --y-sign + --amplitude peak");
         QCOMPARE(refused.status, 4);
-        QVERIFY2(refused.err.contains("less than four times the split"), refused.err.constData());
+        QVERIFY2(refused.err.contains("less than four times the split"), refused.err);
     }
 
 private:

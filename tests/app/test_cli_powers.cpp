@@ -76,7 +76,7 @@ private slots:
     void a_track_of_a_track_is_that_track() {
         const Outcome again =
             run({"analyze", tracks_.front(), "--columns", "a,b,theta", "-o", "-"});
-        VYBEG_EQUAL(again.status, 0, again.err.constData());
+        VYBEG_EQUAL(again.status, 0, again.err);
         QVERIFY(again.out.contains("# columns: a,b,theta\n"));
         const auto row = [](const QByteArray& text, int number) {
             return text.split('\n').at(text.count("# ") + 1 + number).split(',');
@@ -91,8 +91,7 @@ private slots:
         const Outcome delayed = run(
             {"analyze", tracks_.front(), "--columns", "a,b,theta", "--delay", "1us", "-o", "-"});
         QCOMPARE(delayed.status, 2);
-        QVERIFY2(delayed.err.contains("a log without a phase has no frequency"),
-                 delayed.err.constData());
+        QVERIFY2(delayed.err.contains("a log without a phase has no frequency"), delayed.err);
     }
 
     void a_passport_of_tracks_compares_with_samples() {
@@ -111,19 +110,18 @@ private slots:
         const QStringList identify = words("identify --columns E,R,S,Q");
         const Outcome good = run(identify + QStringList{"good.csv"});
         QCOMPARE(good.status, 0);
-        QVERIFY2(!good.err.contains("E^2"), good.err.constData());
+        QVERIFY2(!good.err.contains("E^2"), good.err);
         const Outcome milli = run(identify + QStringList{"milli.csv"});
         QCOMPARE(milli.status, 4);
-        QVERIFY2(milli.err.contains("milli.csv: R^2 + S^2 + Q^2 is 0.0001 % of E^2"),
-                 milli.err.constData());
+        QVERIFY2(milli.err.contains("milli.csv: R^2 + S^2 + Q^2 is 0.0001 % of E^2"), milli.err);
         const Outcome kilo = run(identify + QStringList{"kilo.csv"});
         QCOMPARE(kilo.status, 2);
-        QVERIFY2(kilo.err.contains("E is smaller than R in 400 rows of 400"), kilo.err.constData());
+        QVERIFY2(kilo.err.contains("E is smaller than R in 400 rows of 400"), kilo.err);
         const Outcome offset = run(identify + QStringList{"offset.csv"});
         QCOMPARE(offset.status, 0);
         QVERIFY2(offset.err.contains("offset.csv: R^2 + S^2 + Q^2 differs from E^2 by"),
-                 offset.err.constData());
-        QVERIFY2(!offset.err.contains("inf"), offset.err.constData());
+                 offset.err);
+        QVERIFY2(!offset.err.contains("inf"), offset.err);
     }
 
     void exchanged_columns_are_refused() {
@@ -133,8 +131,7 @@ private slots:
               {"a=a_B,b=a_A,theta", tracks_.front()}}) {
             const Outcome refused = run({"identify", "--columns", columns, file});
             QCOMPARE(refused.status, 2);
-            QVERIFY2(refused.err.contains("exchanged or have unlike units"),
-                     refused.err.constData());
+            QVERIFY2(refused.err.contains("exchanged or have unlike units"), refused.err);
         }
     }
 
@@ -162,7 +159,7 @@ private slots:
         };
         const Outcome refused = identify({"--tolerance", "delay=1us"});
         QCOMPARE(refused.status, 2);
-        QVERIFY2(refused.err.contains("--tolerance delay"), refused.err.constData());
+        QVERIFY2(refused.err.contains("--tolerance delay"), refused.err);
         const auto uncertainty = [&](const QStringList& more) {
             const QJsonObject found = json_of(identify(more))["resonator"].toObject();
             return found["angle_rate_rad_s"]["u"].toDouble();
@@ -189,11 +186,10 @@ private slots:
             for (const QString command : {"info", "identify"}) {
                 const Outcome refused = run({command, "log.csv"});
                 QCOMPARE(refused.status, 3);
-                QVERIFY2(refused.err.contains("log.csv is a log, no recording"),
-                         refused.err.constData());
+                QVERIFY2(refused.err.contains("log.csv is a log, no recording"), refused.err);
                 const QString hint =
                     columns.startsWith('X') ? QString("--phasors fixed") : "--columns " + columns;
-                QVERIFY2(refused.err.contains(hint.toUtf8()), refused.err.constData());
+                QVERIFY2(refused.err.contains(hint.toUtf8()), refused.err);
             }
         }
     }

@@ -98,7 +98,7 @@ private slots:
         QFETCH(int, status);
         QFETCH(QString, part);
         const Outcome outcome = run("info plain.csv " + options);
-        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err.constData());
+        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err);
         QCOMPARE(outcome.status, status);
         QCOMPARE(outcome.err_lines().size(), 1);
         QVERIFY(outcome.err.endsWith(".\n"));
