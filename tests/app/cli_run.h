@@ -1,7 +1,8 @@
 #pragma once
 
+#include "tests/small_files.h"
+
 #include <QDir>
-#include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -55,16 +56,6 @@ inline std::function<void()> limit(int resource, rlim_t most) {
 // Runs the built vybeg-cli in a folder.
 inline Outcome run_cli(const QStringList& arguments, const QString& folder) {
     return run_program(VYBEG_CLI, arguments, folder);
-}
-
-inline QByteArray content(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
-}
-
-inline bool put(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
 }
 
 inline QJsonObject object(const QByteArray& json) {

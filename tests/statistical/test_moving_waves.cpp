@@ -1,6 +1,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
+#include "core/numerics/control_chart.h"
 #include "core/simulation/true_track.h"
 #include "core/track/events.h"
 #include "tests/closeness.h"
