@@ -21,22 +21,6 @@ using namespace vybeg::test;
 
 namespace {
 
-const char* const script = R"(
-import h5py
-with h5py.File('run.h5', 'w') as plain, h5py.File('packed.h5', 'w') as packed:
-    for name, x in (('C', c), ('D', d)):
-        plain.create_dataset(name, data=x)
-        packed.create_dataset(name, data=x, chunks=(1000,), compression='gzip')
-)";
-
-std::shared_ptr<const FileBytes> file_at(const std::filesystem::path& path) {
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        qFatal("%s", english(file.error()).c_str());
-    }
-    return *file;
-}
-
 std::string proc_text(pid_t id, const char* name) {
     return bytes_of("/proc/" + std::to_string(id) + "/" + name);
 }
@@ -91,7 +75,7 @@ class TestReaderConfinement : public QObject {
 private slots:
     void initTestCase() {
         demo_ = demo_second();
-        write_with_python(folder_, demo_, script);
+        write_with_python(folder_, demo_, plain_and_packed);
         write_audio(folder_.file("run.caf"), demo_, SF_FORMAT_CAF | SF_FORMAT_DOUBLE);
     }
 

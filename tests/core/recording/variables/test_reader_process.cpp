@@ -20,23 +20,6 @@ using namespace vybeg::test;
 
 namespace {
 
-const char* const script = R"(
-import h5py
-with h5py.File('run.h5', 'w') as plain, h5py.File('packed.h5', 'w') as packed:
-    for name, x in (('C', c), ('D', d)):
-        plain.create_dataset(name, data=x)
-        packed.create_dataset(name, data=x, chunks=(1000,), compression='gzip')
-    plain.attrs['fs'] = packed.attrs['fs'] = fs
-)";
-
-std::shared_ptr<const FileBytes> file_at(const std::filesystem::path& path) {
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        qFatal("%s", english(file.error()).c_str());
-    }
-    return *file;
-}
-
 // The processes that this one has started and not yet taken leave of.
 std::vector<pid_t> helpers() {
     std::vector<pid_t> found;
@@ -57,7 +40,7 @@ class TestReaderProcess : public QObject {
 private slots:
     void initTestCase() {
         demo_ = demo_second();
-        write_with_python(folder_, demo_, script);
+        write_with_python(folder_, demo_, plain_and_packed);
     }
 
     void a_catalogue_and_an_error_survive_the_wire() {
