@@ -63,11 +63,13 @@ inline bool make_twelve_sets(const QString& folder) {
                 put(folder + "/broken.wav", "RIFF\x10WAVEnothing");
     for (const auto& [name, start] :
          {std::pair{"a.wav", "0"}, std::pair{"b.wav", "0.7854"}, std::pair{"c.wav", "1.5708"}}) {
-        done = done &&
-               run_cli({"simulate", "--seconds", "2", "--noise", "0.001", "--tau", "400", "--split",
-                        "1e-3", "--theta-w", "0.2", "--two-theta-A", start, "-o", name},
-                       folder)
-                       .status == 0;
+        done =
+            done &&
+            run_cli(
+                words("simulate --seconds 2 --noise 0.001 --tau 400 --split 1e-3 --theta-w 0.2") +
+                    QStringList{"--two-theta-A", start, "-o", name},
+                folder)
+                    .status == 0;
     }
     return done;
 }

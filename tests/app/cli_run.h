@@ -1,7 +1,8 @@
 #pragma once
 
+#include "tests/small_files.h"
+
 #include <QDir>
-#include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -57,16 +58,6 @@ inline Outcome run_cli(const QStringList& arguments, const QString& folder) {
     return run_program(VYBEG_CLI, arguments, folder);
 }
 
-inline QByteArray content(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
-}
-
-inline bool put(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
-}
-
 inline QJsonObject object(const QByteArray& json) {
     return QJsonDocument::fromJson(json).object();
 }
@@ -75,10 +66,26 @@ inline QJsonObject json_of(const Outcome& outcome) {
     return object(outcome.out);
 }
 
+// What stands between the spaces of a command line.
+inline QStringList words(const QString& line) {
+    return line.split(' ', Qt::SkipEmptyParts);
+}
+
 // What the tests of the program share: a folder that it is run in.
 class CliFolder {
 protected:
     Outcome run(const QStringList& arguments) const { return run_cli(arguments, folder_.path()); }
+    Outcome run(const QString& line, const QStringList& more = {}) const {
+        return run(words(line) + more);
+    }
+    Outcome run_here(const QString& program, const QStringList& arguments,
+                     const std::function<void()>& prepare = {}) const {
+        return run_program(program, arguments, folder_.path(), prepare);
+    }
+    void start(QProcess& process, const QStringList& arguments) const {
+        process.setWorkingDirectory(folder_.path());
+        process.start(VYBEG_CLI, arguments);
+    }
     QString path(const QString& name) const { return folder_.filePath(name); }
     QByteArray file(const QString& name) const { return content(path(name)); }
     // What an output that was not finished would leave.

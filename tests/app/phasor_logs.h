@@ -3,11 +3,9 @@
 #include "tests/app/cli_run.h"
 
 #include <QByteArray>
-#include <QFile>
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
@@ -30,11 +28,7 @@ inline constexpr int runs = 3;
 
 // Two channels of 64 bit floats, behind a header that ends with a line.
 inline std::vector<double> samples_of(const QString& npy, int channel) {
-    QFile file(npy);
-    if (!file.open(QIODevice::ReadOnly)) {
-        qFatal("no samples");
-    }
-    const QByteArray bytes = file.readAll();
+    const QByteArray bytes = content(npy);
     const qsizetype begin = bytes.indexOf('\n') + 1;
     std::vector<double> all(static_cast<std::size_t>((bytes.size() - begin) / 8));
     std::memcpy(all.data(), bytes.constData() + begin, all.size() * 8);
@@ -119,53 +113,37 @@ inline QByteArray log_of(const QString& npy, const LockIn& lock_in, Frame frame,
 }
 
 // A folder with the recordings 0.npy, 1.npy, ... of one resonator, and logs of them.
-class PhasorLogTest : public QObject {
+class PhasorLogTest : public QObject, protected CliFolder {
 protected:
     void simulate_runs() const {
         for (int k = 0; k < runs; ++k) {
             const QString name = QString::number(k) + ".npy";
-            const Outcome made = run_cli({"simulate",
-                                          "-o",
-                                          name,
-                                          "--seconds",
-                                          QString::number(seconds),
-                                          "--split",
-                                          "0.05",
-                                          "--theta-w",
-                                          "0.2",
-                                          "--tau",
-                                          "60",
-                                          "--damping-anisotropy",
-                                          "1e-3",
-                                          "--theta-tau",
-                                          "-0.3",
-                                          "--noise",
-                                          "0.001",
-                                          "--seed",
-                                          QString::number(k + 10),
-                                          "--two-theta-A",
-                                          QString::number(0.2 + k * pi / 4)},
-                                         folder_.path());
-            QCOMPARE(made.status, 0);
+            QCOMPARE(
+                run("simulate --split 0.05 --theta-w 0.2 --tau 60 --damping-anisotropy 1e-3 "
+                    "--theta-tau -0.3 --noise 0.001",
+                    {"-o", name, "--seconds", QString::number(seconds), "--seed",
+                     QString::number(k + 10), "--two-theta-A", QString::number(0.2 + k * pi / 4)})
+                    .status,
+                0);
         }
     }
 
     void write(const QString& name, const QByteArray& text) const {
-        QFile file(folder_.filePath(name));
-        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) {
+        if (!put(path(name), text)) {
             qFatal("no file");
         }
     }
 
-    // With Y as the carrier turns and peak values.
-    Outcome identify_fixed(const QStringList& files, const QStringList& more) const {
-        return run_cli(QStringList{"identify", "-o", "-", "--phasors", "fixed", "--f-ref", "5300.1",
-                                   "--y-sign", "+", "--amplitude", "peak"} +
-                           more + files,
-                       folder_.path());
+    QByteArray log_of_run(int k, const LockIn& lock_in, Frame frame, double y_sign = 1,
+                          double unit = 1) const {
+        return log_of(path(QString::number(k) + ".npy"), lock_in, frame, y_sign, unit);
     }
 
-    QTemporaryDir folder_;
+    // With Y as the carrier turns and peak values.
+    Outcome identify_fixed(const QStringList& files, const QStringList& more) const {
+        return run("identify -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak",
+                   more + files);
+    }
 };
 
 }  // namespace vybeg::test

@@ -29,31 +29,13 @@ inline bool simulate_set(const QString& folder, const QString& prefix, const QSt
     bool done = true;
     for (std::size_t k = 0; k < starts.size(); ++k) {
         const Outcome simulated =
-            run_cli({"simulate",
-                     "--seconds",
-                     "10",
-                     "--noise",
-                     "0.001",
-                     "--tau",
-                     "400",
-                     "--split",
-                     split,
-                     "--theta-w",
-                     "0.2",
-                     "--damping-anisotropy",
-                     "3e-4",
-                     "--theta-tau",
-                     "-0.3",
-                     "--omega",
-                     "5e-5",
-                     "--f0",
-                     QString::number(5300 + 0.01 * static_cast<double>(k), 'g', 17),
-                     "--two-theta-A",
-                     starts[k],
-                     "--seed",
-                     QString::number(seed + static_cast<int>(k)),
-                     "-o",
-                     set_of(prefix)[static_cast<qsizetype>(k)]},
+            run_cli(words("simulate --seconds 10 --noise 0.001 --tau 400 --theta-w 0.2 "
+                          "--damping-anisotropy 3e-4 --theta-tau -0.3 --omega 5e-5") +
+                        QStringList{"--split", split, "--f0",
+                                    QString::number(5300 + 0.01 * static_cast<double>(k), 'g', 17),
+                                    "--two-theta-A", starts[k], "--seed",
+                                    QString::number(seed + static_cast<int>(k)), "-o",
+                                    set_of(prefix)[static_cast<qsizetype>(k)]},
                     folder);
         done = done && simulated.status == 0;
     }

@@ -19,7 +19,7 @@ class TestCliBatch : public QObject, private CliFolder {
 private slots:
     void initTestCase() {
         QVERIFY(make_twelve_sets(folder_.path()));
-        const Outcome outcome = run({"batch", "list.csv", "-o", "results.csv", "--json", "json"});
+        const Outcome outcome = run("batch list.csv -o results.csv --json json");
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         table_ = file("results.csv");
     }
@@ -91,12 +91,8 @@ private slots:
 
     void several_sets_at_once_give_the_same_bytes() {
         for (const QStringList& options :
-             {QStringList{"--jobs", "2"}, QStringList{"--jobs", "5", "--threads", "1"},
-              QStringList{"--jobs", "100"}}) {
-            QCOMPARE(
-                run(QStringList{"batch", "list.csv", "-o", "jobs.csv", "--json", "jobs"} + options)
-                    .status,
-                0);
+             {words("--jobs 2"), words("--jobs 5 --threads 1"), words("--jobs 100")}) {
+            QCOMPARE(run("batch list.csv -o jobs.csv --json jobs", options).status, 0);
             QCOMPARE(file("jobs.csv"), table_);
             const QStringList results = QDir(path("json")).entryList(QDir::Files);
             QCOMPARE(QDir(path("jobs")).entryList(QDir::Files), results);
@@ -126,8 +122,7 @@ private slots:
     }
 
     void a_set_without_result_is_reported_at_once() {
-        const Outcome outcome =
-            run({"batch", "list.csv", "-o", "x.csv", "--quiet", "--json-log", "--jobs", "2"});
+        const Outcome outcome = run("batch list.csv -o x.csv --quiet --json-log --jobs 2");
         QCOMPARE(outcome.status, 0);
         QStringList sets;
         for (const QByteArray& line : outcome.err_lines()) {
@@ -147,7 +142,7 @@ private slots:
         QVERIFY(put(path("folder/notes.txt"), "no table\n"));
         QVERIFY(put(path("folder/earlier.csv.unfinished"), "vybeg rows\n"));
         for (int again = 0; again < 2; ++again) {  // neither this table nor an earlier one counts
-            QCOMPARE(run({"batch", "folder", "-o", "folder/out.csv", "--from", "0.1"}).status, 0);
+            QCOMPARE(run("batch folder -o folder/out.csv --from 0.1").status, 0);
             const QByteArray table = file("folder/out.csv");
             QCOMPARE(rows_of(table).size(), 3);
             QCOMPARE(field_of(table, 0, "set"), QByteArray("1.wav"));
@@ -162,8 +157,8 @@ private slots:
 
     void the_verdict_is_that_of_the_gyro_s_passport() {
         QDir(folder_.path()).mkdir("passports");
-        const QStringList first{"identify", "--list", "list.csv", "--set", "s1"};
-        QCOMPARE(run(first + QStringList{"--passport", "passports/G1.json"}).status, 0);
+        const QStringList first = words("identify --list list.csv --set s1");
+        QCOMPARE(run(first + words("--passport passports/G1.json")).status, 0);
         // Another gyro: the split of its passport is twice as large.
         for (const auto& [name, start] : {std::pair{"x.wav", "0"}, std::pair{"y.wav", "0.7854"}}) {
             QCOMPARE(
@@ -172,15 +167,12 @@ private slots:
                     .status,
                 0);
         }
-        QCOMPARE(run({"identify", "x.wav", "y.wav", "--passport", "passports/G2.json"}).status, 0);
+        QCOMPARE(run("identify x.wav y.wav --passport passports/G2.json").status, 0);
         QVERIFY(put(path("passports/s8.json"), "{}"));
         QVERIFY(put(path("gyros.csv"),
                     "set,file,gyro\nsame,a.wav,G1\nsame,b.wav,G1\nother,a.wav,G2\n"
                     "other,b.wav,G2\nnone,a.wav,G3\nnone,b.wav,G3\ns8,b.wav,\n"));
-        QCOMPARE(run({"batch", "gyros.csv", "-o", "v.csv", "--passport", "passports", "--json",
-                      "verdicts"})
-                     .status,
-                 0);
+        QCOMPARE(run("batch gyros.csv -o v.csv --passport passports --json verdicts").status, 0);
         const QByteArray table = file("v.csv");
         QCOMPARE(field_of(table, 0, "verdict"), QByteArray("unchanged"));
         QCOMPARE(field_of(table, 0, "changed"), QByteArray());
@@ -190,7 +182,7 @@ private slots:
         QCOMPARE(field_of(table, 2, "status"), QByteArray("ok"));
         // A passport that cannot be read; the name of the set is that of the gyro.
         QCOMPARE(field_of(table, 3, "status"), QByteArray("3"));
-        QCOMPARE(run({"compare", "passports/G2.json", "a.wav", "b.wav", "-o", "c.json"}).status, 0);
+        QCOMPARE(run("compare passports/G2.json a.wav b.wav -o c.json").status, 0);
         QCOMPARE(object(file("verdicts/other.json"))["differences"],
                  object(file("c.json"))["differences"]);
     }
@@ -201,8 +193,8 @@ private slots:
         QVERIFY(put(path("told.csv"),
                     "set,file,gyro,bias_v,temperature_c,operator,comment,lot\n"
                     "T,a.wav,H1,60,20,I. I.,quiet,L7\nT,b.wav,H1,60,21,I. I.,quiet,L7\n"));
-        QCOMPARE(run({"identify", "--list", "told.csv", "--passport", "others/H1.json"}).status, 0);
-        QCOMPARE(run({"batch", "told.csv", "-o", "t.csv", "--passport", "others"}).status, 0);
+        QCOMPARE(run("identify --list told.csv --passport others/H1.json").status, 0);
+        QCOMPARE(run("batch told.csv -o t.csv --passport others").status, 0);
         const QByteArray fine = file("t.csv");
         QCOMPARE(field_of(fine, 0, "verdict"), QByteArray("unchanged"));
         QCOMPARE(field_of(fine, 0, "message"), QByteArray());
@@ -215,7 +207,7 @@ private slots:
         // The passport's file has the gyro's name, its content another.
         QByteArray other = file("others/H1.json");
         QVERIFY(put(path("others/H1.json"), other.replace("\"H1\"", "\"H9\"")));
-        QCOMPARE(run({"batch", "told.csv", "-o", "t.csv", "--passport", "others"}).status, 0);
+        QCOMPARE(run("batch told.csv -o t.csv --passport others").status, 0);
         const QByteArray table = file("t.csv");
         // field_of() knows no commas in quotes, which the message has.
         const QByteArray warned =
@@ -232,7 +224,7 @@ private slots:
 
     void names_cannot_lead_out_of_the_folder_of_results() {
         QVERIFY(put(path("names.csv"), "set,file\n../up,a.wav\n\"=1+1, \"\"x\"\"\",a.wav\n"));
-        QCOMPARE(run({"batch", "names.csv", "-o", "n.csv", "--json", "names"}).status, 0);
+        QCOMPARE(run("batch names.csv -o n.csv --json names").status, 0);
         QCOMPARE(QDir(path("names")).entryList(QDir::Files | QDir::Hidden, QDir::Name),
                  (QStringList{"%2E.%2Fup.json", "=1+1, \"x\".json"}));
         QVERIFY(rows_of(file("n.csv"))[1].startsWith("\"=1+1, \"\"x\"\"\","));
@@ -240,16 +232,16 @@ private slots:
 
     void a_name_too_long_for_a_file_is_found_before_the_work() {
         QVERIFY(put(path("names.csv"), "set,file\nA,a.wav\n" + QByteArray(300, 'x') + ",a.wav\n"));
-        const Outcome outcome = run({"batch", "names.csv", "-o", "n2.csv", "--json", "names"});
+        const Outcome outcome = run("batch names.csv -o n2.csv --json names");
         QCOMPARE(outcome.status, 2);
         QVERIFY2(outcome.err.contains("too long for a file"), outcome.err);
         QVERIFY(!QFile::exists(path("n2.csv.unfinished")));
-        QCOMPARE(run({"batch", "names.csv", "-o", "n2.csv"}).status, 0);
+        QCOMPARE(run("batch names.csv -o n2.csv").status, 0);
     }
 
     void an_unknown_column_keeps_its_name_or_gets_another() {
         QVERIFY(put(path("c.csv"), "file,status,my note\na.wav,new,\"a, b\"\n"));
-        QCOMPARE(run({"batch", "c.csv", "-o", "x.csv"}).status, 0);
+        QCOMPARE(run("batch c.csv -o x.csv").status, 0);
         QCOMPARE(names_of(file("x.csv")).mid(44), (QList<QByteArray>{"list_status", "my note"}));
         QVERIFY(rows_of(file("x.csv"))[0].endsWith(",new,\"a, b\""));
     }
@@ -257,8 +249,7 @@ private slots:
     void the_table_is_no_result_of_a_set_even_where_none_exists_yet() {
         QVERIFY(put(path("one.csv"), "set,file\nx,a.wav\n"));
         QVERIFY(QDir(folder_.path()).mkdir("same"));
-        const Outcome outcome =
-            run({"batch", "one.csv", "-o", "same/x.json", "--json", "./same/../same"});
+        const Outcome outcome = run("batch one.csv -o same/x.json --json ./same/../same");
         QCOMPARE(outcome.status, 2);
         QVERIFY2(outcome.err.contains("it is an input, the table or the database"), outcome.err);
         QVERIFY(QDir(path("same")).isEmpty());
@@ -298,7 +289,7 @@ private slots:
         QFETCH(int, status);
         QFETCH(QString, part);
         const QByteArray recording = file("a.wav");
-        const Outcome outcome = run(QStringList{"batch"} + arguments.split(' '));
+        const Outcome outcome = run("batch", arguments.split(' '));
         VYBEG_EQUAL(outcome.status, status, outcome.err);
         QCOMPARE(outcome.err_lines().size(), 1);
         QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err);
@@ -313,7 +304,7 @@ private slots:
         QDir(folder_.path()).mkdir("mixed");
         QVERIFY(QFile::copy(path("a.wav"), path("mixed/s1.json")));
         QVERIFY(put(path("mixed.csv"), "set,file\ns1,b.wav\ns2,mixed/s1.json\n"));
-        const Outcome outcome = run({"batch", "mixed.csv", "-o", "x.csv", "--json", "mixed"});
+        const Outcome outcome = run("batch mixed.csv -o x.csv --json mixed");
         QCOMPARE(outcome.status, 2);
         QVERIFY2(outcome.err.contains("--json cannot be \"mixed/s1.json\""), outcome.err);
         QCOMPARE(file("mixed/s1.json"), file("a.wav"));
@@ -323,7 +314,7 @@ private slots:
         QDir(folder_.path()).mkdir("taken");
         QVERIFY(QFile::copy(path("a.wav"), path("taken/1.wav")));
         QVERIFY(QFile::copy(path("b.wav"), path("taken/2.wav")));
-        const Outcome outcome = run({"batch", "taken", "-o", "taken/2.wav"});
+        const Outcome outcome = run("batch taken -o taken/2.wav");
         QCOMPARE(outcome.status, 2);
         QVERIFY2(outcome.err.contains("it is one of the recordings"), outcome.err);
         QCOMPARE(file("taken/2.wav"), file("b.wav"));

@@ -24,14 +24,12 @@ const QString journal = "results.csv.unfinished";
 class TestCliBatchResume : public QObject, private CliFolder {
     Q_OBJECT
 
-    const QStringList work_{"batch",  "list.csv", "-o",        "results.csv",
-                            "--json", "json",     "--threads", "1"};
+    const QStringList work_ = words("batch list.csv -o results.csv --json json --threads 1");
     QByteArray table_;
     qint64 undisturbed_ms_ = 0;
 
-    void start(QProcess& process, const QStringList& options) const {
-        process.setWorkingDirectory(folder_.path());
-        process.start(VYBEG_CLI, work_ + options);
+    void begin(QProcess& process, const QStringList& options = {}) const {
+        start(process, work_ + options);
         process.waitForStarted();
     }
 
@@ -39,7 +37,7 @@ class TestCliBatchResume : public QObject, private CliFolder {
     Outcome end_after(const QStringList& options, int signal, int after_ms) const {
         const int before = rows_done();
         QProcess process;
-        start(process, options);
+        begin(process, options);
         if (after_ms >= 0) {
             QTest::qSleep(after_ms);  // the moment of the run
         } else {
@@ -71,7 +69,7 @@ class TestCliBatchResume : public QObject, private CliFolder {
         for (int attempt = 0; attempt < 50; ++attempt) {
             clear();
             QProcess process;
-            start(process, {});
+            begin(process);
             if (!QTest::qWaitFor([this] { return rows_done() >= 4; }, 20000)) {
                 return false;
             }
@@ -85,7 +83,7 @@ class TestCliBatchResume : public QObject, private CliFolder {
     }
 
     void resume_and_compare() const {
-        const Outcome outcome = run(work_ + QStringList{"--resume"});
+        const Outcome outcome = run(work_ + words("--resume"));
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QCOMPARE(file("results.csv"), table_);
         QVERIFY(!QFile::exists(path(journal)));
@@ -109,9 +107,9 @@ private slots:
         QTest::addColumn<int>("signal");
         QTest::addColumn<QStringList>("options");
         QTest::newRow("SIGINT") << SIGINT << QStringList{};
-        QTest::newRow("SIGINT, two jobs") << SIGINT << QStringList{"--jobs", "2"};
+        QTest::newRow("SIGINT, two jobs") << SIGINT << words("--jobs 2");
         QTest::newRow("SIGKILL") << SIGKILL << QStringList{};
-        QTest::newRow("SIGKILL, two jobs") << SIGKILL << QStringList{"--jobs", "2"};
+        QTest::newRow("SIGKILL, two jobs") << SIGKILL << words("--jobs 2");
     }
 
     void interrupted_at_random_moments_the_table_is_the_same() {
@@ -165,7 +163,7 @@ private slots:
         VYBEG_AT_LEAST(done, 4);
         VYBEG_LESS(done, 12);
         // Each of the first sets that has one recording warns while it is computed.
-        const Outcome outcome = run(work_ + QStringList{"--resume"});
+        const Outcome outcome = run(work_ + words("--resume"));
         QCOMPARE(outcome.status, 0);
         QVERIFY2(!outcome.err.contains("s2: ") && !outcome.err.contains("broken: "), outcome.err);
         QVERIFY2(outcome.err.contains("s11: "), outcome.err);
@@ -185,14 +183,14 @@ private slots:
         QVERIFY(leave_rows());
         const QByteArray rows = file(journal);
         QProcess process;
-        start(process, {});
+        begin(process);
         QTest::qWait(50);
         process.kill();
         process.waitForFinished(20000);
         if (process.exitStatus() == QProcess::CrashExit && file("results.csv") != table_) {
             QVERIFY(file(journal).startsWith(rows));
         }
-        const Outcome outcome = run(work_ + QStringList{"--resume"});
+        const Outcome outcome = run(work_ + words("--resume"));
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QVERIFY2(!outcome.err.contains("s2: "), outcome.err);
         QCOMPARE(file("results.csv"), table_);
@@ -215,7 +213,7 @@ private slots:
 
     void other_options_and_other_files_make_other_rows() {
         QVERIFY(leave_rows());
-        const QStringList filtered = work_ + QStringList{"--filter", "5000,5600"};
+        const QStringList filtered = work_ + words("--filter 5000,5600");
         const Outcome other = run(filtered + QStringList{"--resume"});
         QCOMPARE(other.status, 0);
         QVERIFY2(other.err.contains("finished rows that this batch cannot take"), other.err);
@@ -227,7 +225,7 @@ private slots:
         QVERIFY(leave_rows());
         const QByteArray recording = file("b.wav");
         QVERIFY(put(path("b.wav"), file("c.wav")));
-        QCOMPARE(run(work_ + QStringList{"--resume"}).status, 0);
+        QCOMPARE(run(work_ + words("--resume")).status, 0);
         const QByteArray changed = file("results.csv");
         QCOMPARE(run(work_).status, 0);
         QCOMPARE(changed, file("results.csv"));
@@ -253,7 +251,7 @@ private slots:
     void a_list_that_has_grown_keeps_its_rows() {
         QVERIFY(leave_rows());
         QVERIFY(put(path("list.csv"), twelve_sets + "s13,a.wav,,,0.7,\n"));
-        const Outcome outcome = run(work_ + QStringList{"--resume"});
+        const Outcome outcome = run(work_ + words("--resume"));
         QCOMPARE(outcome.status, 0);
         QVERIFY2(!outcome.err.contains("s2: ") && outcome.err.contains("s13: "), outcome.err);
         QCOMPARE(rows_of(file("results.csv")).mid(0, 12), rows_of(table_));
@@ -264,10 +262,10 @@ private slots:
     void two_runs_do_not_share_a_table() {
         clear();
         QProcess first;
-        start(first, {});
+        begin(first);
         QVERIFY(QTest::qWaitFor([this] { return QFile::exists(path(journal)); }, 20000));
         kill(static_cast<pid_t>(first.processId()), SIGSTOP);
-        const Outcome second = run(work_ + QStringList{"--resume"});
+        const Outcome second = run(work_ + words("--resume"));
         kill(static_cast<pid_t>(first.processId()), SIGCONT);
         QVERIFY(first.waitForFinished(30000));
         QCOMPARE(second.status, 5);
@@ -284,9 +282,8 @@ private slots:
             const qint64 most = table_.size() * k / sizes;
             // No --json: its files are larger than the table.
             const QStringList work = work_.mid(0, 4);
-            const Outcome outcome =
-                run_program(VYBEG_CLI, work + QStringList{"--resume"}, folder_.path(),
-                            limit(RLIMIT_FSIZE, static_cast<rlim_t>(most)));
+            const Outcome outcome = run_here(VYBEG_CLI, work + QStringList{"--resume"},
+                                             limit(RLIMIT_FSIZE, static_cast<rlim_t>(most)));
             const QByteArray about = QByteArray::number(most) + " bytes: " + outcome.err;
             VYBEG_EQUAL(outcome.status, 5, about);
             QVERIFY2(outcome.err_lines().last().contains("cannot be written"), about);
@@ -304,9 +301,7 @@ private slots:
     // A disk in memory, mounted where only the child sees it, which gets more room afterwards.
     void a_full_disk_leaves_what_is_done() {
         QDir(folder_.path()).mkdir("out");
-        if (run_program("unshare", {"-rm", "mount", "-t", "tmpfs", "none", path("out")},
-                        folder_.path())
-                .status != 0) {
+        if (run_here("unshare", {"-rm", "mount", "-t", "tmpfs", "none", path("out")}).status != 0) {
             QSKIP(
                 "NOT TESTED: this system lets no disk of a chosen size be mounted (unshare -rm). "
                 "The limit of the file's size was tested instead.");
@@ -322,8 +317,7 @@ private slots:
                     "%2 --resume 2> /dev/null; echo $?; cat out/results.csv")
                     .arg(pages * 4096)
                     .arg(command);
-            const Outcome outcome =
-                run_program("unshare", {"-rm", "sh", "-c", script}, folder_.path());
+            const Outcome outcome = run_here("unshare", {"-rm", "sh", "-c", script});
             QCOMPARE(outcome.out, "5\nold\n0\n0\n" + table_);
             QVERIFY2(file("err").contains("No space left on device"), file("err"));
         }

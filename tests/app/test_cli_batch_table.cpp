@@ -21,7 +21,7 @@ class TestCliBatchTable : public QObject, private CliFolder {
 private slots:
     void initTestCase() {
         QVERIFY(make_twelve_sets(folder_.path()));
-        const Outcome outcome = run({"batch", "list.csv", "-o", "results.csv", "--quiet"});
+        const Outcome outcome = run("batch list.csv -o results.csv --quiet");
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         table_ = file("results.csv");
     }
@@ -52,8 +52,7 @@ private slots:
                  "\"split_hz;tau_s\""}};
         for (const Case& each : cases) {
             QVERIFY(put(path("limits.csv"), each.limits));
-            const Outcome outcome =
-                run({"batch", "one.csv", "-o", "passed.csv", "--limits", "limits.csv"});
+            const Outcome outcome = run("batch one.csv -o passed.csv --limits limits.csv");
             VYBEG_EQUAL(outcome.status, 0, outcome.err);
             const QByteArray table = file("passed.csv");
             QCOMPARE(field_of(table, 0, "passed"), each.passed);
@@ -82,8 +81,7 @@ private slots:
               std::pair{"parameter,gyro_type\ntau_s,M1\n", "neither least nor greatest"},
               std::pair{"name,least\ntau_s,5\n", "its columns are name, least"}}) {
             QVERIFY(put(path("limits.csv"), limits));
-            const Outcome outcome =
-                run({"batch", "one.csv", "-o", "p.csv", "--limits", "limits.csv"});
+            const Outcome outcome = run("batch one.csv -o p.csv --limits limits.csv");
             VYBEG_EQUAL(outcome.status, 3, outcome.err);
             QVERIFY2(outcome.err.contains(part), outcome.err);
         }
@@ -93,20 +91,19 @@ private slots:
         QVERIFY(put(path("months.csv"),
                     "set,file,gyro,temperature_c,date\ns1,a.wav,P1,22,2026-03-01\ns1,b.wav,P1,22,\n"
                     "s2,a.wav,P2,,\ns3,b.wav,P2,,\ns4,b.wav,,,\n"));
-        const QStringList batch{"batch", "months.csv", "-o", "m.csv", "--quiet"};
-        QCOMPARE(run(batch + QStringList{"--passports-out", "made"}).status, 0);
+        const QStringList batch = words("batch months.csv -o m.csv --quiet");
+        QCOMPARE(run(batch + words("--passports-out made")).status, 0);
         QCOMPARE(QDir(path("made")).entryList(QDir::Files),
                  (QStringList{"P1.json", "s2.json", "s3.json", "s4.json"}));
         const QJsonObject passport = object(file("made/P1.json"));
         QCOMPARE(passport["gyro"].toString(), QString("P1"));
         QCOMPARE(passport["date"].toString(), QString("2026-03-01"));
         QCOMPARE(passport["conditions"]["temperature_c"].toString(), QString("22"));
-        const Outcome later = run(batch + QStringList{"--passport", "made"});
+        const Outcome later = run(batch + words("--passport made"));
         VYBEG_EQUAL(later.status, 0, later.err);
         QCOMPARE(field_of(file("m.csv"), 0, "verdict"), QByteArray("unchanged"));
-        QCOMPARE(run(batch + QStringList{"--passport", "made", "--passports-out", "made"}).status,
-                 2);
-        QCOMPARE(run(batch + QStringList{"--json", "made", "--passports-out", "made"}).status, 2);
+        QCOMPARE(run(batch + words("--passport made --passports-out made")).status, 2);
+        QCOMPARE(run(batch + words("--json made --passports-out made")).status, 2);
     }
 
     // Significance alone calls a change that nobody minds.
@@ -124,13 +121,11 @@ private slots:
                     .status,
                 0);
         }
-        QCOMPARE(
-            run({"identify", "then-u.wav", "then-v.wav", "--passport", "limit/G1.json"}).status, 0);
+        QCOMPARE(run("identify then-u.wav then-v.wav --passport limit/G1.json").status, 0);
         QVERIFY(put(path("limit.csv"), "set,file,gyro\ns,u.wav,G1\ns,v.wav,G1\n"));
         const auto verdict = [&](const QStringList& options) {
-            const Outcome outcome = run(
-                QStringList{"batch", "limit.csv", "-o", "l.csv", "--quiet", "--passport", "limit"} +
-                options);
+            const Outcome outcome =
+                run("batch limit.csv -o l.csv --quiet --passport limit", options);
             return outcome.status == 0 ? field_of(file("l.csv"), 0, "verdict") : outcome.err;
         };
         QCOMPARE(verdict({}), QByteArray("changed"));
@@ -148,7 +143,7 @@ private slots:
     }
 
     void a_table_for_excel_has_semicolons_and_decimal_commas() {
-        QCOMPARE(run({"batch", "list.csv", "-o", "excel.csv", "--excel", "--quiet"}).status, 0);
+        QCOMPARE(run("batch list.csv -o excel.csv --excel --quiet").status, 0);
         const QByteArray excel = file("excel.csv");
         QVERIFY(excel.startsWith("\xEF\xBB\xBFset;gyro;date;files;status;"));
         QVERIFY(!excel.contains("\n#"));
@@ -163,7 +158,7 @@ private slots:
         QByteArray value = field_of(table_, 0, "tau_s");
         QCOMPARE(row.split(';')[tau], value.replace('.', ','));
         QVERIFY(put(path("warm.csv"), "set,file,temperature_c\nA,a.wav,20.5\nA,b.wav,21.5\n"));
-        QCOMPARE(run({"batch", "warm.csv", "-o", "excel.csv", "--excel", "--quiet"}).status, 0);
+        QCOMPARE(run("batch warm.csv -o excel.csv --excel --quiet").status, 0);
         QVERIFY2(file("excel.csv").contains(";\"20,5;21,5\";"), file("excel.csv"));
     }
 
@@ -176,7 +171,7 @@ private slots:
     }
     void the_time_of_every_command_is_told() {
         QFETCH(QString, arguments);
-        const Outcome outcome = run(arguments.split(' ') + QStringList{"--timing", "--quiet"});
+        const Outcome outcome = run(arguments.split(' ') + words("--timing --quiet"));
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         const QJsonObject told = object(outcome.err_lines().last());
         double sum = 0;
@@ -192,9 +187,8 @@ private slots:
     void a_folder_that_fills_is_computed_as_it_does() {
         QVERIFY(QDir(folder_.path()).mkdir("inbox"));
         QProcess watching;
-        watching.setWorkingDirectory(folder_.path());
-        watching.start(VYBEG_CLI, {"batch", "--watch", "inbox", "-o", "watched.csv", "--database",
-                                   "watched.db", "--quiet"});
+        start(watching, {"batch", "--watch", "inbox", "-o", "watched.csv", "--database",
+                         "watched.db", "--quiet"});
         QVERIFY(watching.waitForStarted());
         const auto rows = [this] {
             QList<QByteArray> sets;
@@ -249,9 +243,9 @@ private slots:
         ::kill(static_cast<pid_t>(watching.processId()), SIGTERM);
         QVERIFY(watching.waitForFinished());
         QCOMPARE(watching.readAllStandardOutput().count('\n'), 1);
-        QCOMPARE(run({"batch", "--watch", "none", "-o", "x.csv"}).status, 3);
-        QCOMPARE(run({"batch", "--watch", "inbox", "-o", "-"}).status, 2);
-        QCOMPARE(run({"batch", "--watch", "inbox", "list.csv", "-o", "x.csv"}).status, 2);
+        QCOMPARE(run("batch --watch none -o x.csv").status, 3);
+        QCOMPARE(run("batch --watch inbox -o -").status, 2);
+        QCOMPARE(run("batch --watch inbox list.csv -o x.csv").status, 2);
     }
 };
 

@@ -11,23 +11,18 @@ namespace test_cli_channel_files {
 
 using namespace vybeg::test;
 
-class TestCliChannelFiles : public QObject {
+class TestCliChannelFiles : public QObject, private CliFolder {
     Q_OBJECT
 
 private:
-    QTemporaryDir folder_;
-
-    Outcome run(const QString& arguments) { return run_cli(arguments.split(' '), folder_.path()); }
-    QString path(const QString& name) { return folder_.filePath(name); }
-
     // What an identification says of the modes.
-    static QJsonArray modes(const QByteArray& json) { return object(json)["modes"].toArray(); }
+    static QJsonValue modes(const QByteArray& json) { return object(json)["modes"]; }
 
     static void same_modes(const QByteArray& one, const QByteArray& other) {
-        QCOMPARE(modes(one).size(), 2);
+        QCOMPARE(modes(one).toArray().size(), 2);
         for (int k = 0; k < 2; ++k) {
             const auto f_hz = [k](const QByteArray& json) {
-                return modes(json)[k].toObject()["f_hz"].toObject()["value"].toDouble();
+                return modes(json)[k]["f_hz"]["value"].toDouble();
             };
             // The samples are rounded to 32 bits.
             VYBEG_CLOSE(f_hz(one), f_hz(other), 1e-5);
@@ -42,7 +37,7 @@ private slots:
             0);
         std::vector<double> c;
         std::vector<double> d;
-        for (const QByteArray& line : content(path("run.csv")).split('\n')) {
+        for (const QByteArray& line : file("run.csv").split('\n')) {
             const QList<QByteArray> fields = line.split(',');
             if (fields.size() == 3 && fields[0] != "t_s" && !line.startsWith('#')) {
                 c.push_back(fields[1].toDouble());
@@ -62,7 +57,7 @@ private slots:
         const Outcome outcome =
             run("identify sig0001.ana --channel-d sig0002.ana -o pair.json --threads 1");
         QCOMPARE(outcome.status, 0);
-        same_modes(content(path("whole.json")), content(path("pair.json")));
+        same_modes(file("whole.json"), file("pair.json"));
     }
 
     void a_list_names_the_other_file_from_its_own_folder() {
@@ -70,36 +65,35 @@ private slots:
         QVERIFY(put(path("lists/list.csv"), "file,channel-d\n../sig0001.ana,../sig0002.ana\n"));
         const Outcome outcome = run("identify --list lists/list.csv -o list.json --threads 1");
         QCOMPARE(outcome.status, 0);
-        same_modes(content(path("pair.json")), content(path("list.json")));
+        same_modes(file("pair.json"), file("list.json"));
         // The hash is that of both.
         const auto sha256 = [](const QByteArray& json) {
-            return object(json)["inputs"].toArray()[0].toObject()["sha256"].toString();
+            return object(json)["inputs"][0]["sha256"].toString();
         };
-        QCOMPARE(sha256(content(path("list.json"))), sha256(content(path("pair.json"))));
+        QCOMPARE(sha256(file("list.json")), sha256(file("pair.json")));
         QCOMPARE(
             object(run("info --json sig0001.ana --channel-d sig0002.ana").out)["sha256"].toString(),
-            sha256(content(path("pair.json"))));
+            sha256(file("pair.json")));
     }
 
     void one_file_alone_names_the_other() {
         const Outcome outcome = run("info sig0001.ana");
         QCOMPARE(outcome.status, 3);
-        QVERIFY2(outcome.err.contains("--channel-d sig0002.ana."), outcome.err.constData());
+        QVERIFY2(outcome.err.contains("--channel-d sig0002.ana."), outcome.err);
     }
 
     void a_part_belongs_to_one_recording_once() {
         const Outcome several = run("identify sig0001.ana run.csv --channel-d sig0002.ana");
         QCOMPARE(several.status, 2);
-        QVERIFY2(several.err.contains("it would belong to several recordings"),
-                 several.err.constData());
+        QVERIFY2(several.err.contains("it would belong to several recordings"), several.err);
         QCOMPARE(run("identify run.csv whole.csv --join more.csv").status, 2);
         const Outcome same = run("info sig0001.ana --channel-d ./sig0001.ana");
         QCOMPARE(same.status, 2);
-        QVERIFY2(same.err.contains("it is the channel that is read as C"), same.err.constData());
+        QVERIFY2(same.err.contains("it is the channel that is read as C"), same.err);
         QCOMPARE(run("info run.csv --channel-d run.csv").status, 0);  // another column of it
         const Outcome twice = run("info run.csv --join ./run.csv");
         QCOMPARE(twice.status, 2);
-        QVERIFY2(twice.err.contains("it is a piece already"), twice.err.constData());
+        QVERIFY2(twice.err.contains("it is a piece already"), twice.err);
     }
 
     void values_take_units() {
@@ -120,7 +114,7 @@ private slots:
         }
         const Outcome wrong = run(analyze + "--from 1kHz");
         QCOMPARE(wrong.status, 2);
-        QVERIFY2(wrong.err.contains("in s or with its unit"), wrong.err.constData());
+        QVERIFY2(wrong.err.contains("in s or with its unit"), wrong.err);
     }
 };
 

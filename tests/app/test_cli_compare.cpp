@@ -34,8 +34,7 @@ private slots:
         QVERIFY(simulate_set(folder_.path(), "changed", "1.02e-3", 11));
         QVERIFY(simulate_set(folder_.path(), "same", "1e-3", 21));
         QVERIFY(simulate_still(folder_.path()));
-        QCOMPARE(run(QStringList{"identify"} + set + QStringList{"--passport", "p.json"}).status,
-                 0);
+        QCOMPARE(run("identify", set + words("--passport p.json")).status, 0);
         QVERIFY(put(path("not.json"), "{\"some\": 1}"));
         QVERIFY(put(path("no.json"), "{"));
         QVERIFY(put(path("newer.json"), "{\"vybeg\": \"passport\", \"schema\": 99}"));
@@ -47,8 +46,7 @@ private slots:
         QCOMPARE(object(file("p.json"))["tracks"].toArray().size(), 4);
 
         const auto compared = [&](const QStringList& files) {
-            const Outcome outcome =
-                run(QStringList{"compare", "p.json"} + files + QStringList{"-o", "-"});
+            const Outcome outcome = run("compare p.json", files + words("-o -"));
             return outcome.status == 0 ? object(outcome.out) : QJsonObject();
         };
         const QJsonObject itself = compared(set);
@@ -74,7 +72,7 @@ private slots:
             named(compared({"still.wav"})["differences"].toArray(), "split_hz");
         QCOMPARE(single["verdict"].toString(), QString("not comparable"));
         QVERIFY(single["now"]["reason"].toString().contains("recording that starts at"));
-        const Outcome summary = run(QStringList{"compare", "p.json"} + set);
+        const Outcome summary = run("compare p.json", set);
         QCOMPARE(summary.status, 0);
         QVERIFY(summary.out.contains("compared with p.json"));
         QVERIFY(summary.out.contains("unchanged"));
@@ -89,12 +87,12 @@ private slots:
             return put(path(name), "set," + rows.replace("\n", "\nS,").chopped(2));
         };
         QVERIFY(list("g1.csv", "HRG-1") && list("g2.csv", "HRG-2") && list("none.csv", ""));
-        QCOMPARE(run({"identify", "--list", "g1.csv", "--passport", "g1.json"}).status, 0);
+        QCOMPARE(run("identify --list g1.csv --passport g1.json").status, 0);
         const QJsonObject passport = object(file("g1.json"));
         QCOMPARE(passport["gyro"].toString(), QString("HRG-1"));
         QCOMPARE(passport["date"].toString(), QString("2026-03-31"));
         QCOMPARE(passport["conditions"].toObject(), (QJsonObject{{"bias_v", "60"}}));
-        const Outcome other = run({"compare", "g1.json", "--list", "g2.csv", "-o", "-"});
+        const Outcome other = run("compare g1.json --list g2.csv -o -");
         QCOMPARE(other.status, 0);
         QVERIFY2(other.err.contains("HRG-1") && other.err.contains("HRG-2"), other.err);
         const QJsonObject warning = object(other.out)["warnings"][0].toObject();
@@ -106,16 +104,13 @@ private slots:
             QCOMPARE(same.status, 0);
             QVERIFY2(!same.out.contains("other-gyro"), same.out);
         }
-        const Outcome files = run(QStringList{"compare", "g1.json"} + set);
+        const Outcome files = run("compare g1.json", set);
         QVERIFY(!files.err.contains("HRG-1"));
     }
 
     void kappa_in_the_passport_is_the_result_s() {
-        const QStringList told{"--kappa", "1.25", "--tolerance", "kappa=0.3"};
-        QCOMPARE(run(QStringList{"identify"} + set + told +
-                     QStringList{"-o", "k.json", "--passport", "kp.json"})
-                     .status,
-                 0);
+        const QStringList told = words("--kappa 1.25 --tolerance kappa=0.3");
+        QCOMPARE(run("identify", set + told + words("-o k.json --passport kp.json")).status, 0);
         const QJsonObject result = object(file("k.json"));
         const QJsonObject passport = object(file("kp.json"));
         const QJsonValue kappa = result["resonator"]["kappa"];
@@ -127,9 +122,8 @@ private slots:
         const QJsonArray names = raw["names"].toArray();
         for (qsizetype k = 0; k < names.size(); ++k) {
             if (names[k] == "kappa") {
-                const double value = raw["values"].toArray()[k].toDouble();
-                const double variance =
-                    raw["covariance"].toArray()[k * names.size() + k].toDouble();
+                const double value = raw["values"][k].toDouble();
+                const double variance = raw["covariance"][k * names.size() + k].toDouble();
                 VYBEG_CLOSE(value, kappa["value"].toDouble(), 1e-12);
                 // The covariance is that of the fit: u holds assumed tolerances besides.
                 VYBEG_CLOSE_RATIO(std::sqrt(variance), kappa["sd"].toDouble(), 2e-3);
@@ -141,8 +135,8 @@ private slots:
 
     void frequencies_change_beyond_a_limit() {
         const auto split_of = [&](const QStringList& more, const QString& name) {
-            const Outcome outcome = run(QStringList{"compare", "p.json", "--f0", "5300.1"} +
-                                        set_of("same") + QStringList{"-o", "-"} + more);
+            const Outcome outcome =
+                run("compare p.json --f0 5300.1", set_of("same") + words("-o -") + more);
             return named(object(outcome.out)["differences"].toArray(), name);
         };
         const QJsonObject usual = split_of({}, "f_mean_hz");
@@ -179,7 +173,7 @@ private slots:
         QFETCH(QString, arguments);
         QFETCH(int, status);
         QFETCH(QString, part);
-        QCOMPARE(fault_of(run(arguments.split(' ')), status, part), QString());
+        QCOMPARE(fault_of(run(arguments), status, part), QString());
         QCOMPARE(temporaries(), QStringList());
     }
 };

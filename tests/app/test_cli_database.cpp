@@ -47,8 +47,8 @@ const QStringList good_sets{"s1", "s11", "s12", "s2", "s3", "s5", "s6", "s8", "s
 class TestCliDatabase : public QObject, private CliFolder {
     Q_OBJECT
 
-    const QStringList work_{"batch",      "list.csv",   "-o",        "results.csv",
-                            "--database", "results.db", "--threads", "1"};
+    const QStringList work_ =
+        words("batch list.csv -o results.csv --database results.db --threads 1");
 
     QStringList sets(const QString& database = "results.db") const {
         return rows_by_sqlite(path(database), "SELECT set_name FROM result ORDER BY set_name");
@@ -121,9 +121,7 @@ private slots:
                      0);
         }
         QVERIFY(put(path("four.csv"), list));
-        QCOMPARE(
-            run({"batch", "four.csv", "-o", "four-results.csv", "--database", "results.db"}).status,
-            0);
+        QCOMPARE(run("batch four.csv -o four-results.csv --database results.db").status, 0);
         constexpr int times = 100;
         const QString results =
             "WITH RECURSIVE n(k) AS (VALUES (2) UNION ALL SELECT k + 1 FROM n "
@@ -149,8 +147,7 @@ private slots:
         for (const bool json : {false, true}) {
             QCOMPARE(sqlite3_exec(other, "BEGIN EXCLUSIVE", nullptr, nullptr, nullptr), SQLITE_OK);
             QProcess process;
-            process.setWorkingDirectory(folder_.path());
-            process.start(VYBEG_CLI, work_ + (json ? QStringList{"--json-log"} : QStringList{}));
+            start(process, work_ + (json ? QStringList{"--json-log"} : QStringList{}));
             QByteArray told;
             while (!told.contains("in use") && process.state() != QProcess::NotRunning) {
                 process.waitForReadyRead(1000);
@@ -178,8 +175,7 @@ private slots:
     void the_same_recordings_under_two_gyros_are_told() {
         QVERIFY(put(path("slip.csv"),
                     "set,file,gyro\nfirst,a.wav,G1\nother,b.wav,G2\nlast,a.wav,G3\n"));
-        const QStringList slip{"batch",      "slip.csv",  "-o", "slip-results.csv",
-                               "--database", "results.db"};
+        const QStringList slip = words("batch slip.csv -o slip-results.csv --database results.db");
         for (const char* jobs : {"1", "3"}) {
             for (int round = 0; round < 3; ++round) {
                 init();
@@ -237,8 +233,7 @@ private slots:
         for (int trial = 0; trial < 8; ++trial) {
             init();
             QProcess process;
-            process.setWorkingDirectory(folder_.path());
-            process.start(VYBEG_CLI, work_);
+            start(process, work_);
             QVERIFY(process.waitForStarted());
             // So many results, then the next moment.
             QVERIFY(QTest::qWaitFor(
@@ -262,8 +257,7 @@ private slots:
 
     void resuming_without_the_database_fills_a_new_one() {
         QProcess process;
-        process.setWorkingDirectory(folder_.path());
-        process.start(VYBEG_CLI, work_);
+        start(process, work_);
         QVERIFY(QTest::qWaitFor([this] { return sets().contains("s1"); }, 30000));
         process.kill();
         process.waitForFinished(20000);
@@ -278,8 +272,7 @@ private slots:
         const qint64 whole = QFileInfo(path("results.db")).size();
         for (int k = 0; k < 8; ++k) {
             init();
-            const Outcome outcome =
-                run_program(VYBEG_CLI, work_, folder_.path(), limit(RLIMIT_FSIZE, whole * k / 8));
+            const Outcome outcome = run_here(VYBEG_CLI, work_, limit(RLIMIT_FSIZE, whole * k / 8));
             QCOMPARE(outcome.status, 5);
             // SQLite does not tell the limit of a size from other failures.
             QVERIFY2(outcome.err.contains("results.db cannot be written: "), outcome.err);
@@ -289,7 +282,7 @@ private slots:
 
     // The same recordings and settings have the same result, whichever command computes it.
     void identify_stores_what_batch_stores() {
-        QCOMPARE(run(work_ + QStringList{"--only", "s1"}).status, 0);
+        QCOMPARE(run(work_ + words("--only s1")).status, 0);
         const auto stored = [this] {
             return rows_by_sqlite(
                 path("results.db"),
@@ -300,13 +293,13 @@ private slots:
         const QStringList by_batch = stored();
         QCOMPARE(by_batch.size(), 2);
         QFile::remove(path("results.db"));
-        const Outcome outcome = run({"identify", "--list", "list.csv", "--set", "s1", "-o",
-                                     "s1.json", "--database", "results.db"});
+        const Outcome outcome =
+            run("identify --list list.csv --set s1 -o s1.json --database results.db");
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QCOMPARE(stored(), by_batch);
         QVERIFY(sound());
         // The files of the command line have their first one as name, and no gyro.
-        const Outcome plain = run({"identify", "a.wav", "b.wav", "--database", "results.db"});
+        const Outcome plain = run("identify a.wav b.wav --database results.db");
         VYBEG_EQUAL(plain.status, 0, plain.err);
         QVERIFY2(plain.err.contains("a.wav and s1 (gyro G1) have the same recordings"), plain.err);
         QCOMPARE(rows_by_sqlite(path("results.db"), "SELECT set_name, gyro FROM result"),
@@ -327,7 +320,7 @@ private slots:
             QVERIFY2(outcome.err.contains(sentence), outcome.err);
             QVERIFY(!QFile::exists(path("s1.json")));
         }
-        QCOMPARE(content(path("list2.db")), twelve_sets);
+        QCOMPARE(file("list2.db"), twelve_sets);
     }
 
     void what_cannot_be_a_database_is_told_before_the_work_data() {
@@ -368,7 +361,7 @@ private slots:
         QDir(folder_.path()).mkdir("runs");
         QVERIFY(QFile::copy(path("a.wav"), path("runs/a.wav")) ||
                 QFile::exists(path("runs/a.wav")));
-        const QStringList line{"batch", "runs", "-o", "t.csv", "--database", "runs/r.db"};
+        const QStringList line = words("batch runs -o t.csv --database runs/r.db");
         QCOMPARE(run(line).status, 0);
         QCOMPARE(run(line).status, 0);
         QCOMPARE(sets("runs/r.db"), QStringList("a.wav"));

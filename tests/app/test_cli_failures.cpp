@@ -60,10 +60,6 @@ private:
         sentences_.insert(QTest::currentDataTag(), reason);
     }
 
-    QStringList leftovers() const {
-        return QDir(folder_.path()).entryList({".vybeg*"}, QDir::AllEntries | QDir::Hidden);
-    }
-
 private slots:
     void initTestCase() {
         QVERIFY(put(path("empty.csv"), ""));
@@ -85,7 +81,7 @@ private slots:
                     table(1000, "C,D", [](int k) { return wave(k, 0) + "," + wave(k, 0.1); })));
         QVERIFY(put(path("locked.csv"), table(1000, "t,C,D", timed)));
         QVERIFY(put(path("old.csv"), "old"));
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "good.wav"}).status, 0);
+        QCOMPARE(run("simulate --demo --seconds 2 -o good.wav").status, 0);
         QVERIFY(QFile::copy(path("good.wav"), path("early.wav")));
         QVERIFY(QFile::resize(path("early.wav"), 500001));
     }
@@ -146,15 +142,15 @@ private slots:
         QFETCH(QStringList, arguments);
         QFETCH(int, status);
         QFETCH(QString, part);
-        const QByteArray recording = content(path("good.wav"));
+        const QByteArray recording = file("good.wav");
         const Outcome outcome = run(arguments);
-        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err.constData());
+        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err);
         QCOMPARE(outcome.status, status);
         QCOMPARE(outcome.out, QByteArray());
         check_sentence(outcome);
         QVERIFY(!QFile::exists(path("x.csv")));
-        QVERIFY(content(path("good.wav")) == recording);
-        QCOMPARE(leftovers(), QStringList());
+        QVERIFY(file("good.wav") == recording);
+        QCOMPARE(temporaries(), QStringList());
     }
 
     void a_file_without_permission_is_refused() {
@@ -167,21 +163,20 @@ private slots:
             QVERIFY(QFile::setPermissions(copy, QFile::Permissions(0x5555)));
             QVERIFY(QFile::setPermissions(folder_.path(), QFile::Permissions(0x7755)));
             command[0] = copy;
-            command = QStringList{"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"} +
-                      command;
+            command = words("setpriv --reuid=65534 --regid=65534 --clear-groups") + command;
         }
-        const Outcome outcome = run_program(command[0], command.mid(1), folder_.path());
+        const Outcome outcome = run_here(command[0], command.mid(1));
         QCOMPARE(outcome.status, 3);
-        QVERIFY2(outcome.err.contains("no permission"), outcome.err.constData());
+        QVERIFY2(outcome.err.contains("no permission"), outcome.err);
         check_sentence(outcome);
     }
 
     void missing_samples_are_a_warning_and_flagged_rows() {
-        const Outcome outcome = run({"analyze", "nan.csv", "-o", "nan-track.csv"});
+        const Outcome outcome = run("analyze nan.csv -o nan-track.csv");
         QCOMPARE(outcome.status, 0);
         QCOMPARE(outcome.err_lines().size(), 1);
         QVERIFY(outcome.err.startsWith("vybeg-cli: warning: 60 samples"));
-        const TrackTable track(content(path("nan-track.csv")));
+        const TrackTable track(file("nan-track.csv"));
         QCOMPARE(track.rows(), qsizetype{50});
         for (qsizetype row = 0; row < track.rows(); ++row) {
             const bool gap = row == 10;  // samples 600 to 659
@@ -194,13 +189,12 @@ private slots:
     }
 
     void a_file_that_ends_early_is_a_warning() {
-        const Outcome outcome = run({"analyze", "early.wav", "-o", "early.csv"});
+        const Outcome outcome = run("analyze early.wav -o early.csv");
         QCOMPARE(outcome.status, 0);
         QCOMPARE(outcome.err_lines().size(), 1);
-        QVERIFY2(outcome.err.startsWith("vybeg-cli: warning: The file ends early"),
-                 outcome.err.constData());
+        QVERIFY2(outcome.err.startsWith("vybeg-cli: warning: The file ends early"), outcome.err);
         const qsizetype frames = (500001 - 44) / 16;
-        const qsizetype rows = TrackTable(content(path("early.csv"))).rows();
+        const qsizetype rows = TrackTable(file("early.csv")).rows();
         VYBEG_AT_LEAST(rows, frames / 60 - 2);
         VYBEG_AT_MOST(rows, frames / 60);
     }
@@ -222,22 +216,20 @@ private slots:
         }
         // No file of this process may grow beyond 8 blocks: write() fails in the middle.
         const Outcome outcome =
-            run_program("sh", {"-c", "ulimit -f 8; exec " + QString(VYBEG_CLI) + " " + command},
-                        folder_.path());
+            run_here("sh", {"-c", "ulimit -f 8; exec " + QString(VYBEG_CLI) + " " + command});
         QCOMPARE(outcome.status, 5);
-        QVERIFY2(outcome.err.contains("cannot be written"), outcome.err.constData());
+        QVERIFY2(outcome.err.contains("cannot be written"), outcome.err);
         QCOMPARE(outcome.err_lines().size(), 1);
         for (const char* name : {"old.csv", "old.wav", "old.mat", "small.wav"}) {
-            QCOMPARE(content(path(name)), QByteArray("old"));
+            QCOMPARE(file(name), QByteArray("old"));
         }
-        QCOMPARE(leftovers(), QStringList());
+        QCOMPARE(temporaries(), QStringList());
     }
 
     void a_broken_pipe_is_an_error_of_the_output() {
-        const Outcome outcome = run_program(
+        const Outcome outcome = run_here(
             "bash",
-            {"-c", QString(VYBEG_CLI) + " simulate --demo -o - | head -1; exit ${PIPESTATUS[0]}"},
-            folder_.path());
+            {"-c", QString(VYBEG_CLI) + " simulate --demo -o - | head -1; exit ${PIPESTATUS[0]}"});
         QCOMPARE(outcome.status, 5);
         QCOMPARE(outcome.out, QByteArray("t_s,C,D\n"));
         QVERIFY(outcome.err.contains("standard output cannot be written"));

@@ -39,7 +39,7 @@ class TestCliFullDisk : public QObject, private CliFolder {
     qint64 whole_size(const QString& command, const QStringList& outputs) {
         QDir(path("out")).removeRecursively();
         QDir(folder_.path()).mkdir("out");
-        if (run(command.split(' ')).status != 0) {
+        if (run(command).status != 0) {
             return 0;
         }
         qint64 largest = 0;
@@ -51,11 +51,8 @@ class TestCliFullDisk : public QObject, private CliFolder {
 
 private slots:
     void initTestCase() {
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "a.wav"}).status, 0);
-        QCOMPARE(
-            run({"simulate", "--demo", "--seconds", "2", "--two-theta-A", "1.2", "-o", "b.wav"})
-                .status,
-            0);
+        QCOMPARE(run("simulate --demo --seconds 2 -o a.wav").status, 0);
+        QCOMPARE(run("simulate --demo --seconds 2 --two-theta-A 1.2 -o b.wav").status, 0);
     }
 
     void a_file_that_may_not_grow_leaves_the_old_ones_data() { rows(); }
@@ -70,8 +67,8 @@ private slots:
             for (const QString& output : outputs) {
                 QVERIFY(put(path("out/" + output), "old"));
             }
-            const Outcome outcome = run_program(VYBEG_CLI, command.split(' '), folder_.path(),
-                                                limit(RLIMIT_FSIZE, static_cast<rlim_t>(most)));
+            const Outcome outcome = run_here(VYBEG_CLI, command.split(' '),
+                                             limit(RLIMIT_FSIZE, static_cast<rlim_t>(most)));
             const QByteArray about = QByteArray::number(most) + " bytes: " + outcome.err;
             VYBEG_EQUAL(outcome.status, 5, about);
             QVERIFY2(outcome.err_lines().last().contains("cannot be written"), about);
@@ -93,9 +90,7 @@ private slots:
         const qint64 page = 4096;
         qint64 whole = 0;
         VYBEG_MORE(whole_size(command, outputs), 0);
-        if (run_program("unshare", {"-rm", "mount", "-t", "tmpfs", "none", path("out")},
-                        folder_.path())
-                .status != 0) {
+        if (run_here("unshare", {"-rm", "mount", "-t", "tmpfs", "none", path("out")}).status != 0) {
             QSKIP(
                 "NOT TESTED: this system lets no disk of a chosen size be mounted (unshare -rm). "
                 "The limit of the file's size was tested instead.");
@@ -112,8 +107,7 @@ private slots:
                     "out/$f; done; %3 %4 2> err > /dev/null; echo $?; cd out; ls -A; cat *")
                     .arg(room * page)
                     .arg(outputs.join(' '), VYBEG_CLI, command);
-            const Outcome outcome =
-                run_program("unshare", {"-rm", "sh", "-c", script}, folder_.path());
+            const Outcome outcome = run_here("unshare", {"-rm", "sh", "-c", script});
             QStringList sorted = outputs;
             sorted.sort();
             const QByteArray expected = "5\n" + sorted.join('\n').toUtf8() + "\n" +
@@ -126,9 +120,8 @@ private slots:
 
     void room_for_everything_is_enough() {
         const qint64 whole = whole_size("analyze a.wav -o out/track.csv", {"track.csv"});
-        const Outcome outcome =
-            run_program(VYBEG_CLI, {"analyze", "a.wav", "-o", "out/track.csv"}, folder_.path(),
-                        limit(RLIMIT_FSIZE, static_cast<rlim_t>(whole)));
+        const Outcome outcome = run_here(VYBEG_CLI, {"analyze", "a.wav", "-o", "out/track.csv"},
+                                         limit(RLIMIT_FSIZE, static_cast<rlim_t>(whole)));
         QCOMPARE(outcome.status, 0);
     }
 };

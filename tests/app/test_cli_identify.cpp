@@ -47,7 +47,7 @@ private slots:
     }
 
     void a_set_gives_its_resonator_within_its_deviations() {
-        const Outcome outcome = run(QStringList{"identify"} + set + QStringList{"-o", "r.json"});
+        const Outcome outcome = run("identify", set + words("-o r.json"));
         QCOMPARE(outcome.err, QByteArray());
         QCOMPARE(outcome.out, QByteArray());
         QCOMPARE(outcome.status, 0);
@@ -82,7 +82,7 @@ private slots:
     }
 
     void the_json_has_the_members_of_the_interface() {
-        QCOMPARE(run(QStringList{"identify"} + set + QStringList{"-o", "r.json"}).status, 0);
+        QCOMPARE(run("identify", set + words("-o r.json")).status, 0);
         const QJsonObject json = object(file("r.json"));
         for (const char* name : {"program", "inputs", "settings", "warnings", "model", "modes",
                                  "resonator", "runs", "identifiable", "drift_function",
@@ -122,7 +122,7 @@ private slots:
 
     void uncertainties_sensitivities_and_waves_stand_in_the_json() {
         const auto identified = [&](const QStringList& more) {
-            return object(run(QStringList{"identify"} + set + QStringList{"-o", "-"} + more).out);
+            return object(run("identify", set + words("-o -") + more).out);
         };
         const QJsonObject json = identified(
             {"--tolerance", "skew=0.1deg,delay=10ns,phase-drift=1e-4,gain-drift=1e-4,kappa=0.1%"});
@@ -179,8 +179,8 @@ private slots:
     }
 
     void the_summary_begins_with_the_waves_and_shows_what_sd_leaves_out() {
-        const Outcome outcome = run(QStringList{"identify"} + set +
-                                    QStringList{"--tolerance", "gain-drift=1e-3,skew=1deg"});
+        const Outcome outcome =
+            run("identify", set + words("--tolerance gain-drift=1e-3,skew=1deg"));
         QCOMPARE(outcome.status, 0);
         const QByteArray text = outcome.out;
         QVERIFY2(text.startsWith("wave of r0.wav, means over the recording\n  f   "),
@@ -208,16 +208,15 @@ private slots:
     }
 
     void any_number_of_threads_gives_the_same_bytes() {
-        const Outcome one =
-            run(QStringList{"identify"} + set + QStringList{"-o", "-", "--threads", "1"});
-        const Outcome all = run(QStringList{"identify"} + set + QStringList{"-o", "-"});
+        const Outcome one = run("identify", set + words("-o - --threads 1"));
+        const Outcome all = run("identify", set + words("-o -"));
         QCOMPARE(one.status, 0);
         QVERIFY(one.out == all.out);
         QVERIFY(!object(one.out).isEmpty());
     }
 
     void one_still_run_is_refused_its_split_with_a_reason() {
-        const Outcome outcome = run({"identify", "still.wav", "-o", "-"});
+        const Outcome outcome = run("identify still.wav -o -");
         QCOMPARE(outcome.status, 0);
         const QJsonObject json = object(outcome.out);
         QVERIFY(json["resonator"]["split_hz"]["value"].isNull());
@@ -238,15 +237,14 @@ private slots:
         QCOMPARE(json["drift_function"]["order"].toInt(), 0);
         QVERIFY(json["drift_function"]["curve"].isNull());
         QVERIFY(is_quantity(json["drift_function"]["harmonics"]["mean_rad_s"].toObject()));
-        const Outcome summary = run({"identify", "still.wav"});
+        const Outcome summary = run("identify still.wav");
         QCOMPARE(summary.status, 0);
         QVERIFY(summary.out.contains("  split                     - "));
         QVERIFY(summary.out.contains(reason.toUtf8()));
     }
 
     void the_free_model_has_modes_and_no_axes() {
-        const Outcome outcome =
-            run(QStringList{"identify"} + set + QStringList{"-o", "-", "--model", "free"});
+        const Outcome outcome = run("identify", set + words("-o - --model free"));
         QCOMPARE(outcome.status, 0);
         const QJsonObject json = object(outcome.out);
         QCOMPARE(json["model"].toString(), QString("free"));
@@ -260,9 +258,8 @@ private slots:
 
     void options_of_the_signals_have_their_part() {
         const Outcome turned =
-            run(QStringList{"identify"} + set +
-                QStringList{"-o", "-", "--angle-zero", "10", "--from", "1", "--to", "9", "--kappa",
-                            "1.0000001", "--window", "700"});
+            run("identify",
+                set + words("-o - --angle-zero 10 --from 1 --to 9 --kappa 1.0000001 --window 700"));
         QCOMPARE(turned.status, 0);
         const QJsonObject json = object(turned.out);
         VYBEG_LESS(deviations(json["resonator"]["theta_w_rad"], 0.2 - pi / 18, pi / 2), 4);
@@ -270,7 +267,7 @@ private slots:
         QCOMPARE(json["settings"]["window"].toString(), QString("700"));
         QCOMPARE(json["runs"][0]["window_samples"].toInt(), 700);
         QCOMPARE(json["runs"][0]["windows"].toInt(), (299997 - 33333) / 700);
-        const Outcome in_periods = run({"identify", "r0.wav", "-o", "-", "--periods", "100"});
+        const Outcome in_periods = run("identify r0.wav -o - --periods 100");
         QCOMPARE(object(in_periods.out)["runs"][0]["window_samples"].toInt(), 629);
     }
 
@@ -308,7 +305,7 @@ private slots:
         QFETCH(QString, arguments);
         QFETCH(int, status);
         QFETCH(QString, part);
-        QCOMPARE(fault_of(run(arguments.split(' ')), status, part), QString());
+        QCOMPARE(fault_of(run(arguments), status, part), QString());
         QCOMPARE(temporaries(), QStringList());
         QVERIFY(!QFile::exists(path("x.json")));
     }
@@ -316,25 +313,24 @@ private slots:
     void warnings_name_their_file() {
         QVERIFY(QFile::copy(path("r0.wav"), path("early.wav")));
         QVERIFY(QFile::resize(path("early.wav"), 4000001));
-        const Outcome outcome = run({"identify", "early.wav", "r1.wav", "-o", "-"});
+        const Outcome outcome = run("identify early.wav r1.wav -o -");
         QCOMPARE(outcome.status, 0);
         QVERIFY2(outcome.err.startsWith("vybeg-cli: warning: early.wav: The file ends early"),
-                 outcome.err.constData());
+                 outcome.err);
         const QJsonValue warning = object(outcome.out)["warnings"][0];
         QCOMPARE(warning["kind"].toString(), QString("file-ends-early"));
         QCOMPARE(warning["input"].toString(), QString("early.wav"));
-        const Outcome log = run({"identify", "early.wav", "-o", "x2.json", "--json-log"});
+        const Outcome log = run("identify early.wav -o x2.json --json-log");
         const QList<QByteArray> lines = log.err_lines();
         QVERIFY(std::ranges::any_of(lines, [](const QByteArray& line) {
             return object(line)["level"] == "warning" && object(line)["input"] == "early.wav";
         }));
-        const Outcome quiet = run({"identify", "early.wav", "-o", "x2.json", "--quiet"});
+        const Outcome quiet = run("identify early.wav -o x2.json --quiet");
         QCOMPARE(quiet.err, QByteArray());
     }
 
     void timing_is_the_last_line_of_standard_error() {
-        const Outcome outcome = run(QStringList{"identify"} + set +
-                                    QStringList{"-o", "t.json", "--timing", "--threads", "1"});
+        const Outcome outcome = run("identify", set + words("-o t.json --timing --threads 1"));
         QCOMPARE(outcome.status, 0);
         const QJsonObject timing = object(outcome.err_lines().last());
         QCOMPARE(timing.keys(), (QStringList{"carrier_s", "estimate_s", "fit_s", "open_s", "read_s",
@@ -343,15 +339,11 @@ private slots:
     }
 
     void a_signal_ends_it_cleanly() {
-        QCOMPARE(run({"simulate", "--seconds", "300", "--noise", "0.001", "--tau", "400", "-o",
-                      "long.wav"})
-                     .status,
-                 0);
+        QCOMPARE(run("simulate --seconds 300 --noise 0.001 --tau 400 -o long.wav").status, 0);
         QVERIFY(put(path("old.json"), "old"));
         QProcess process;
-        process.setWorkingDirectory(folder_.path());
-        process.start(VYBEG_CLI, {"identify", "long.wav", "-o", "old.json", "--threads", "1",
-                                  "--window", "20"});
+        start(process,
+              {"identify", "long.wav", "-o", "old.json", "--threads", "1", "--window", "20"});
         QTRY_COMPARE_WITH_TIMEOUT(temporaries().size(), 1, 20000);
         QCOMPARE(process.state(), QProcess::Running);
         QCOMPARE(kill(static_cast<pid_t>(process.processId()), SIGINT), 0);

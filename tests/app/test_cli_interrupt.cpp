@@ -17,12 +17,7 @@ class TestCliInterrupt : public QObject, private CliFolder {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QCOMPARE(
-            run_cli({"simulate", "--demo", "--seconds", "112", "-o", "long.wav"}, folder_.path())
-                .status,
-            0);
-    }
+    void initTestCase() { QCOMPARE(run("simulate --demo --seconds 112 -o long.wav").status, 0); }
 
     void a_signal_ends_a_long_run_at_once_and_cleanly_data() {
         QTest::addColumn<QString>("command");
@@ -47,10 +42,9 @@ private slots:
         QFETCH(int, signal);
         std::array<qint64, 5> elapsed{};  // at five moments of the run
         for (std::size_t i = 0; i < elapsed.size(); ++i) {
-            QVERIFY(put(folder_.filePath(target), "old"));
+            QVERIFY(put(path(target), "old"));
             QProcess process;
-            process.setWorkingDirectory(folder_.path());
-            process.start(VYBEG_CLI, command.split(' '));
+            start(process, command.split(' '));
             QTRY_COMPARE_WITH_TIMEOUT(temporaries().size(), 1, 10000);
             QTest::qWait(static_cast<int>(100 + 130 * i));  // the moment of the run
             QCOMPARE(process.state(), QProcess::Running);
@@ -63,7 +57,7 @@ private slots:
             QCOMPARE(process.exitCode(), 130);
             QCOMPARE(process.readAllStandardError(),
                      QByteArray("vybeg-cli: Interrupted; nothing was written.\n"));
-            QCOMPARE(content(folder_.filePath(target)), QByteArray("old"));
+            QCOMPARE(file(target), QByteArray("old"));
             QCOMPARE(temporaries(), QStringList());
         }
         // The median, so that one moment at which a busy machine gave no time does not count.

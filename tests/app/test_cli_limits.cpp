@@ -33,19 +33,17 @@ class TestCliLimits : public QObject, private CliFolder {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "a.wav"}).status, 0);
-    }
+    void initTestCase() { QCOMPARE(run("simulate --demo --seconds 2 -o a.wav").status, 0); }
 
     void too_little_memory_has_a_sentence_and_leaves_nothing() {
-        const QStringList command{"analyze", "a.wav", "-o", "old.csv"};
+        const QStringList command = words("analyze a.wav -o old.csv");
         QVERIFY(put(path("old.csv"), "old"));
         int refused = 0;
         int done = 0;
         // From where not even the libraries load to where there is enough.
         for (rlim_t megabytes = 40; done == 0 && megabytes < 1000; megabytes += 2) {
-            const Outcome outcome = run_program(VYBEG_CLI, command, folder_.path(),
-                                                limit(RLIMIT_AS, megabytes * 1'000'000));
+            const Outcome outcome =
+                run_here(VYBEG_CLI, command, limit(RLIMIT_AS, megabytes * 1'000'000));
             const QByteArray about = QByteArray::number(qulonglong(megabytes)) +
                                      " MB: " + QByteArray::number(outcome.status) + " " +
                                      outcome.err;
@@ -71,10 +69,10 @@ private slots:
         for (const char* name : {"a.wav", "a.csv", "a.npy", "a.mat", "a.flac"}) {
             QTest::newRow(name) << QStringList{"info", name} << false;
         }
-        QTest::newRow("analyze") << QStringList{"analyze", "a.wav", "-o", "new.csv"} << false;
+        QTest::newRow("analyze") << words("analyze a.wav -o new.csv") << false;
         QTest::newRow("identify") << QStringList{"identify", "a.wav"} << false;
-        QTest::newRow("batch") << QStringList{"batch", ".", "-o", "new.csv"} << false;
-        QTest::newRow("simulate") << QStringList{"simulate", "--demo", "-o", "new.wav"} << false;
+        QTest::newRow("batch") << words("batch . -o new.csv") << false;
+        QTest::newRow("simulate") << words("simulate --demo -o new.wav") << false;
         QTest::newRow("help") << QStringList{"--help"} << true;
         QTest::newRow("wrong call") << QStringList{"analyze"} << false;
     }
@@ -82,8 +80,7 @@ private slots:
     void too_small_a_stack_has_a_sentence_and_no_signal() {
         QFETCH(QStringList, command);
         QFETCH(bool, works);
-        const Outcome outcome =
-            run_program(VYBEG_CLI, command, folder_.path(), limit(RLIMIT_STACK, 64 << 10));
+        const Outcome outcome = run_here(VYBEG_CLI, command, limit(RLIMIT_STACK, 64 << 10));
         QCOMPARE(outcome.status, works ? 0 : 2);
         QCOMPARE(outcome.err_lines().size(), works ? 0 : 1);
         if (command.size() > 1) {
@@ -96,10 +93,9 @@ private slots:
 
     void the_least_stack_is_enough() {
         for (const QStringList& command :
-             {QStringList{"info", "a.wav"}, QStringList{"analyze", "a.wav", "-o", "enough.csv"},
+             {QStringList{"info", "a.wav"}, words("analyze a.wav -o enough.csv"),
               QStringList{"identify", "a.wav"}}) {
-            const Outcome outcome =
-                run_program(VYBEG_CLI, command, folder_.path(), limit(RLIMIT_STACK, 512 << 10));
+            const Outcome outcome = run_here(VYBEG_CLI, command, limit(RLIMIT_STACK, 512 << 10));
             VYBEG_EQUAL(outcome.status, 0, outcome.err);
         }
     }
@@ -115,8 +111,8 @@ private slots:
         int refused = 0;
         bool done = false;
         for (rlim_t most = 1; !done && most < 64; ++most) {
-            const Outcome outcome = run_program(
-                program, {"analyze", "a.wav", "-o", "threads.csv"}, folder_.path(), [user, most] {
+            const Outcome outcome =
+                run_here(program, {"analyze", "a.wav", "-o", "threads.csv"}, [user, most] {
                     limit(RLIMIT_NPROC, most)();
                     if (geteuid() == 0 && (setgid(user) != 0 || setuid(user) != 0)) {
                         _exit(99);

@@ -12,7 +12,7 @@ class TestCliList : public QObject, private CliFolder {
     Q_OBJECT
 
     QByteArray result(const QStringList& arguments) const {
-        const Outcome outcome = run(QStringList{"identify", "-o", "-"} + arguments);
+        const Outcome outcome = run("identify -o -", arguments);
         return outcome.status == 0 ? outcome.out : "failed: " + outcome.err;
     }
 
@@ -24,7 +24,7 @@ private slots:
                          .status,
                      0);
         }
-        QCOMPARE(run({"simulate", "--seconds", "2", "--noise", "0.001", "-o", "c.csv"}).status, 0);
+        QCOMPARE(run("simulate --seconds 2 --noise 0.001 -o c.csv").status, 0);
         QVERIFY(QDir(folder_.path()).mkdir("lists"));
         QVERIFY(put(path("lists/two.csv"), "set;file\nA;../a.wav\nB;../b.wav\nA;../b.wav\n"));
     }
@@ -67,8 +67,8 @@ private slots:
 
     void so_does_one_that_says_how_a_file_is_read() {
         QVERIFY(put(path("list.csv"), "file,rate,time-column,scale\nc.csv,1000,none,3\n"));
-        const QStringList options{"--rate",  "1000", "--time-column", "none",
-                                  "--scale", "3",    "--channels",    "2,3"};
+        const QStringList options =
+            words("--rate 1000 --time-column none --scale 3 --channels 2,3");
         const QByteArray by_line = result(QStringList{"c.csv"} + options);
         QVERIFY2(by_line.startsWith('{'), by_line);
         QCOMPARE(result({"--list", "list.csv", "--channels", "2,3"}), by_line);
@@ -94,7 +94,7 @@ private slots:
 
     void an_option_of_analyze_alone_is_warned_of() {
         QVERIFY(put(path("list.csv"), "file,hop\na.wav,10\n"));
-        const Outcome outcome = run({"identify", "--list", "list.csv", "-o", "x.json"});
+        const Outcome outcome = run("identify --list list.csv -o x.json");
         QCOMPARE(outcome.status, 0);
         QVERIFY2(outcome.err.contains("--hop has no effect: an identification does not use it"),
                  outcome.err);
@@ -136,8 +136,7 @@ private slots:
         QFETCH(int, status);
         QFETCH(QString, part);
         QVERIFY(put(path("list.csv"), list));
-        const Outcome outcome =
-            run(QStringList{"identify"} + arguments.split(' ', Qt::SkipEmptyParts));
+        const Outcome outcome = run("identify", arguments.split(' ', Qt::SkipEmptyParts));
         QCOMPARE(outcome.status, status);
         QCOMPARE(outcome.err_lines().size(), 1);
         QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err);

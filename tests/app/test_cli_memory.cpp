@@ -54,46 +54,55 @@ qint64 lines_of(const QString& path) {
 
 }  // namespace
 
-class TestCliMemory : public QObject {
+class TestCliMemory : public QObject, private CliFolder {
     Q_OBJECT
+
+    // The demonstration of so many seconds, made once for all tests that read it.
+    QString demonstration(int seconds, const QString& ending) {
+        const QString name = QString("run%1.%2").arg(seconds).arg(ending);
+        const QString line = QString("simulate --demo --tau 900 --seconds %1 -o %2");
+        if (!QFile::exists(path(name)) && run(line.arg(seconds).arg(name)).status != 0) {
+            qFatal("no recording");
+        }
+        return path(name);
+    }
+
+    // Whether the short and the long run ended well; tells their memory.
+    static bool ended(const std::vector<qint64>& peaks) {
+        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
+              1e-6 * static_cast<double>(peaks[1]));
+        return peaks[0] > 0 && peaks[1] > 0;
+    }
 
 private slots:
     void memory_does_not_grow_with_the_recording_data() {
-        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("ending");
         QTest::addColumn<QString>("options");
-        QTest::newRow("raw") << "run.npy"
+        QTest::newRow("raw") << "npy"
                              << "--raw f64 --skip 128 --rate 33333";
-        QTest::newRow("NPY") << "run.npy"
+        QTest::newRow("NPY") << "npy"
                              << "--rate 33333";
-        QTest::newRow("WAV") << "run.wav"
+        QTest::newRow("WAV") << "wav"
                              << "";
-        QTest::newRow("CSV") << "run.csv"
+        QTest::newRow("CSV") << "csv"
                              << "";
     }
 
     void memory_does_not_grow_with_the_recording() {
-        QFETCH(QString, file);
+        QFETCH(QString, ending);
         QFETCH(QString, options);
-        const QTemporaryDir folder;
-        const QString recording = folder.filePath(file);
-        const QString track = folder.filePath("track.csv");
+        const QString track = path("track.csv");
         std::vector<qint64> peaks;
-        for (const char* seconds : {"60", "300"}) {
-            const Outcome made = run_cli(
-                {"simulate", "--demo", "--seconds", seconds, "--tau", "900", "-o", recording},
-                folder.path());
-            QCOMPARE(made.status, 0);
+        for (const int seconds : {60, 300}) {
+            const QString recording = demonstration(seconds, ending);
             peaks.push_back(
                 peak_of(QStringList{"analyze", recording, "-o", track, "--window", "60"} +
                         options.split(' ', Qt::SkipEmptyParts)));
             // A row per window of 60 samples, behind the header.
-            const qint64 windows = qint64{33333} * QString(seconds).toInt() / 60;
+            const qint64 windows = qint64{33333} * seconds / 60;
             VYBEG_MORE(lines_of(track), windows);
         }
-        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
-              1e-6 * static_cast<double>(peaks[1]));
-        VYBEG_MORE(peaks[0], 0);
-        VYBEG_MORE(peaks[1], 0);
+        QVERIFY(ended(peaks));
         VYBEG_LESS(peaks[1], 150'000'000);            // one hour may take 300 MB
         VYBEG_LESS(peaks[1] - peaks[0], 10'000'000);  // the four minutes more are 128 MB of samples
     }
@@ -107,61 +116,39 @@ private slots:
 
     void nor_with_the_track_s_format() {
         QFETCH(QString, track);
-        const QTemporaryDir folder;
-        const QString recording = folder.filePath("run.wav");
         std::vector<qint64> peaks;
-        for (const char* seconds : {"20", "200"}) {
-            QCOMPARE(run_cli({"simulate", "--demo", "--seconds", seconds, "--tau", "900", "-o",
-                              recording},
-                             folder.path())
-                         .status,
-                     0);
-            peaks.push_back(
-                peak_of({"analyze", recording, "-o", folder.filePath(track), "--window", "6"}));
+        for (const int seconds : {20, 200}) {
+            const QString recording = demonstration(seconds, "wav");
+            peaks.push_back(peak_of({"analyze", recording, "-o", path(track), "--window", "6"}));
             // 13 numbers for each window of 6 samples.
-            VYBEG_MORE(QFileInfo(folder.filePath(track)).size(),
-                       qint64{33333} * QString(seconds).toInt() / 6 * 13 * 8);
+            VYBEG_MORE(QFileInfo(path(track)).size(), qint64{33333} * seconds / 6 * 13 * 8);
         }
-        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
-              1e-6 * static_cast<double>(peaks[1]));
-        VYBEG_MORE(peaks[0], 0);
-        VYBEG_MORE(peaks[1], 0);
+        QVERIFY(ended(peaks));
         VYBEG_LESS(peaks[1] - peaks[0], 20'000'000);  // the track's numbers alone are 104 MB more
     }
 
     void nor_does_that_of_an_identification() {
-        const QTemporaryDir folder;
-        const QString recording = folder.filePath("run.wav");
         std::vector<qint64> peaks;
         // From 250 s on the windows grow instead of their number.
-        for (const char* seconds : {"250", "600"}) {
-            const Outcome made = run_cli(
-                {"simulate", "--demo", "--seconds", seconds, "--tau", "900", "-o", recording},
-                folder.path());
-            QCOMPARE(made.status, 0);
-            peaks.push_back(
-                peak_of({"identify", recording, "-o", folder.filePath("resonator.json")}));
+        for (const int seconds : {250, 600}) {
+            const QString recording = demonstration(seconds, "wav");
+            peaks.push_back(peak_of({"identify", recording, "-o", path("resonator.json")}));
         }
-        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
-              1e-6 * static_cast<double>(peaks[1]));
-        VYBEG_MORE(peaks[0], 0);
-        VYBEG_MORE(peaks[1], 0);
+        QVERIFY(ended(peaks));
         VYBEG_LESS(peaks[1], 150'000'000);
         VYBEG_LESS(peaks[1] - peaks[0], 10'000'000);  // the 350 s more are 187 MB of samples
     }
 
     void nor_does_that_of_a_batch_with_its_list() {
-        const QTemporaryDir folder;
         for (int k = 0; k < 200; ++k) {
-            const QString recording = folder.filePath(QString("%1.wav").arg(k));
+            const QString recording = path(QString("%1.wav").arg(k));
             if (k < 4) {
-                QCOMPARE(run_cli({"simulate", "--seconds", "2", "--noise", "0.001", "--tau", "400",
-                                  "--two-theta-A", QString::number(0.4 * k), "-o", recording},
-                                 folder.path())
+                QCOMPARE(run("simulate --seconds 2 --noise 0.001 --tau 400",
+                             {"--two-theta-A", QString::number(0.4 * k), "-o", recording})
                              .status,
                          0);
             } else {
-                QVERIFY(QFile::copy(folder.filePath(QString("%1.wav").arg(k % 4)), recording));
+                QVERIFY(QFile::copy(path(QString("%1.wav").arg(k % 4)), recording));
             }
         }
         std::vector<qint64> peaks;
@@ -170,17 +157,14 @@ private slots:
             for (int k = 0; k < recordings; ++k) {
                 list += QString("set %1,%2.wav\n").arg(k / 4).arg(k).toUtf8();
             }
-            QVERIFY(put(folder.filePath("list.csv"), list));
-            const QString table = folder.filePath("table.csv");
-            peaks.push_back(peak_of(
-                {"batch", folder.filePath("list.csv"), "-o", table, "--threads", "1", "--quiet"}));
+            QVERIFY(put(path("list.csv"), list));
+            const QString table = path("table.csv");
+            peaks.push_back(
+                peak_of({"batch", path("list.csv"), "-o", table, "--threads", "1", "--quiet"}));
             VYBEG_MORE(lines_of(table), recordings / 4);
             QCOMPARE(content(table).count(",ok,"), recordings / 4);
         }
-        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
-              1e-6 * static_cast<double>(peaks[1]));
-        VYBEG_MORE(peaks[0], 0);
-        VYBEG_MORE(peaks[1], 0);
+        QVERIFY(ended(peaks));
         VYBEG_LESS(static_cast<double>(peaks[1]), 1.1 * static_cast<double>(peaks[0]));
     }
 };

@@ -112,26 +112,22 @@ class TestCliOutputPairs : public QObject, private CliFolder {
 
     Outcome runAs(Way way, const QString& command, const QString& name) {
         if (way == Way::descriptor) {
-            return run_program(
-                "sh", {"-c", QString("exec 9<>%1; exec %2 %3").arg(name, VYBEG_CLI, command)},
-                folder_.path());
+            return run_here(
+                "sh", {"-c", QString("exec 9<>%1; exec %2 %3").arg(name, VYBEG_CLI, command)});
         }
         if (way == Way::bind_mount) {
-            return run_program(
-                "unshare",
-                {"-rm", "sh", "-c",
-                 QString("mount --bind . bound && exec %1 %2").arg(VYBEG_CLI, command)},
-                folder_.path());
+            return run_here(
+                "unshare", {"-rm", "sh", "-c",
+                            QString("mount --bind . bound && exec %1 %2").arg(VYBEG_CLI, command)});
         }
-        return run(command.split(' '));
+        return run(command);
     }
 
 private slots:
     void initTestCase() {
         QVERIFY(make_twelve_sets(folder_.path()));
-        QCOMPARE(run({"simulate", "--seconds", "2", "--two-theta-A", "0.6", "-o", "a.csv"}).status,
-                 0);
-        QCOMPARE(run({"identify", "a.wav", "b.wav", "--passport", "passport.json"}).status, 0);
+        QCOMPARE(run("simulate --seconds 2 --two-theta-A 0.6 -o a.csv").status, 0);
+        QCOMPARE(run("identify a.wav b.wav --passport passport.json").status, 0);
         QVERIFY(put(path("limits.csv"), "parameter,least,greatest\ntau,1,1000\n"));
         QVERIFY(put(path("csv-list.csv"), "set,file\na.csv,a.csv\n"));
         QVERIFY(put(path("samples.bin"), QByteArray(64000, '\1')));
@@ -143,8 +139,7 @@ private slots:
     void no_output_leads_to_an_input_or_another_output() {
         const QMap<QString, QByteArray> before = snapshot();
         const bool mounts =
-            run_program("unshare", {"-rm", "mount", "--bind", ".", "bound"}, folder_.path())
-                .status == 0;
+            run_here("unshare", {"-rm", "mount", "--bind", ".", "bound"}).status == 0;
         if (!mounts) {
             qWarning("NOT TESTED: this system lets no folder be mounted twice (unshare -rm).");
         }

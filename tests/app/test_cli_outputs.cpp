@@ -18,12 +18,9 @@ class TestCliOutputs : public QObject, private CliFolder {
 
 private slots:
     void initTestCase() {
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "a.wav"}).status, 0);
-        QCOMPARE(
-            run({"simulate", "--demo", "--seconds", "2", "--two-theta-A", "1.2", "-o", "b.wav"})
-                .status,
-            0);
-        QCOMPARE(run({"identify", "a.wav", "b.wav", "--passport", "passport.json"}).status, 0);
+        QCOMPARE(run("simulate --demo --seconds 2 -o a.wav").status, 0);
+        QCOMPARE(run("simulate --demo --seconds 2 --two-theta-A 1.2 -o b.wav").status, 0);
+        QCOMPARE(run("identify a.wav b.wav --passport passport.json").status, 0);
         QVERIFY(QDir(folder_.path()).mkdir("sub"));
         QVERIFY(QFile::link(path("a.wav"), path("soft.csv")));
         QCOMPARE(::link(qPrintable(path("a.wav")), qPrintable(path("hard.csv"))), 0);
@@ -62,7 +59,7 @@ private slots:
         const QByteArray recording = file("a.wav");
         const QByteArray other = file("b.wav");
         const QByteArray passport = file("passport.json");
-        const Outcome outcome = run(command.split(' '));
+        const Outcome outcome = run(command);
         VYBEG_EQUAL(outcome.status, 2, outcome.err);
         QVERIFY2(outcome.err.startsWith("vybeg-cli: " + option.toUtf8() + " cannot be"),
                  outcome.err);
@@ -76,21 +73,17 @@ private slots:
 
     void standard_output_that_is_the_recording_is_no_output() {
         QVERIFY(QFile::copy(path("a.wav"), path("appended.wav")));
-        const Outcome outcome = run_program(
+        const Outcome outcome = run_here(
             "sh",
-            {"-c", QString("exec %1 analyze appended.wav -o - >> appended.wav").arg(VYBEG_CLI)},
-            folder_.path());
+            {"-c", QString("exec %1 analyze appended.wav -o - >> appended.wav").arg(VYBEG_CLI)});
         QCOMPARE(outcome.status, 2);
         QVERIFY(file("appended.wav") == file("a.wav"));
     }
 
     void two_outputs_to_the_null_device_are_none() {
-        const Outcome outcome =
-            run({"simulate", "--seconds", "0.01", "-o", "/dev/null", "--truth", "/dev/null"});
+        const Outcome outcome = run("simulate --seconds 0.01 -o /dev/null --truth /dev/null");
         VYBEG_EQUAL(outcome.status, 5, outcome.err);  // of its ending
-        QCOMPARE(run({"identify", "a.wav", "b.wav", "-o", "/dev/null", "--passport", "/dev/null"})
-                     .status,
-                 0);
+        QCOMPARE(run("identify a.wav b.wav -o /dev/null --passport /dev/null").status, 0);
     }
 
     void closed_standard_descriptors_put_nothing_into_the_outputs_data() {
@@ -106,20 +99,20 @@ private slots:
         // --rate has no effect here, which is warned of.
         const QString line = QString("exec %1 analyze a.wav -o track.csv --rate 1 --timing %2")
                                  .arg(VYBEG_CLI, closed);
-        QCOMPARE(run({"analyze", "a.wav", "-o", "usual.csv"}).status, 0);
+        QCOMPARE(run("analyze a.wav -o usual.csv").status, 0);
         QFile::remove(path("track.csv"));
-        QCOMPARE(run_program("sh", {"-c", line}, folder_.path()).status, 0);
+        QCOMPARE(run_here("sh", {"-c", line}).status, 0);
         QVERIFY(file("track.csv") == file("usual.csv"));
         const QString passport = QString("exec %1 identify a.wav b.wav -o result.json --rate 1 %2")
                                      .arg(VYBEG_CLI, closed);
-        QCOMPARE(run_program("sh", {"-c", passport}, folder_.path()).status, 0);
+        QCOMPARE(run_here("sh", {"-c", passport}).status, 0);
         QVERIFY(!object(file("result.json")).isEmpty());
     }
 
     void closed_standard_output_cannot_be_written() {
         for (const char* command : {"analyze a.wav -o -", "info a.wav", "identify a.wav b.wav"}) {
-            const Outcome outcome = run_program(
-                "sh", {"-c", QString("exec %1 %2 >&-").arg(VYBEG_CLI, command)}, folder_.path());
+            const Outcome outcome =
+                run_here("sh", {"-c", QString("exec %1 %2 >&-").arg(VYBEG_CLI, command)});
             VYBEG_EQUAL(outcome.status, 5, outcome.err);
             QVERIFY2(outcome.err.contains("standard output cannot be written"), outcome.err);
         }
@@ -141,7 +134,7 @@ private slots:
                                  "mkfifo pipe && exec 3<> pipe && exec 4> pipe && exec 3>&- && "
                                  "exec %1 %2 >&4")
                                  .arg(VYBEG_CLI, command);
-        const Outcome outcome = run_program("sh", {"-c", line}, folder_.path());
+        const Outcome outcome = run_here("sh", {"-c", line});
         QVERIFY(QFile::remove(path("pipe")));
         VYBEG_EQUAL(outcome.status, 5, outcome.err);
         QVERIFY2(outcome.err.contains("standard output cannot be written: Broken pipe."),
@@ -158,12 +151,11 @@ private slots:
     void a_recording_that_grows_while_it_is_read_is_an_error() {
         QFETCH(QString, command);
         QFile::remove(path("grows.wav"));
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "60", "-o", "grows.wav"}).status, 0);
+        QCOMPARE(run("simulate --demo --seconds 60 -o grows.wav").status, 0);
         const QString old = command.contains("identify") ? "old" : "old.csv";
         QVERIFY(put(path(old), "old"));
         QProcess process;
-        process.setWorkingDirectory(folder_.path());
-        process.start(VYBEG_CLI, command.split(' '));
+        start(process, command.split(' '));
         // The output is opened when the recording was, and long before its last sample is read.
         while (temporaries().isEmpty() && process.state() != QProcess::NotRunning) {
             process.waitForFinished(1);

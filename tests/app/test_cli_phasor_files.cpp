@@ -27,7 +27,7 @@ private slots:
     void ticks_of_labone_are_seconds() {
         const double clockbase = 6e7;
         const LockIn lock_in{4, 30, 150};
-        const QByteArray both = log_of(folder_.filePath("0.npy"), lock_in, Frame::fixed, 1, 1);
+        const QByteArray both = log_of_run(0, lock_in, Frame::fixed);
         QByteArray of_c = "chunk;timestamp;x;y;freq;phase;dio;trigger;auxin0;auxin1\n";
         QByteArray of_d = of_c;
         const auto add = [&](QByteArray& to, const QByteArray& t, const QByteArray& x,
@@ -46,22 +46,20 @@ private slots:
         write("plain.csv", both);
         write("dev1_demods_0_sample_00000.csv", of_c);
         write("dev1_demods_1_sample_00000.csv", of_d);
-        const QStringList choice{"--phasors",   "fixed", "--y-sign", "+",
-                                 "--amplitude", "peak",  "-o",       "-"};
-        const QStringList demods{"identify", "dev1_demods_0_sample_00000.csv", "--channel-d",
-                                 "dev1_demods_1_sample_00000.csv"};
-        const Outcome refused = run_cli(demods + choice, folder_.path());
+        const QStringList choice = words("--phasors fixed --y-sign + --amplitude peak -o -");
+        const QStringList demods = words(
+            "identify dev1_demods_0_sample_00000.csv --channel-d dev1_demods_1_sample_00000.csv");
+        const Outcome refused = run(demods + choice);
         QCOMPARE(refused.status, 3);
-        QVERIFY2(refused.err.contains("--rate"), refused.err.constData());
+        QVERIFY2(refused.err.contains("--rate"), refused.err);
         const auto wave = [&](const QStringList& arguments) {
-            const Outcome read = run_cli(arguments, folder_.path());
+            const Outcome read = run(arguments);
             if (read.status != 0) {
                 qWarning("%s", read.err.constData());
             }
-            return json_of(read)["runs"].toArray()[0].toObject()["wave"].toObject();
+            return json_of(read)["runs"][0]["wave"].toObject();
         };
-        const QJsonObject told =
-            wave(QStringList{"identify", "plain.csv", "--f-ref", "5300.1"} + choice);
+        const QJsonObject told = wave(words("identify plain.csv --f-ref 5300.1") + choice);
         write("dev1_demods_0_sample_header_00000.csv", "chunk;clockbase;name\n0;60000000;demod\n");
         write("dev1_demods_1_sample_header_00000.csv", "chunk;clockbase;name\n0;60000000;demod\n");
         QStringList other = demods + choice;
@@ -69,8 +67,7 @@ private slots:
                                                                  << "222.22")}) {
             for (const QString name : {"f_hz", "tau_s"}) {
                 const QJsonObject expected = told[name].toObject();
-                VYBEG_LESS(std::abs(found[name].toObject()["value"].toDouble() -
-                                    expected["value"].toDouble()),
+                VYBEG_LESS(std::abs(found[name]["value"].toDouble() - expected["value"].toDouble()),
                            expected["sd"].toDouble() * 0.1);
             }
         }
@@ -89,24 +86,21 @@ private slots:
         write("long_C.csv", c);
         write("long_D.csv", c.left(c.size() / 2).append('\n'));
         const Outcome read =
-            run_cli({"identify", "long_C.csv", "--channel-d", "long_D.csv", "--phasors", "fixed",
-                     "--f-ref", "5300", "--y-sign", "+", "--amplitude", "peak", "--verbose"},
-                    folder_.path());
+            run("identify long_C.csv --channel-d long_D.csv --phasors fixed --f-ref 5300 --y-sign "
+                "+ --amplitude peak --verbose");
         QVERIFY2(read.err.contains("differ in length: long_C.csv has 400 samples, long_D.csv has "),
-                 read.err.constData());
+                 read.err);
     }
 
     void the_phase_of_a_moving_oscillator_is_not_guessed() {
-        QByteArray log =
-            log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::common_frequency, 1, 1);
+        QByteArray log = log_of_run(0, {4, 30, 150}, Frame::common_frequency);
         QList<QByteArray> lines = log.split('\n');
         lines.remove(1000, 30);
         write("gap.csv", lines.join('\n'));
-        const Outcome refused = run_cli(
-            {"identify", "gap.csv", "--phasors", "common", "--y-sign", "+", "--amplitude", "peak"},
-            folder_.path());
+        const Outcome refused =
+            run("identify gap.csv --phasors common --y-sign + --amplitude peak");
         QCOMPARE(refused.status, 2);
-        QVERIFY2(refused.err.contains("--from or --to"), refused.err.constData());
+        QVERIFY2(refused.err.contains("--from or --to"), refused.err);
     }
 
     // A beat of 0.8 Hz behind a filter of 0.5 Hz, whose delay is longer than a second.
@@ -116,30 +110,29 @@ private slots:
         const LockIn slow{4, 0.5, 600};
         for (int k = 0; k < runs; ++k) {
             const QString name = QString("beat%1").arg(k);
-            QCOMPARE(run_cli({"simulate", "-o", name + ".npy", "--seconds", "40", "--split", "0.8",
-                              "--theta-w", "0.2", "--tau", "60", "--noise", "0.001", "--f0",
-                              "5300.1", "--seed", QString::number(k + 30), "--two-theta-A",
-                              QString::number(0.2 + k * pi / 4)},
-                             folder_.path())
+            QCOMPARE(run({"simulate", "-o", name + ".npy", "--seconds", "40", "--split", "0.8",
+                          "--theta-w", "0.2", "--tau", "60", "--noise", "0.001", "--f0", "5300.1",
+                          "--seed", QString::number(k + 30), "--two-theta-A",
+                          QString::number(0.2 + k * pi / 4)})
                          .status,
                      0);
-            write(name + ".csv", log_of(folder_.filePath(name + ".npy"), slow, Frame::fixed, 1, 1));
+            write(name + ".csv", log_of(path(name + ".npy"), slow, Frame::fixed, 1, 1));
             samples << name + ".npy";
             logs << name + ".csv";
         }
         const QJsonObject found = json_of(identify_fixed(logs, {"--lock-in", "4,0.5Hz"}));
-        const QJsonObject split = found["resonator"].toObject()["split_hz"].toObject();
+        const QJsonObject split = found["resonator"]["split_hz"].toObject();
         const double sd = split["sd"].toDouble();
         VYBEG_WITHIN(split["value"].toDouble(), 0.8, 3 * sd);
         // What the noise of the samples gives, and the filter leaves.
         VYBEG_LESS(sd, 2e-4);
-        const QJsonObject axis = found["resonator"].toObject()["theta_w_rad"].toObject();
+        const QJsonObject axis = found["resonator"]["theta_w_rad"].toObject();
         VYBEG_WITHIN(axis["value"].toDouble(), 0.2, 3 * axis["sd"].toDouble());
     }
 
     // Rows that are missing, twice there, or in other units change the noise of no other row.
     void missing_rows_and_unlike_units() {
-        const QByteArray log = log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1);
+        const QByteArray log = log_of_run(0, {4, 30, 150}, Frame::fixed);
         write("all.csv", log);
         QList<QByteArray> lines = log.split('\n');
         QList<QByteArray> some;
@@ -164,15 +157,15 @@ private slots:
             if (read.status != 0) {
                 qFatal("%s", read.err.constData());
             }
-            return json_of(read)["runs"].toArray()[0].toObject();
+            return json_of(read)["runs"][0].toObject();
         };
         const QJsonObject all = wave("all.csv");
-        const double tau = all["wave"].toObject()["tau_s"].toObject()["value"].toDouble();
-        const double sd = all["wave"].toObject()["tau_s"].toObject()["sd"].toDouble();
+        const double tau = all["wave"]["tau_s"]["value"].toDouble();
+        const double sd = all["wave"]["tau_s"]["sd"].toDouble();
         for (const QString file : {"some.csv", "milli.csv"}) {
             const QJsonObject found = wave(file);
             VYBEG_WITHIN(found["noise_sd"].toDouble() / all["noise_sd"].toDouble(), 1, 0.1);
-            const QJsonObject its = found["wave"].toObject()["tau_s"].toObject();
+            const QJsonObject its = found["wave"]["tau_s"].toObject();
             VYBEG_WITHIN(its["value"].toDouble(), tau, sd);
             VYBEG_WITHIN(its["sd"].toDouble() / sd, 1, 0.1);
         }
@@ -180,8 +173,7 @@ private slots:
 
     // A phase column counts from a reference that the frequency beside it tells.
     void the_reference_stands_behind_phase_and_frequency() {
-        const QByteArray log =
-            log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::common_phase, 1, 1);
+        const QByteArray log = log_of_run(0, {4, 30, 150}, Frame::common_phase);
         QList<QByteArray> lines = log.split('\n');
         lines[0] += ",F (Hz)";
         for (qsizetype k = 1; k + 1 < lines.size(); ++k) {
@@ -189,17 +181,16 @@ private slots:
             lines[k] += ',' + QByteArray::number(f_ref_hz + 0.3 * std::sin(0.5 * t), 'g', 12);
         }
         write("both.csv", lines.join('\n'));
-        const Outcome run = run_cli({"identify", "both.csv", "-o", "-", "--phasors", "common",
-                                     "--y-sign", "+", "--amplitude", "peak"},
-                                    folder_.path());
-        VYBEG_EQUAL(run.status, 0, run.err.constData());
-        const QJsonObject f = json_of(run)["runs"].toArray()[0].toObject()["wave"].toObject();
-        VYBEG_WITHIN(f["f_hz"].toObject()["value"].toDouble(), 5300, 0.05);
+        const Outcome outcome =
+            run("identify both.csv -o - --phasors common --y-sign + --amplitude peak");
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
+        const QJsonObject f = json_of(outcome)["runs"][0]["wave"].toObject();
+        VYBEG_WITHIN(f["f_hz"]["value"].toDouble(), 5300, 0.05);
     }
 
     // Mixers of unlike sides.
     void a_channel_with_the_other_sign_of_y_is_told() {
-        const QByteArray log = log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1);
+        const QByteArray log = log_of_run(0, {4, 30, 150}, Frame::fixed);
         QList<QByteArray> lines = log.split('\n');
         for (qsizetype row = 1; row + 1 < lines.size(); ++row) {
             QList<QByteArray> fields = lines[row].split(',');
@@ -208,7 +199,7 @@ private slots:
         }
         write("unlike.csv", lines.join('\n'));
         const Outcome told = identify_fixed({"unlike.csv"}, {"--lock-in", "4,30Hz", "--to", "6"});
-        QVERIFY2(told.err.contains("as if Y of one had the other sign"), told.err.constData());
+        QVERIFY2(told.err.contains("as if Y of one had the other sign"), told.err);
     }
 
     void noise_is_no_wave() {
@@ -225,8 +216,7 @@ private slots:
         write("noise.csv", noise);
         const Outcome refused = identify_fixed({"noise.csv"}, {});
         QCOMPARE(refused.status, 4);
-        QVERIFY2(refused.err.contains("noise.csv: no wave stands out of the noise"),
-                 refused.err.constData());
+        QVERIFY2(refused.err.contains("noise.csv: no wave stands out of the noise"), refused.err);
     }
 
     // A real Moku Pro phasemeter, 37.25 Hz.
@@ -242,26 +232,25 @@ private slots:
         QVERIFY(unzip.waitForFinished());
         const QString csv = "MokuPhasemeterData_MokuProTest.csv";
         for (const char* command : {"info", "identify"}) {
-            const Outcome refused = run_cli({command, csv}, folder_.path());
+            const Outcome refused = run({command, csv});
             QCOMPARE(refused.status, 3);
-            QVERIFY2(refused.err.contains("it holds phasors"), refused.err.constData());
+            QVERIFY2(refused.err.contains("it holds phasors"), refused.err);
         }
-        const Outcome read = run_cli({"identify", zip, "-o", "-", "--phasors", "pll", "--y-sign",
-                                      "+", "--amplitude", "peak", "--to", "60"},
-                                     folder_.path());
-        VYBEG_EQUAL(read.status, 0, read.err.constData());
-        const QJsonObject run = json_of(read)["runs"].toArray()[0].toObject();
-        const double f_hz = run["wave"].toObject()["f_hz"].toObject()["value"].toDouble();
+        const Outcome read = run({"identify", zip, "-o", "-", "--phasors", "pll", "--y-sign", "+",
+                                  "--amplitude", "peak", "--to", "60"});
+        VYBEG_EQUAL(read.status, 0, read.err);
+        const QJsonObject run = json_of(read)["runs"][0].toObject();
+        const double f_hz = run["wave"]["f_hz"]["value"].toDouble();
         // The mean of the whole log; the frequency wanders by some mHz.
         VYBEG_LESS(std::abs(f_hz - 250000.0176), 3e-3);
-        const QJsonObject input = json_of(read)["inputs"].toArray()[0].toObject();
+        const QJsonObject input = json_of(read)["inputs"][0].toObject();
         VYBEG_LESS(std::abs(input["rate_hz"].toDouble() - 37.2529), 1e-3);
     }
 
     // /000/dev3000/demods/0/sample/x of HDF5, dev3000.demods(1).sample.x of MAT.
     void variables_of_labone() {
         const LockIn lock_in{4, 30, 150};
-        write("plain.csv", log_of(folder_.filePath("0.npy"), lock_in, Frame::fixed, 1, 1));
+        write("plain.csv", log_of_run(0, lock_in, Frame::fixed));
         run_python(folder_.path().toStdString(), QStringLiteral(R"(
 import h5py, scipy.io
 log = np.loadtxt('plain.csv', delimiter=',', skiprows=1)
@@ -279,28 +268,25 @@ scipy.io.savemat('labone.mat', {'dev3000': {'demods': demods}})
 )"));
         const auto wave = [&](const QStringList& arguments) {
             const Outcome read =
-                run_cli(QStringList{"identify", "-o", "-", "--phasors", "fixed", "--f-ref",
-                                    "5300.1", "--y-sign", "+", "--amplitude", "peak"} +
-                            arguments,
-                        folder_.path());
+                run("identify -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak",
+                    arguments);
             if (read.status != 0) {
                 qWarning("%s", read.err.constData());
             }
-            return json_of(read)["runs"].toArray()[0].toObject()["wave"].toObject();
+            return json_of(read)["runs"][0]["wave"].toObject();
         };
         const QJsonObject told = wave({"plain.csv"});
         for (const QString file : {"labone.h5", "labone.mat"}) {
             const QJsonObject found = wave({file, "--rate", "222.22"});
             for (const QString name : {"f_hz", "tau_s"}) {
                 const QJsonObject expected = told[name].toObject();
-                VYBEG_LESS(std::abs(found[name].toObject()["value"].toDouble() -
-                                    expected["value"].toDouble()),
+                VYBEG_LESS(std::abs(found[name]["value"].toDouble() - expected["value"].toDouble()),
                            expected["sd"].toDouble() * 0.1);
             }
         }
         const Outcome refused = identify_fixed({"labone.h5"}, {});
         QCOMPARE(refused.status, 3);
-        QVERIFY2(refused.err.contains("--rate"), refused.err.constData());
+        QVERIFY2(refused.err.contains("--rate"), refused.err);
     }
 };
 

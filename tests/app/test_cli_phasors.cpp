@@ -4,8 +4,6 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 
-#include <QFile>
-#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QtTest>
@@ -56,32 +54,26 @@ private slots:
         QFETCH(double, y_sign);
         QFETCH(bool, rms);
         const auto kind = static_cast<Frame>(frame);
-        QStringList arguments{"identify",
-                              "-o",
-                              "-",
-                              "--phasors",
-                              kind == Frame::fixed ? "fixed"
-                              : kind == Frame::pll ? "pll"
-                                                   : "common",
-                              "--y-sign",
-                              y_sign > 0 ? "+" : "-",
-                              "--amplitude",
-                              rms ? "rms" : "peak",
-                              "--lock-in",
-                              QString("%1,%2Hz").arg(order).arg(bandwidth)};
+        QStringList arguments =
+            words("identify -o -") +
+            QStringList{"--phasors",
+                        kind == Frame::fixed ? "fixed" : kind == Frame::pll ? "pll" : "common",
+                        "--y-sign",
+                        y_sign > 0 ? "+" : "-",
+                        "--amplitude",
+                        rms ? "rms" : "peak",
+                        "--lock-in",
+                        QString("%1,%2Hz").arg(order).arg(bandwidth)};
         if (kind != Frame::common_frequency) {
             arguments << "--f-ref" << QString::number(f_ref_hz);
         }
         for (int k = 0; k < runs; ++k) {
-            QFile file(folder_.filePath(QString("log%1.csv").arg(k)));
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write(log_of(folder_.filePath(QString::number(k) + ".npy"),
-                              {order, bandwidth, samples}, kind, y_sign,
-                              rms ? std::numbers::sqrt2 : 1));
-            arguments << QFileInfo(file).fileName();
+            arguments << QString("log%1.csv").arg(k);
+            write(arguments.last(), log_of_run(k, {order, bandwidth, samples}, kind, y_sign,
+                                               rms ? std::numbers::sqrt2 : 1));
         }
-        const Outcome identified = run_cli(arguments, folder_.path());
-        VYBEG_EQUAL(identified.status, 0, identified.err.constData());
+        const Outcome identified = run(arguments);
+        VYBEG_EQUAL(identified.status, 0, identified.err);
         const QJsonObject found = json_of(identified)["resonator"].toObject();
         const QJsonObject expected = resonator_of_samples({order, bandwidth, samples});
         for (const QString name :
@@ -93,24 +85,18 @@ private slots:
                        qPrintable(name));
             VYBEG_LESS(std::abs(here["sd"].toDouble() / sd - 1), 0.08, qPrintable(name));
         }
-        const double amplitude = json_of(identified)["runs"]
-                                     .toArray()[0]
-                                     .toObject()["a_A"]
-                                     .toObject()["value"]
-                                     .toDouble();
+        const double amplitude = json_of(identified)["runs"][0]["a_A"]["value"].toDouble();
         VYBEG_LESS(std::abs(amplitude - 1), 0.01);
     }
 
     void simulate_writes_the_log_of_a_lock_in() {
-        const QStringList decay{"simulate", "-o",      "lock.wav", "--seconds", "10",
-                                "--tau",    "40",      "--f0",     "5300.1",    "--noise",
-                                "1e-3",     "--split", "0.05"};
-        const Outcome made =
-            run_cli(decay + QStringList{"--lock-in", "4,30Hz,200"}, folder_.path());
-        VYBEG_EQUAL(made.status, 0, made.err.constData());
+        const QStringList decay = words(
+            "simulate -o lock.wav --seconds 10 --tau 40 --f0 5300.1 --noise 1e-3 --split 0.05");
+        const Outcome made = run(decay + words("--lock-in 4,30Hz,200"));
+        VYBEG_EQUAL(made.status, 0, made.err);
         const auto tau = [&](const QStringList& arguments) {
-            const QJsonObject json = json_of(run_cli(arguments, folder_.path()));
-            return json["runs"].toArray()[0].toObject()["wave"].toObject()["tau_s"].toObject();
+            const QJsonObject json = json_of(run(arguments));
+            return json["runs"][0]["wave"]["tau_s"].toObject();
         };
         const QJsonObject of_samples = tau({"identify", "lock.wav", "-o", "-", "--from", "0.1"});
         const QJsonObject of_log =
@@ -120,61 +106,54 @@ private slots:
         VYBEG_LESS(std::abs(of_log["value"].toDouble() - of_samples["value"].toDouble()), 0.5 * sd);
         VYBEG_LESS(std::abs(of_log["sd"].toDouble() / sd - 1), 0.1);
         for (const QString text : {"4,30", "9,30,200", "4,0,200"}) {
-            QCOMPARE(run_cli(decay + QStringList{"--lock-in", text}, folder_.path()).status, 2);
+            QCOMPARE(run(decay + QStringList{"--lock-in", text}).status, 2);
         }
-        const Outcome nameless =
-            run_cli({"simulate", "-o", "-", "--lock-in", "4,30,200"}, folder_.path());
+        const Outcome nameless = run("simulate -o - --lock-in 4,30,200");
         QCOMPARE(nameless.status, 2);
     }
 
     // A gain and an angle of the electrodes that are told count as for samples; what is of samples
     // is named.
     void calibration_of_a_log() {
-        QStringList identify{"identify", "-o",        "-",        "--phasors", "fixed",
-                             "--f-ref",  "5300.1",    "--y-sign", "+",         "--amplitude",
-                             "peak",     "--lock-in", "4,30Hz"};
+        QStringList identify = words(
+            "identify -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak --lock-in "
+            "4,30Hz");
         for (int k = 0; k < runs; ++k) {
             const QString name = QString("fixed%1.csv").arg(k);
-            write(name, log_of(folder_.filePath(QString::number(k) + ".npy"), {4, 30, 150},
-                               Frame::fixed, 1, 1));
+            write(name, log_of_run(k, {4, 30, 150}, Frame::fixed, 1, 1));
             identify << name;
         }
         // Empty where the command fails.
         const auto resonator = [&](const QStringList& more) {
-            return json_of(run_cli(identify + more, folder_.path()))["resonator"].toObject();
+            return json_of(run(identify + more))["resonator"].toObject();
         };
         const auto value = [](const QJsonObject& of, const QString& name) {
-            return of[name].toObject()["value"].toDouble();
+            return of[name]["value"].toDouble();
         };
         const QJsonObject as_it_is = resonator({});
         const QJsonObject turned = resonator({"--angle-zero", "10"});
-        const double sd = as_it_is["theta_w_rad"].toObject()["sd"].toDouble();
+        const double sd = as_it_is["theta_w_rad"]["sd"].toDouble();
         VYBEG_CLOSE(value(as_it_is, "theta_w_rad") - value(turned, "theta_w_rad"), pi / 18, 2 * sd);
         const QJsonObject told = resonator({"--kappa", "0.8", "--tolerance", "kappa=0.5"});
         VYBEG_CLOSE(value(told, "theta_w_rad"), value(as_it_is, "theta_w_rad"), 2 * sd);
         VYBEG_CLOSE(value(told, "kappa"), 1, 0.002);
-        const Outcome idle = run_cli(identify + QStringList{"--window", "600"}, folder_.path());
-        QVERIFY2(idle.err.contains("--window has no effect: a log holds no samples"),
-                 idle.err.constData());
+        const Outcome idle = run(identify + words("--window 600"));
+        QVERIFY2(idle.err.contains("--window has no effect: a log holds no samples"), idle.err);
     }
 
     void analyze_writes_the_track_of_a_log() {
-        write("track_of.csv", log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1));
-        const QStringList analyze{"analyze",     "track_of.csv", "-o",     "-",        "--phasors",
-                                  "fixed",       "--f-ref",      "5300.1", "--y-sign", "+",
-                                  "--amplitude", "peak"};
-        const Outcome run = run_cli(analyze, folder_.path());
-        VYBEG_EQUAL(run.status, 0, run.err.constData());
-        QVERIFY(run.out.contains("# phasors: fixed\n"));
-        QVERIFY(run.out.contains("# y-sign: +\n"));
-        QVERIFY(!run.out.contains("# algorithm"));
+        write("track_of.csv", log_of_run(0, {4, 30, 150}, Frame::fixed));
+        const QStringList analyze = words(
+            "analyze track_of.csv -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak");
+        const Outcome outcome = run(analyze);
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
+        QVERIFY(outcome.out.contains("# phasors: fixed\n"));
+        QVERIFY(outcome.out.contains("# y-sign: +\n"));
+        QVERIFY(!outcome.out.contains("# algorithm"));
         // 20 s in windows of 15 ms or more.
-        VYBEG_WITHIN(run.out.count('\n'), 1500, 100);
-        QCOMPARE(run_cli(analyze + QStringList{"--offset", "auto"}, folder_.path())
-                     .err.count("--offset has no effect"),
-                 1);
-        const Outcome untold =
-            run_cli({"analyze", "track_of.csv", "-o", "-", "--phasors", "fixed"}, folder_.path());
+        VYBEG_WITHIN(outcome.out.count('\n'), 1500, 100);
+        QCOMPARE(run(analyze + words("--offset auto")).err.count("--offset has no effect"), 1);
+        const Outcome untold = run("analyze track_of.csv -o - --phasors fixed");
         QCOMPARE(untold.status, 2);
         QVERIFY(untold.out.isEmpty());
     }
@@ -185,49 +164,40 @@ private slots:
         QByteArray list = "file;set;phasors;f-ref;y-sign;amplitude;lock-in;gyro\n";
         for (int k = 0; k < runs; ++k) {
             const QString name = QString("listed%1.csv").arg(k);
-            write(name, log_of(folder_.filePath(QString::number(k) + ".npy"), {4, 30, 150},
-                               Frame::fixed, -1, std::sqrt(2.0)));
+            write(name, log_of_run(k, {4, 30, 150}, Frame::fixed, -1, std::sqrt(2.0)));
             files << name;
             // One row tells it of the set.
             list += name.toUtf8() + (k == 0 ? ";A;fixed;5300,1;-;rms;4,30Hz;G1\n" : ";A;;;;;;\n");
         }
         list += "0.npy;B;;;;;;\n";
         write("logs.csv", list);
-        const QJsonObject told = json_of(
-            run_cli(QStringList{"identify", "-o", "-", "--phasors", "fixed", "--f-ref", "5300.1",
-                                "--y-sign", "-", "--amplitude", "rms", "--lock-in", "4,30"} +
-                        files,
-                    folder_.path()));
-        QVERIFY(told["resonator"].toObject()["tau_s"].toObject()["value"].toDouble() > 0);
-        const Outcome batch = run_cli(
-            {"batch", "logs.csv", "-o", "-", "--json", "json", "--rate", "33333"}, folder_.path());
-        QVERIFY2(!batch.err.contains("formula"), batch.err.constData());
+        const QJsonObject told =
+            json_of(run("identify -o - --phasors fixed --f-ref 5300.1 --y-sign - --amplitude rms "
+                        "--lock-in 4,30",
+                        files));
+        QVERIFY(told["resonator"]["tau_s"]["value"].toDouble() > 0);
+        const Outcome batch = run("batch logs.csv -o - --json json --rate 33333");
+        QVERIFY2(!batch.err.contains("formula"), batch.err);
         QCOMPARE(field_of(batch.out, 0, "status"), QByteArray("ok"));
-        QFile file(folder_.filePath("json/A.json"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QJsonObject listed = QJsonDocument::fromJson(file.readAll()).object();
+        const QJsonObject listed = object(file("json/A.json"));
         for (const QString part : {"resonator", "modes", "runs", "settings", "model"}) {
             QVERIFY2(listed[part] == told[part], qPrintable(part));
         }
-        QCOMPARE(listed["settings"].toObject()["y-sign"].toString(), QString("-"));
-        QCOMPARE(listed["settings"].toObject()["lock-in"].toString(), QString("4,30"));
+        QCOMPARE(listed["settings"]["y-sign"].toString(), QString("-"));
+        QCOMPARE(listed["settings"]["lock-in"].toString(), QString("4,30"));
         // A set of recordings has no words about logs.
-        QFile other(folder_.filePath("json/B.json"));
-        QVERIFY(other.open(QIODevice::ReadOnly));
-        const QJsonObject of_samples = QJsonDocument::fromJson(other.readAll()).object();
+        const QJsonObject of_samples = object(file("json/B.json"));
         QVERIFY(!of_samples["settings"].toObject().contains("phasors"));
-        const Outcome identified =
-            run_cli({"identify", "--list", "logs.csv", "--set", "A", "-o", "-"}, folder_.path());
+        const Outcome identified = run("identify --list logs.csv --set A -o -");
         QVERIFY(json_of(identified)["resonator"] == told["resonator"]);
     }
 
     void what_does_not_belong_together_is_refused() {
-        write("one.csv", log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1));
+        write("one.csv", log_of_run(0, {4, 30, 150}, Frame::fixed));
         const auto said = [this](const QByteArray& rows) {
             write("mixed.csv", "file,set,phasors,f-ref,y-sign,amplitude\n" + rows);
-            const Outcome run =
-                run_cli({"identify", "--list", "mixed.csv", "--rate", "33333"}, folder_.path());
-            return run.status == 0 ? QByteArray("no refusal") : run.err;
+            const Outcome outcome = run("identify --list mixed.csv --rate 33333");
+            return outcome.status == 0 ? QByteArray("no refusal") : outcome.err;
         };
         const QByteArray mixed = said("one.csv,A,fixed,5300.1,+,peak\nmade.wav,A,,,,\n");
         QVERIFY2(mixed.contains("made.wav"), mixed.constData());
@@ -237,70 +207,62 @@ private slots:
                  differs.constData());
         const QByteArray untold = said("one.csv,A,,,,\n");
         QVERIFY2(untold.contains("columns of a measurement list"), untold.constData());
-        QVERIFY(run_cli({"simulate", "-o", "made.wav", "--seconds", "1"}, folder_.path()).status ==
-                0);
+        QVERIFY(run("simulate -o made.wav --seconds 1").status == 0);
         const QByteArray audio = said("one.csv,A,fixed,5300.1,+,peak\nmade.wav,A,,,,\n");
         QVERIFY2(audio.contains("made.wav is no log") && audio.contains("a set of its own"),
                  audio.constData());
         // An option that has no part beside what the set has is told.
-        const Outcome idle =
-            run_cli({"identify", "0.npy", "--rate", "33333", "--y-sign", "+"}, folder_.path());
-        QVERIFY2(idle.err.contains("--y-sign has no effect"), idle.err.constData());
+        const Outcome idle = run("identify 0.npy --rate 33333 --y-sign +");
+        QVERIFY2(idle.err.contains("--y-sign has no effect"), idle.err);
     }
 
     // A moved part of a log, whose first seconds are those of a hand.
     void part_of_a_log() {
-        QByteArray log = log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1);
+        QByteArray log = log_of_run(0, {4, 30, 150}, Frame::fixed);
         QList<QByteArray> lines = log.split('\n');
         for (qsizetype k = 1; k < 400; ++k) {
             lines[k] = lines[k].left(lines[k].indexOf(',')) + ",9,9,9,9";
         }
         write("hand.csv", lines.join('\n'));
-        const QStringList choice{"identify", "hand.csv", "-o",       "-", "--phasors",   "fixed",
-                                 "--f-ref",  "5300.1",   "--y-sign", "+", "--amplitude", "peak"};
-        const Outcome read = run_cli(choice + QStringList{"--from", "2"}, folder_.path());
-        VYBEG_EQUAL(read.status, 0, read.err.constData());
-        const QJsonObject wave = json_of(read)["runs"].toArray()[0].toObject()["wave"].toObject();
-        VYBEG_LESS(std::abs(wave["tau_s"].toObject()["value"].toDouble() - 60), 2.0);
-        const Outcome none = run_cli(choice + QStringList{"--from", "200"}, folder_.path());
+        const QStringList choice = words(
+            "identify hand.csv -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak");
+        const Outcome read = run(choice + words("--from 2"));
+        VYBEG_EQUAL(read.status, 0, read.err);
+        const QJsonObject wave = json_of(read)["runs"][0]["wave"].toObject();
+        VYBEG_LESS(std::abs(wave["tau_s"]["value"].toDouble() - 60), 2.0);
+        const Outcome none = run(choice + words("--from 200"));
         QCOMPARE(none.status, 4);
-        QVERIFY2(none.err.contains("200"), none.err.constData());
+        QVERIFY2(none.err.contains("200"), none.err);
     }
 
     void what_no_data_show_is_asked_for_data() {
         QTest::addColumn<QStringList>("options");
         QTest::addColumn<QString>("asked");
-        const QStringList whole{"--phasors", "fixed", "--f-ref",     "5300.1",
-                                "--y-sign",  "+",     "--amplitude", "peak"};
-        QTest::newRow("sign") << QStringList{"--phasors", "fixed", "--f-ref", "5300.1"}
-                              << "--y-sign + or -";
+        const QStringList whole =
+            words("--phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak");
+        QTest::newRow("sign") << words("--phasors fixed --f-ref 5300.1") << "--y-sign + or -";
         QTest::newRow("peak") << whole.mid(0, 6) << "--amplitude peak or rms";
-        QTest::newRow("reference")
-            << QStringList{"--phasors", "fixed"} + whole.mid(4) << "give --f-ref";
+        QTest::newRow("reference") << words("--phasors fixed") + whole.mid(4) << "give --f-ref";
         QTest::newRow("oscillator")
-            << QStringList{"--phasors", "common"} + whole.mid(4) << "frequency or phase";
-        QTest::newRow("phases") << QStringList{"--phasors", "pll"} + whole.mid(2) << "Pc";
-        QTest::newRow("frame") << QStringList{"--phasors", "moving"} << "fixed, common or pll";
-        QTest::newRow("order") << whole + QStringList{"--lock-in", "9,20"} << "from 1 to 8";
-        QTest::newRow("alone") << QStringList{"--y-sign", "+"} << "--phasors";
+            << words("--phasors common") + whole.mid(4) << "frequency or phase";
+        QTest::newRow("phases") << words("--phasors pll") + whole.mid(2) << "Pc";
+        QTest::newRow("frame") << words("--phasors moving") << "fixed, common or pll";
+        QTest::newRow("order") << whole + words("--lock-in 9,20") << "from 1 to 8";
+        QTest::newRow("alone") << words("--y-sign +") << "--phasors";
     }
     void what_no_data_show_is_asked_for() {
         QFETCH(QStringList, options);
         QFETCH(QString, asked);
-        QFile file(folder_.filePath("asked.csv"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(log_of(folder_.filePath("0.npy"), {4, 30, 150}, Frame::fixed, 1, 1));
-        file.close();
-        const Outcome refused =
-            run_cli(QStringList{"identify", "asked.csv"} + options, folder_.path());
-        QVERIFY2(refused.status == 2 || refused.status == 3, refused.err.constData());
-        QVERIFY2(refused.err.contains(asked.toUtf8()), refused.err.constData());
+        write("asked.csv", log_of_run(0, {4, 30, 150}, Frame::fixed));
+        const Outcome refused = run("identify asked.csv", options);
+        QVERIFY2(refused.status == 2 || refused.status == 3, refused.err);
+        QVERIFY2(refused.err.contains(asked.toUtf8()), refused.err);
     }
 
     // Frames that the columns contradict.
     void a_wrong_frame_is_told() {
         const LockIn filter{4, 30, 150};
-        const QString samples = folder_.filePath("0.npy");
+        const QString samples = path("0.npy");
         // Also where the frequency is missing in a row.
         QList<QByteArray> rows = log_of(samples, filter, Frame::common_frequency, 1, 1).split('\n');
         rows[1].truncate(rows[1].lastIndexOf(',') + 1);
@@ -309,7 +271,7 @@ private slots:
         QCOMPARE(moves.status, 2);
         QVERIFY2(moves.err.contains("the oscillator's frequency moves from 5299.8 Hz to 5300.4 Hz "
                                     "(column F)"),
-                 moves.err.constData());
+                 moves.err);
 
         const std::vector<Complex> c = demodulated(samples_of(samples, 0), filter);
         const std::vector<Complex> d = demodulated(samples_of(samples, 1), filter);
@@ -323,18 +285,15 @@ private slots:
             own.back() = '\n';
         }
         write("own.csv", own);
-        const Outcome twice = run_cli({"identify", "own.csv", "--phasors", "pll", "--f-ref",
-                                       "5300.1", "--y-sign", "+", "--amplitude", "peak"},
-                                      folder_.path());
+        const Outcome twice =
+            run("identify own.csv --phasors pll --f-ref 5300.1 --y-sign + --amplitude peak");
         QCOMPARE(twice.status, 2);
-        QVERIFY2(twice.err.contains("is the phase of X + iY itself"), twice.err.constData());
+        QVERIFY2(twice.err.contains("is the phase of X + iY itself"), twice.err);
     }
 
     // 0.15 phasors a second of a split of 0.05 Hz.
     void phasors_that_fold_are_refused() {
-        QFile file(folder_.filePath("slow.csv"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("t,Xc,Yc,Xd,Yd\n");
+        QByteArray log = "t,Xc,Yc,Xd,Yd\n";
         for (int k = 0; k < 400; ++k) {
             const double t = 6.7 * k;
             const Complex p = std::polar(std::exp(-t / 4000), 2 * pi * 0.025 * t + 0.3);
@@ -342,16 +301,15 @@ private slots:
             const Complex c = std::cos(0.3) * p - std::sin(0.3) * q;
             const Complex d = std::sin(0.3) * p + std::cos(0.3) * q;
             for (const double value : {t, c.real(), c.imag(), d.real()}) {
-                file.write(QByteArray::number(value + 1e-5 * std::sin(1e4 * t), 'g', 15) + ',');
+                log += QByteArray::number(value + 1e-5 * std::sin(1e4 * t), 'g', 15) + ',';
             }
-            file.write(QByteArray::number(d.imag(), 'g', 15) + '\n');
+            log += QByteArray::number(d.imag(), 'g', 15) + '\n';
         }
-        file.close();
-        const Outcome refused = run_cli({"identify", "slow.csv", "--phasors", "fixed", "--f-ref",
-                                         "5300", "--y-sign", "+", "--amplitude", "peak"},
-                                        folder_.path());
+        write("slow.csv", log);
+        const Outcome refused =
+            run("identify slow.csv --phasors fixed --f-ref 5300 --y-sign + --amplitude peak");
         QCOMPARE(refused.status, 4);
-        QVERIFY2(refused.err.contains("less than four times the split"), refused.err.constData());
+        QVERIFY2(refused.err.contains("less than four times the split"), refused.err);
     }
 
 private:
@@ -360,19 +318,13 @@ private:
         const double delay_s = lock_in.order * lock_in.tau_s();
         const double from_s =
             static_cast<double>(lock_in.settling()) * lock_in.samples / rate_hz - delay_s;
-        QStringList arguments{"identify",
-                              "--rate",
-                              "33333",
-                              "-o",
-                              "-",
-                              "--from",
-                              QString::number(from_s),
-                              "--to",
-                              QString::number(seconds - delay_s)};
+        QStringList arguments = words("identify --rate 33333 -o -") +
+                                QStringList{"--from", QString::number(from_s), "--to",
+                                            QString::number(seconds - delay_s)};
         for (int k = 0; k < runs; ++k) {
             arguments << QString::number(k) + ".npy";
         }
-        return json_of(run_cli(arguments, folder_.path()))["resonator"].toObject();
+        return json_of(run(arguments))["resonator"].toObject();
     }
 };
 

@@ -29,13 +29,12 @@ private slots:
         QTest::newRow("wav") << "d.wav" << none << none;
         QTest::newRow("csv") << "d.csv" << none << none;
         QTest::newRow("npy as raw")
-            << "d.npy" << none << QStringList{"--raw", "f64", "--skip", "128", "--rate", "33333"};
-        QTest::newRow("16 bits") << "d.wav" << QStringList{"--bits", "16"} << none;
-        QTest::newRow("calibrated")
-            << "d.wav" << QStringList{"--kappa", "1.1", "--offset", "0.2,-0.1"}
-            << QStringList{"--kappa", "1.1", "--offset", "0.2,-0.1"};
+            << "d.npy" << none << words("--raw f64 --skip 128 --rate 33333");
+        QTest::newRow("16 bits") << "d.wav" << words("--bits 16") << none;
+        QTest::newRow("calibrated") << "d.wav" << words("--kappa 1.1 --offset 0.2,-0.1")
+                                    << words("--kappa 1.1 --offset 0.2,-0.1");
         QTest::newRow("conjugate gradient")
-            << "d.wav" << none << QStringList{"--algorithm", "conjugate-gradient"};
+            << "d.wav" << none << words("--algorithm conjugate-gradient");
     }
 
     void an_analysis_finds_the_truth_within_its_own_deviations() {
@@ -102,10 +101,10 @@ private slots:
                                                      {"hum", "0.1,60,1.5"},
                                                      {"mode-beside", "990,0.5,0.25,1,2,3"},
                                                      {"lose", "100:3,200:-4"}};
-        const QStringList start{"simulate", "--seconds", "0.05", "-o", "x.csv"};
+        const QStringList start = words("simulate --seconds 0.05 -o x.csv");
         QCOMPARE(run(start).status, 0);
         const QByteArray plain = file("x.csv");
-        QStringList all = start + QStringList{"--truth", "xt.csv", "--mode-beside", "1,2,3,4,5,6"};
+        QStringList all = start + words("--truth xt.csv --mode-beside 1,2,3,4,5,6");
         for (const auto& [name, value] : options) {
             const QStringList option{"--" + name, value};
             all += option;
@@ -142,25 +141,24 @@ private slots:
             QCOMPARE(run(start + QStringList{"--" + name, value}).status, 0);
             QVERIFY2(file("x.csv") != plain, qPrintable(name));
         }
-        QCOMPARE(run(start + QStringList{"--drive", "2"}).status, 0);
+        QCOMPARE(run(start + words("--drive 2")).status, 0);
         const QByteArray driven = file("x.csv");
         for (const char* instant : {"--drive-from", "--drive-to"}) {
             QCOMPARE(run(start + QStringList{"--drive", "2", instant, "0.02"}).status, 0);
             QVERIFY2(file("x.csv") != driven, instant);
         }
-        QVERIFY(run(start + QStringList{"--drive", "2", "--damping-per-power", "1"}).status != 0);
+        QVERIFY(run(start + words("--drive 2 --damping-per-power 1")).status != 0);
         for (const QStringList& wrong :
-             {QStringList{"--lose", "100"}, QStringList{"--lose", "a:3"},
-              QStringList{"--hum", "1,2"}, QStringList{"--mode-beside", "1,2,3"},
-              QStringList{"--skew", "x"}}) {
+             {words("--lose 100"), words("--lose a:3"), words("--hum 1,2"),
+              words("--mode-beside 1,2,3"), words("--skew x")}) {
             QCOMPARE(run(start + wrong).status, 2);
         }
-        QCOMPARE(run(start + QStringList{"--lose", "5000:3"}).status, 4);
+        QCOMPARE(run(start + words("--lose 5000:3")).status, 4);
     }
 
     void info_as_json_has_the_members_of_the_interface() {
-        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "i.wav"}).status, 0);
-        const Outcome info = run({"info", "i.wav", "--json"});
+        QCOMPARE(run("simulate --seconds 0.5 -o i.wav").status, 0);
+        const Outcome info = run("info i.wav --json");
         QCOMPARE(info.status, 0);
         const QJsonObject json = object(info.out);
         QCOMPARE(json.keys(), (QStringList{"channels", "check", "format", "frames", "rate_from",
@@ -180,24 +178,23 @@ private slots:
     }
 
     void info_tells_what_is_wrong_with_the_file() {
-        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "i.wav"}).status, 0);
-        QVERIFY(QFile::resize(folder_.filePath("i.wav"), 100000));
-        const QJsonObject json = object(run({"info", "i.wav", "--json"}).out);
+        QCOMPARE(run("simulate --seconds 0.5 -o i.wav").status, 0);
+        QVERIFY(QFile::resize(path("i.wav"), 100000));
+        const QJsonObject json = object(run("info i.wav --json").out);
         QCOMPARE(json["check"].toArray().size(), 1);
         const QJsonObject check = json["check"][0].toObject();
         QCOMPARE(check.keys(), (QStringList{"count", "first_frame", "kind", "severity", "text"}));
         QCOMPARE(check["kind"].toString(), QString("file-ends-early"));
         QVERIFY(check["text"].toString().contains("16666"));
-        const Outcome text = run({"info", "i.wav"});
+        const Outcome text = run("info i.wav");
         QCOMPARE(text.status, 0);
         QVERIFY(text.out.contains("33333 Hz (file)"));
         QVERIFY(text.out.contains(check["text"].toString().toUtf8()));
     }
 
     void the_track_names_its_program_input_and_settings() {
-        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "h.wav"}).status, 0);
-        QCOMPARE(run({"analyze", "h.wav", "-o", "h.csv", "--window", "63", "--from", "0.1"}).status,
-                 0);
+        QCOMPARE(run("simulate --seconds 0.5 -o h.wav").status, 0);
+        QCOMPARE(run("analyze h.wav -o h.csv --window 63 --from 0.1").status, 0);
         const TrackTable track(file("h.csv"));
         const QByteArray hash =
             QCryptographicHash::hash(file("h.wav"), QCryptographicHash::Sha256).toHex();
@@ -216,21 +213,20 @@ private slots:
     }
 
     void standard_output_gets_the_same_bytes_as_a_file_for_any_number_of_threads() {
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "o.wav"}).status, 0);
-        QCOMPARE(run({"analyze", "o.wav", "-o", "o.csv", "--threads", "1"}).status, 0);
-        const Outcome analyzed = run({"analyze", "o.wav", "-o", "-", "--threads", "2"});
+        QCOMPARE(run("simulate --demo --seconds 2 -o o.wav").status, 0);
+        QCOMPARE(run("analyze o.wav -o o.csv --threads 1").status, 0);
+        const Outcome analyzed = run("analyze o.wav -o - --threads 2");
         QCOMPARE(analyzed.status, 0);
         QVERIFY(analyzed.out == file("o.csv"));
         QCOMPARE(TrackTable(analyzed.out).rows(), qsizetype{66666 / 60});
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "0.1", "-o", "o2.csv"}).status, 0);
-        QVERIFY(run({"simulate", "--demo", "--seconds", "0.1", "-o", "-"}).out == file("o2.csv"));
+        QCOMPARE(run("simulate --demo --seconds 0.1 -o o2.csv").status, 0);
+        QVERIFY(run("simulate --demo --seconds 0.1 -o -").out == file("o2.csv"));
     }
 
     void timing_is_the_last_line_of_standard_error() {
-        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "z.wav"}).status, 0);
-        QVERIFY(QFile::resize(folder_.filePath("z.wav"), 100000));
-        const Outcome analyzed =
-            run({"analyze", "z.wav", "-o", "z.csv", "--timing", "--threads", "1"});
+        QCOMPARE(run("simulate --seconds 0.5 -o z.wav").status, 0);
+        QVERIFY(QFile::resize(path("z.wav"), 100000));
+        const Outcome analyzed = run("analyze z.wav -o z.csv --timing --threads 1");
         QCOMPARE(analyzed.status, 0);
         QCOMPARE(analyzed.err_lines().size(), 2);
         QVERIFY(analyzed.err_lines()[0].startsWith("vybeg-cli: warning: "));
@@ -246,9 +242,9 @@ private slots:
     }
 
     void the_json_log_is_one_object_per_line() {
-        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "j.wav"}).status, 0);
-        QVERIFY(QFile::resize(folder_.filePath("j.wav"), 100000));
-        const Outcome analyzed = run({"analyze", "j.wav", "-o", "j.csv", "--json-log"});
+        QCOMPARE(run("simulate --seconds 0.5 -o j.wav").status, 0);
+        QVERIFY(QFile::resize(path("j.wav"), 100000));
+        const Outcome analyzed = run("analyze j.wav -o j.csv --json-log");
         QCOMPARE(analyzed.status, 0);
         QStringList levels;
         for (const QByteArray& line : analyzed.err_lines()) {
@@ -259,52 +255,52 @@ private slots:
             levels << entry["level"].toString();
         }
         QVERIFY(levels.contains("warning") && levels.contains("progress"));
-        const Outcome missing = run({"analyze", "none.wav", "-o", "j.csv", "--json-log"});
+        const Outcome missing = run("analyze none.wav -o j.csv --json-log");
         QCOMPARE(missing.status, 3);
         QCOMPARE(missing.err_lines().size(), 1);
         const QJsonObject error = object(missing.err);
         QCOMPARE(error["level"].toString(), QString("error"));
         QCOMPARE(error["code"].toString(), QString("file-missing"));
         QCOMPARE(error["status"].toInt(), 3);
-        const Outcome usage = run({"analyze", "--json-log", "--no-such-option"});
+        const Outcome usage = run("analyze --json-log --no-such-option");
         QCOMPARE(usage.status, 2);
         QCOMPARE(object(usage.err)["status"].toInt(), 2);
     }
 
     void quiet_leaves_only_errors() {
-        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "q.wav"}).status, 0);
-        QVERIFY(QFile::resize(folder_.filePath("q.wav"), 100000));
-        const Outcome analyzed = run({"analyze", "q.wav", "-o", "q.csv", "--quiet"});
+        QCOMPARE(run("simulate --seconds 0.5 -o q.wav").status, 0);
+        QVERIFY(QFile::resize(path("q.wav"), 100000));
+        const Outcome analyzed = run("analyze q.wav -o q.csv --quiet");
         QCOMPARE(analyzed.status, 0);
         QCOMPARE(analyzed.err, QByteArray());
         QVERIFY(TrackTable(file("q.csv")).header().join().contains("warning: The file ends early"));
-        QCOMPARE(run({"analyze", "none.wav", "-o", "q.csv", "--quiet"}).err_lines().size(), 1);
+        QCOMPARE(run("analyze none.wav -o q.csv --quiet").err_lines().size(), 1);
     }
 
     // Three gaps are one line with a count; a note and each place by itself are for --verbose.
     void a_kind_of_warning_is_one_line_unless_all_are_asked_for() {
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "0.5", "-o", "whole.csv"}).status, 0);
+        QCOMPARE(run("simulate --demo --seconds 0.5 -o whole.csv").status, 0);
         QList<QByteArray> lines = file("whole.csv").split('\n');
         for (const int gap : {9000, 6000, 3000}) {
             lines.remove(gap, 50);
         }
-        QVERIFY(put(folder_.filePath("gaps.csv"), "# a comment\n" + lines.join('\n')));
-        const Outcome few = run({"analyze", "gaps.csv", "-o", "gaps.track.csv"});
+        QVERIFY(put(path("gaps.csv"), "# a comment\n" + lines.join('\n')));
+        const Outcome few = run("analyze gaps.csv -o gaps.track.csv");
         QCOMPARE(few.status, 0);
         QCOMPARE(few.err_lines().size(), 1);
         QVERIFY2(few.err.startsWith("vybeg-cli: warning: 50 samples are missing at 0.08997") &&
                      few.err.contains("(And 2 more places; 150 samples in all.)"),
                  few.err);
-        const Outcome all = run({"analyze", "gaps.csv", "-o", "gaps.track.csv", "--verbose"});
+        const Outcome all = run("analyze gaps.csv -o gaps.track.csv --verbose");
         QCOMPARE(all.err.count("vybeg-cli: warning: 50 samples are missing"), 3);
         QVERIFY2(all.err.trimmed().endsWith("header or comment lines were passed over.") &&
                      all.err.count("vybeg-cli: note: ") == 1,
                  all.err);
-        const Outcome info = run({"info", "gaps.csv"});
+        const Outcome info = run("info gaps.csv");
         QCOMPARE(info.out.count("check     50 samples are missing"), 1);
         QCOMPARE(info.out.count("\nnote      "), 1);
-        QCOMPARE(run({"info", "gaps.csv", "--verbose"}).out.count("check     50 samples"), 3);
-        const Outcome log = run({"analyze", "gaps.csv", "-o", "gaps.track.csv", "--json-log"});
+        QCOMPARE(run("info gaps.csv --verbose").out.count("check     50 samples"), 3);
+        const Outcome log = run("analyze gaps.csv -o gaps.track.csv --json-log");
         QStringList severities;
         for (const QByteArray& line : log.err_lines()) {
             const QJsonObject entry = object(line);
@@ -316,68 +312,30 @@ private slots:
     }
 
     void help_and_version_end_well() {
-        const Outcome version = run({"--version"});
+        const Outcome version = run("--version");
         QCOMPARE(version.status, 0);
         QCOMPARE(version.out, QByteArray("vybeg-cli " VYBEG_VERSION "\n"));
-        const Outcome help = run({"analyze", "--help"});
+        const Outcome help = run("analyze --help");
         QCOMPARE(help.status, 0);
-        for (const char* option :
-             {"--algorithm", "--window",    "--periods",    "--snap",  "--hop",
-              "--f0",        "--initial",   "--start",      "--from",  "--to",
-              "--band",      "--filter",    "--channels",   "--rate",  "--kappa",
-              "--offset",    "--delay",     "--angle-zero", "--raw",   "--raw-channels",
-              "--skip",      "--scale",     "--threads",    "--quiet", "--json-log",
-              "--timing",    "--variables", "--verbose"}) {
-            QVERIFY2(help.out.contains(option), option);
+        for (const QString& option :
+             words("--algorithm --window --periods --snap --hop --f0 --initial --start "
+                   "--from --to --band --filter --channels --rate --kappa --offset --delay "
+                   "--angle-zero --raw --raw-channels --skip --scale --threads --quiet "
+                   "--json-log --timing --variables --verbose")) {
+            QVERIFY2(help.out.contains(option.toUtf8()), qPrintable(option));
         }
-        const Outcome simulate = run({"simulate", "--help"});
-        for (const char* option : {"--seconds",
-                                   "--rate",
-                                   "--f0",
-                                   "--a-A",
-                                   "--a-B",
-                                   "--two-theta-A",
-                                   "--alpha",
-                                   "--split",
-                                   "--theta-w",
-                                   "--tau",
-                                   "--damping-anisotropy",
-                                   "--theta-tau",
-                                   "--omega",
-                                   "--bryan",
-                                   "--noise",
-                                   "--kappa",
-                                   "--offset",
-                                   "--bits",
-                                   "--full-scale",
-                                   "--seed",
-                                   "--frequency-drift",
-                                   "--settling",
-                                   "--settling-time",
-                                   "--frequency-per-power",
-                                   "--damping-per-power",
-                                   "--dry-friction",
-                                   "--air-friction",
-                                   "--drive",
-                                   "--drive-from",
-                                   "--drive-to",
-                                   "--same-projection",
-                                   "--delay",
-                                   "--skew",
-                                   "--crosstalk",
-                                   "--phase-drift",
-                                   "--gain-drift",
-                                   "--pick-off-cubic",
-                                   "--carrier-noise",
-                                   "--modulation-noise",
-                                   "--carrier-noise-width",
-                                   "--phase-noise",
-                                   "--hum",
-                                   "--mode-beside",
-                                   "--lose",
-                                   "--truth",
-                                   "--demo"}) {
-            QVERIFY2(simulate.out.contains(option), option);
+        const Outcome simulate = run("simulate --help");
+        for (const QString& option :
+             words("--seconds --rate --f0 --a-A --a-B --two-theta-A --alpha --split "
+                   "--theta-w --tau --damping-anisotropy --theta-tau --omega --bryan "
+                   "--noise --kappa --offset --bits --full-scale --seed --frequency-drift "
+                   "--settling --settling-time --frequency-per-power --damping-per-power "
+                   "--dry-friction --air-friction --drive --drive-from --drive-to "
+                   "--same-projection --delay --skew --crosstalk --phase-drift "
+                   "--gain-drift --pick-off-cubic --carrier-noise --modulation-noise "
+                   "--carrier-noise-width --phase-noise --hum --mode-beside --lose --truth "
+                   "--demo")) {
+            QVERIFY2(simulate.out.contains(option.toUtf8()), qPrintable(option));
         }
     }
 };

@@ -40,8 +40,7 @@ class TestCliSignals : public QObject, private CliFolder {
             QVERIFY(put(path(output), "old"));
         }
         QProcess process;
-        process.setWorkingDirectory(folder_.path());
-        process.start(VYBEG_CLI, work.command.split(' '));
+        start(process, work.command.split(' '));
         QVERIFY(process.waitForStarted());
         QTest::qSleep(after_us / 1000);  // the moment of the run
         kill(static_cast<pid_t>(process.processId()), signal);
@@ -92,8 +91,7 @@ class TestCliSignals : public QObject, private CliFolder {
         QFile::remove(path("o.csv"));
         const double children_ms = childrenMs();
         QProcess process;
-        process.setWorkingDirectory(folder_.path());
-        process.start(VYBEG_CLI, work.split(' '));
+        start(process, work.split(' '));
         if (process.waitForFinished(after_ms)) {
             return 0;
         }
@@ -125,7 +123,7 @@ class TestCliSignals : public QObject, private CliFolder {
 
     void simulate(const QString& name, const QString& options) {
         const Outcome outcome =
-            run(("simulate --noise 1e-3 --rate 20000 " + options + " -o " + name).split(' '));
+            run("simulate --noise 1e-3 --rate 20000 " + options + " -o " + name);
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
     }
 
@@ -159,11 +157,8 @@ class TestCliSignals : public QObject, private CliFolder {
 
 private slots:
     void signals_at_any_moment_leave_all_outputs_old_or_all_new() {
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "a.wav"}).status, 0);
-        QCOMPARE(
-            run({"simulate", "--demo", "--seconds", "2", "--two-theta-A", "1.2", "-o", "b.wav"})
-                .status,
-            0);
+        QCOMPARE(run("simulate --demo --seconds 2 -o a.wav").status, 0);
+        QCOMPARE(run("simulate --demo --seconds 2 --two-theta-A 1.2 -o b.wav").status, 0);
         std::array works{
             Work{"analyze a.wav -o track.csv --hop 10 --quiet", {"track.csv"}},
             Work{"identify a.wav b.wav -o result.json --passport passport.json --quiet",
@@ -173,7 +168,7 @@ private slots:
         for (Work& work : works) {
             QElapsedTimer timer;
             timer.start();
-            QCOMPARE(run(work.command.split(' ')).status, 0);
+            QCOMPARE(run(work.command).status, 0);
             work.undisturbed_ms = timer.elapsed();
         }
         bool given = false;
@@ -230,8 +225,7 @@ private slots:
 
     void what_has_gone_out_to_a_pipe_is_not_called_nothing() {
         QProcess process;
-        process.setWorkingDirectory(folder_.path());
-        process.start(VYBEG_CLI, {"simulate", "--demo", "--seconds", "3000", "-o", "-"});
+        start(process, {"simulate", "--demo", "--seconds", "3000", "-o", "-"});
         QVERIFY(process.waitForReadyRead(20000));
         kill(static_cast<pid_t>(process.processId()), SIGINT);
         QVERIFY(process.waitForFinished(20000));
@@ -242,10 +236,9 @@ private slots:
     }
 
     void leftovers_of_a_killed_run_are_removed_by_the_next_and_those_at_work_stay() {
-        const QStringList work{"simulate", "--demo", "--seconds", "3000", "-o", "long.mat"};
+        const QStringList work = words("simulate --demo --seconds 3000 -o long.mat");
         QProcess killed;
-        killed.setWorkingDirectory(folder_.path());
-        killed.start(VYBEG_CLI, work);
+        start(killed, work);
         QTRY_COMPARE_WITH_TIMEOUT(temporaries().size(), 1, 10000);
         const QStringList abandoned = temporaries();
         killed.kill();
@@ -253,11 +246,10 @@ private slots:
         QCOMPARE(temporaries(), abandoned);
 
         QProcess at_work;
-        at_work.setWorkingDirectory(folder_.path());
-        at_work.start(VYBEG_CLI, work);
+        start(at_work, work);
         QTRY_VERIFY_WITH_TIMEOUT(temporaries().size() == 1 && temporaries() != abandoned, 10000);
         const QStringList used = temporaries();
-        QCOMPARE(run({"simulate", "--seconds", "0.01", "-o", "short.csv"}).status, 0);
+        QCOMPARE(run("simulate --seconds 0.01 -o short.csv").status, 0);
         QCOMPARE(temporaries(), used);
         at_work.terminate();
         QVERIFY(at_work.waitForFinished(20000));
@@ -269,7 +261,7 @@ private slots:
         // Number 1 lives, and began at another time.
         QVERIFY(put(path(".vybeg-1-999999999999-0.part"), "half"));
         QVERIFY(put(path(".vybeg-notes.part"), "not ours"));
-        QCOMPARE(run({"simulate", "--seconds", "0.01", "-o", "short.csv"}).status, 0);
+        QCOMPARE(run("simulate --seconds 0.01 -o short.csv").status, 0);
         QCOMPARE(temporaries(), QStringList{".vybeg-notes.part"});
         QVERIFY(QFile::remove(path(".vybeg-notes.part")));
     }

@@ -12,15 +12,10 @@ namespace test_cli_text_options {
 
 using namespace vybeg::test;
 
-class TestCliTextOptions : public QObject {
+class TestCliTextOptions : public QObject, private CliFolder {
     Q_OBJECT
 
 private:
-    QTemporaryDir folder_;
-
-    Outcome run(const QString& arguments) { return run_cli(arguments.split(' '), folder_.path()); }
-    QString path(const QString& name) { return folder_.filePath(name); }
-
     // The rows of a decay of 1000 Hz at 20000 Hz, in mV, between bars, with decimal commas, the
     // time in ms at the end, behind two lines that look like rows.
     static QByteArray table() {
@@ -49,7 +44,7 @@ private slots:
         const Outcome outcome = run("analyze board.txt -o track.csv " + said);
         QCOMPARE(outcome.err, QByteArray());
         QCOMPARE(outcome.status, 0);
-        const QByteArray track = content(path("track.csv"));
+        const QByteArray track = file("track.csv");
         QVERIFY2(track.contains("\n# read with: " + said.toUtf8() + "\n"),
                  track.left(600).constData());
         QVERIFY(track.contains("\n# rate: 20000 (time column)\n"));
@@ -61,14 +56,14 @@ private slots:
         }
         const QJsonObject info = object(run("info --json board.txt " + said).out);
         QCOMPARE(info["channels"].toArray().size(), 2);
-        QCOMPARE(info["channels"].toArray()[0].toObject()["unit"].toString(), QString("V"));
+        QCOMPARE(info["channels"][0]["unit"].toString(), QString("V"));
         QCOMPARE(info["rate_from"].toString(), QString("time column"));
     }
 
     void without_a_word_the_header_says_nothing_of_it() {
         QCOMPARE(run("analyze plain.csv -o plain-track.csv --rate 100 --window 5 --f0 20").status,
                  0);
-        QVERIFY(!content(path("plain-track.csv")).contains("read with"));
+        QVERIFY(!file("plain-track.csv").contains("read with"));
     }
 
     void no_time_column_needs_a_rate() {
@@ -103,7 +98,7 @@ private slots:
         QFETCH(int, status);
         QFETCH(QString, part);
         const Outcome outcome = run("info plain.csv " + options);
-        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err.constData());
+        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err);
         QCOMPARE(outcome.status, status);
         QCOMPARE(outcome.err_lines().size(), 1);
         QVERIFY(outcome.err.endsWith(".\n"));

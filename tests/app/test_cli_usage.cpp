@@ -17,11 +17,8 @@ class TestCliUsage : public QObject, private CliFolder {
 
 private slots:
     void initTestCase() {
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "a.wav"}).status, 0);
-        QCOMPARE(
-            run({"simulate", "--demo", "--seconds", "2", "--two-theta-A", "1.2", "-o", "b.wav"})
-                .status,
-            0);
+        QCOMPARE(run("simulate --demo --seconds 2 -o a.wav").status, 0);
+        QCOMPARE(run("simulate --demo --seconds 2 --two-theta-A 1.2 -o b.wav").status, 0);
         QVERIFY(QFile::copy(path("a.wav"), path("copy.wav")));
         QVERIFY(QFile::copy(path("a.wav"), path("-c.wav")));
         QByteArray text = "t,C,D\n";
@@ -117,7 +114,7 @@ private slots:
         QFETCH(QString, command);
         QFETCH(int, status);
         QFETCH(QString, part);
-        const Outcome outcome = run(command.split(' '));
+        const Outcome outcome = run(command);
         VYBEG_EQUAL(outcome.status, status, outcome.err);
         // Warnings about the recording may stand before the one sentence.
         QList<QByteArray> sentences = outcome.err_lines();
@@ -128,17 +125,15 @@ private slots:
     }
 
     void a_file_whose_name_begins_with_a_dash_is_read_after_two_or_by_its_folder() {
-        for (const QStringList& command :
-             {QStringList{"info", "--", "-c.wav"}, QStringList{"info", "./-c.wav"},
-              QStringList{"info", "--rate", "8000", "--", "-c.wav"}}) {
+        for (const QStringList& command : {words("info -- -c.wav"), QStringList{"info", "./-c.wav"},
+                                           words("info --rate 8000 -- -c.wav")}) {
             const Outcome outcome = run(command);
             VYBEG_EQUAL(outcome.status, 0, outcome.err);
             QVERIFY2(outcome.out.contains("-c.wav"), outcome.out);
         }
         // What begins with a dash is a value where an option takes it.
-        VYBEG_EQUAL(run({"info", "a.wav", "--unit", "-V"}).status, 0, "--unit -V");
-        VYBEG_EQUAL(run({"analyze", "a.wav", "-o", "y.csv", "--delay", "-1e-6"}).status, 0,
-                    "--delay -1e-6");
+        VYBEG_EQUAL(run("info a.wav --unit -V").status, 0, "--unit -V");
+        VYBEG_EQUAL(run("analyze a.wav -o y.csv --delay -1e-6").status, 0, "--delay -1e-6");
     }
 
     void an_empty_name_is_no_value() {
@@ -181,7 +176,7 @@ private slots:
     void options_without_effect_are_warned_of() {
         QFETCH(QString, command);
         QFETCH(QStringList, options);
-        const Outcome outcome = run(command.split(' '));
+        const Outcome outcome = run(command);
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QStringList warned;
         for (const QByteArray& line : outcome.err_lines()) {
@@ -198,12 +193,11 @@ private slots:
     }
 
     void a_warning_about_one_of_several_recordings_has_its_name() {
-        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "--two-theta-A", "1.2",
-                      "--frequency-drift", "0.5", "-o", "drifting.wav"})
+        QCOMPARE(run("simulate --demo --seconds 2 --two-theta-A 1.2 --frequency-drift 0.5 -o "
+                     "drifting.wav")
                      .status,
                  0);
-        const Outcome outcome =
-            run({"identify", "--verbose", "a.wav", "drifting.wav", "-o", "x.json"});
+        const Outcome outcome = run("identify --verbose a.wav drifting.wav -o x.json");
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QVERIFY2(outcome.err.contains("Recording drifting.wav: the frequency drifts"), outcome.err);
         QVERIFY2(!outcome.err.contains("Recording 2"), outcome.err);

@@ -19,31 +19,8 @@ class TestBombs : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void archives_are_neither_unpacked_nor_believed_data();
-    void archives_are_neither_unpacked_nor_believed();
-    void a_table_of_segments_stays_smaller_than_the_file();
-    void a_jump_of_an_uneven_clock_takes_no_memory();
-
-private:
-    Verdict tried(const TryFile& try_file, const std::string& bytes);
-
-    Folder folder_;
-    std::int64_t held_ = 0;  // bytes, at most, beyond the file's size
-    double seconds_ = 0;
-};
-
-Verdict TestBombs::tried(const TryFile& try_file, const std::string& bytes) {
-    const std::clock_t start = std::clock();
-    start_heap_peak();
-    Verdict verdict = try_file(bytes);
-    held_ = heap_peak() - static_cast<std::int64_t>(bytes.size());
-    seconds_ = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    return verdict;
-}
-
-void TestBombs::initTestCase() {
-    run_python(folder_.file(""), R"(
+    void initTestCase() {
+        run_python(folder_.file(""), R"(
 import zipfile, io, struct
 zeros = np.zeros(12500000)
 np.savez_compressed('zeros', C=zeros, D=zeros, fs=1.0)
@@ -70,67 +47,84 @@ length = len(same) - 1000
 same += struct.pack('<IHHHHIIH', 0x06054b50, 0, 0, 9000, 9000, length, 1000, 0)
 open('same.npz', 'wb').write(same)
 )");
-}
+    }
 
-void TestBombs::archives_are_neither_unpacked_nor_believed_data() {
-    QTest::addColumn<bool>("is_recording");
-    QTest::newRow("zeros.npz") << true;
-    QTest::newRow("times.npz") << true;
-    QTest::newRow("promise.npz") << false;
-    QTest::newRow("wide.npz") << false;
-    QTest::newRow("nothing.npz") << false;
-    QTest::newRow("many.npz") << true;
-    QTest::newRow("same.npz") << true;
-}
+    void archives_are_neither_unpacked_nor_believed_data() {
+        QTest::addColumn<bool>("is_recording");
+        QTest::newRow("zeros.npz") << true;
+        QTest::newRow("times.npz") << true;
+        QTest::newRow("promise.npz") << false;
+        QTest::newRow("wide.npz") << false;
+        QTest::newRow("nothing.npz") << false;
+        QTest::newRow("many.npz") << true;
+        QTest::newRow("same.npz") << true;
+    }
 
-void TestBombs::archives_are_neither_unpacked_nor_believed() {
-    QFETCH(bool, is_recording);
-    const Verdict verdict =
-        tried(reader_of("npz"), bytes_of(folder_.file(QTest::currentDataTag())));
-    qInfo("%s%.1f MB, %.2f s", verdict.fault.c_str(), 1e-6 * static_cast<double>(held_), seconds_);
-    QCOMPARE(verdict.fault, std::string());
-    QCOMPARE(verdict.outcome == Outcome::read, is_recording);
-    VYBEG_LESS(held_, 64 << 20);
-    VYBEG_LESS(seconds_, 2);
-}
+    void archives_are_neither_unpacked_nor_believed() {
+        QFETCH(bool, is_recording);
+        const Verdict verdict =
+            tried(reader_of("npz"), bytes_of(folder_.file(QTest::currentDataTag())));
+        qInfo("%s%.1f MB, %.2f s", verdict.fault.c_str(), 1e-6 * static_cast<double>(held_),
+              seconds_);
+        QCOMPARE(verdict.fault, std::string());
+        QCOMPARE(verdict.outcome == Outcome::read, is_recording);
+        VYBEG_LESS(held_, 64 << 20);
+        VYBEG_LESS(seconds_, 2);
+    }
 
-void TestBombs::a_table_of_segments_stays_smaller_than_the_file() {
-    // One chunk, then two, then one, ...: none of them continues another.
-    const Tdms t;
-    std::string bytes = t.segment(first_segment, both_channels(t, tds_i8, 1), std::string(2, '\1'));
-    const std::string one = t.segment(toc_raw, "", std::string(2, '\1'));
-    const std::string two = t.segment(toc_raw, "", std::string(4, '\1'));
-    const auto with = [&](int pairs) {
-        std::string all = bytes;
-        for (int i = 0; i < pairs; ++i) {
-            all += two + one + one;
-        }
-        return all;
-    };
-    const Verdict few = tried(reader_of("tdms"), with(1000));
-    QVERIFY(few.outcome == Outcome::read && few.fault.empty());
-    const Verdict many = tried(reader_of("tdms"), with(400000));
-    qInfo("%.1f MB, %.2f s", 1e-6 * static_cast<double>(held_), seconds_);
-    QVERIFY(many.outcome == Outcome::refused && many.fault.empty());
-    VYBEG_LESS(held_, 64 << 20);
-}
+    void a_table_of_segments_stays_smaller_than_the_file() {
+        // One chunk, then two, then one, ...: none of them continues another.
+        const Tdms t;
+        std::string bytes =
+            t.segment(first_segment, both_channels(t, tds_i8, 1), std::string(2, '\1'));
+        const std::string one = t.segment(toc_raw, "", std::string(2, '\1'));
+        const std::string two = t.segment(toc_raw, "", std::string(4, '\1'));
+        const auto with = [&](int pairs) {
+            std::string all = bytes;
+            for (int i = 0; i < pairs; ++i) {
+                all += two + one + one;
+            }
+            return all;
+        };
+        const Verdict few = tried(reader_of("tdms"), with(1000));
+        QVERIFY(few.outcome == Outcome::read && few.fault.empty());
+        const Verdict many = tried(reader_of("tdms"), with(400000));
+        qInfo("%.1f MB, %.2f s", 1e-6 * static_cast<double>(held_), seconds_);
+        QVERIFY(many.outcome == Outcome::refused && many.fault.empty());
+        VYBEG_LESS(held_, 64 << 20);
+    }
 
-void TestBombs::a_jump_of_an_uneven_clock_takes_no_memory() {
-    const auto with_jump = [](double jump_s) {
-        std::string text = "t,C,D\n";
-        for (int i = 0; i < 1000; ++i) {
-            const double t = 1e-3 * (i + 0.2 * std::sin(i)) + (i < 500 ? 0 : jump_s);
-            text += QByteArray::number(t, 'f', 9).toStdString() + ",1,2\n";
-        }
-        return text;
-    };
-    const Verdict plausible = tried(reader_of("text"), with_jump(1000));
-    QVERIFY(plausible.outcome == Outcome::read && plausible.fault.empty());
-    VYBEG_LESS(held_, 64 << 20);
-    const Verdict absurd = tried(reader_of("text"), with_jump(5000));
-    QVERIFY(absurd.outcome == Outcome::refused && absurd.fault.empty());
-    VYBEG_LESS(held_, 64 << 20);
-}
+    void a_jump_of_an_uneven_clock_takes_no_memory() {
+        const auto with_jump = [](double jump_s) {
+            std::string text = "t,C,D\n";
+            for (int i = 0; i < 1000; ++i) {
+                const double t = 1e-3 * (i + 0.2 * std::sin(i)) + (i < 500 ? 0 : jump_s);
+                text += QByteArray::number(t, 'f', 9).toStdString() + ",1,2\n";
+            }
+            return text;
+        };
+        const Verdict plausible = tried(reader_of("text"), with_jump(1000));
+        QVERIFY(plausible.outcome == Outcome::read && plausible.fault.empty());
+        VYBEG_LESS(held_, 64 << 20);
+        const Verdict absurd = tried(reader_of("text"), with_jump(5000));
+        QVERIFY(absurd.outcome == Outcome::refused && absurd.fault.empty());
+        VYBEG_LESS(held_, 64 << 20);
+    }
+
+private:
+    Verdict tried(const TryFile& try_file, const std::string& bytes) {
+        const std::clock_t start = std::clock();
+        start_heap_peak();
+        Verdict verdict = try_file(bytes);
+        held_ = heap_peak() - static_cast<std::int64_t>(bytes.size());
+        seconds_ = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        return verdict;
+    }
+
+    Folder folder_;
+    std::int64_t held_ = 0;  // bytes, at most, beyond the file's size
+    double seconds_ = 0;
+};
 
 VYBEG_TEST(TestBombs)
 

@@ -29,91 +29,86 @@ class TestMutatedLibraries : public QObject {
 
 private slots:
     void sound_files_are_read_data() { formats(); }
-    void sound_files_are_read();
+
+    void sound_files_are_read() {
+        const TryFile try_file = library_of(QTest::currentDataTag());
+        const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
+        const BatchCount count = try_batch(
+            0, sound.size(),
+            [&](std::uint64_t i) {
+                return Mutation{sound[i], "none"};
+            },
+            try_file);
+        QCOMPARE(count.faults, std::vector<std::string>());
+        QCOMPARE(count.outcomes[static_cast<std::size_t>(Outcome::read)], sound.size());
+    }
+
     void damaged_files_do_no_harm_data() { formats(); }
-    void damaged_files_do_no_harm();
-    void groups_in_each_other_without_bottom_are_refused();
-    void faults_and_files_without_end_are_told();
+
+    void damaged_files_do_no_harm() {
+        const TryFile try_file = library_of(QTest::currentDataTag());
+        QFETCH(std::uint64_t, count);
+        const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
+        const BatchCount found = try_batch(
+            0, count, [&](std::uint64_t seed) { return mutated(sound, seed); }, try_file);
+        const auto [refused, unreadable, read] = found.outcomes;
+        qInfo("%d refused, %d unreadable, %d read, %d deaths of the library, %d without end",
+              static_cast<int>(refused), static_cast<int>(unreadable), static_cast<int>(read),
+              static_cast<int>(found.deaths), static_cast<int>(found.endless));
+        QVERIFY2(found.faults.empty(), found.faults.empty() ? "" : found.faults.front().c_str());
+        QCOMPARE(refused + unreadable + read + found.deaths + found.endless, count);
+        VYBEG_MORE(refused, count / 50);
+        VYBEG_MORE(read, count / 50);
+        VYBEG_LESS(found.deaths, count / 100);
+        VYBEG_LESS(found.endless, count / 500);  // vybeg-reader is given up after 5 s
+    }
+
+    void groups_in_each_other_without_bottom_are_refused() {
+        const std::string deep = sound_files("bottomless").front();
+        const BatchCount found = try_batch(
+            0, 1,
+            [&](std::uint64_t) {
+                return Mutation{deep, "deep"};
+            },
+            library_of("hdf5"));
+        QCOMPARE(found.outcomes[static_cast<std::size_t>(Outcome::refused)], std::uint64_t{1});
+        QCOMPARE(found.faults, std::vector<std::string>());
+        VYBEG_LESS(found.slowest_s, 1);
+    }
+
+    void faults_and_files_without_end_are_told() {
+        const BatchCount found = try_batch(
+            0, 3,
+            [](std::uint64_t) {
+                return Mutation{"", "none"};
+            },
+            [](std::string_view) -> Verdict {
+                return {Outcome::read, "a fault"};
+            });
+        QCOMPARE(found.faults.size(), std::size_t{3});
+        const BatchCount endless = try_batch(
+            7, 1,
+            [](std::uint64_t) {
+                return Mutation{"", "none"};
+            },
+            [](std::string_view) -> Verdict {
+                const volatile bool on = true;
+                while (on) {
+                }
+                return {};
+            });
+        QCOMPARE(endless.endless, std::uint64_t{1});
+    }
 
 private:
-    static void formats();
+    static void formats() {
+        QTest::addColumn<std::uint64_t>("count");
+        // Two namings of one reader.
+        QTest::newRow("mat73") << files / 4;
+        QTest::newRow("hdf5") << files - files / 4;
+        QTest::newRow("audio") << files;
+    }
 };
-
-void TestMutatedLibraries::formats() {
-    QTest::addColumn<std::uint64_t>("count");
-    // Two namings of one reader.
-    QTest::newRow("mat73") << files / 4;
-    QTest::newRow("hdf5") << files - files / 4;
-    QTest::newRow("audio") << files;
-}
-
-void TestMutatedLibraries::sound_files_are_read() {
-    const TryFile try_file = library_of(QTest::currentDataTag());
-    const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
-    const BatchCount count = try_batch(
-        0, sound.size(),
-        [&](std::uint64_t i) {
-            return Mutation{sound[i], "none"};
-        },
-        try_file);
-    QCOMPARE(count.faults, std::vector<std::string>());
-    QCOMPARE(count.outcomes[static_cast<std::size_t>(Outcome::read)], sound.size());
-}
-
-void TestMutatedLibraries::damaged_files_do_no_harm() {
-    const TryFile try_file = library_of(QTest::currentDataTag());
-    QFETCH(std::uint64_t, count);
-    const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
-    const BatchCount found = try_batch(
-        0, count, [&](std::uint64_t seed) { return mutated(sound, seed); }, try_file);
-    const auto [refused, unreadable, read] = found.outcomes;
-    qInfo("%d refused, %d unreadable, %d read, %d deaths of the library, %d without end",
-          static_cast<int>(refused), static_cast<int>(unreadable), static_cast<int>(read),
-          static_cast<int>(found.deaths), static_cast<int>(found.endless));
-    QVERIFY2(found.faults.empty(), found.faults.empty() ? "" : found.faults.front().c_str());
-    QCOMPARE(refused + unreadable + read + found.deaths + found.endless, count);
-    VYBEG_MORE(refused, count / 50);
-    VYBEG_MORE(read, count / 50);
-    VYBEG_LESS(found.deaths, count / 100);
-    VYBEG_LESS(found.endless, count / 500);  // vybeg-reader is given up after 5 s
-}
-
-void TestMutatedLibraries::groups_in_each_other_without_bottom_are_refused() {
-    const std::string deep = sound_files("bottomless").front();
-    const BatchCount found = try_batch(
-        0, 1,
-        [&](std::uint64_t) {
-            return Mutation{deep, "deep"};
-        },
-        library_of("hdf5"));
-    QCOMPARE(found.outcomes[static_cast<std::size_t>(Outcome::refused)], std::uint64_t{1});
-    QCOMPARE(found.faults, std::vector<std::string>());
-    VYBEG_LESS(found.slowest_s, 1);
-}
-
-void TestMutatedLibraries::faults_and_files_without_end_are_told() {
-    const BatchCount found = try_batch(
-        0, 3,
-        [](std::uint64_t) {
-            return Mutation{"", "none"};
-        },
-        [](std::string_view) -> Verdict {
-            return {Outcome::read, "a fault"};
-        });
-    QCOMPARE(found.faults.size(), std::size_t{3});
-    const BatchCount endless = try_batch(
-        7, 1,
-        [](std::uint64_t) {
-            return Mutation{"", "none"};
-        },
-        [](std::string_view) -> Verdict {
-            const volatile bool on = true;
-            while (on) {
-            }
-            return {};
-        });
-    QCOMPARE(endless.endless, std::uint64_t{1});
-}
 
 VYBEG_TEST(TestMutatedLibraries)
 

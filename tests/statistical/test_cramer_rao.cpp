@@ -63,99 +63,98 @@ class TestCramerRao : public QObject {
     Q_OBJECT
 
 private slots:
-    void maximumLikelihoodReachesTheBound_data();
-    void maximumLikelihoodReachesTheBound();
-};
-
-void TestCramerRao::maximumLikelihoodReachesTheBound_data() {
-    QTest::addColumn<int>("window");
-    QTest::addColumn<double>("decibels");
-    QTest::addColumn<double>("carrier");
-    QTest::addColumn<double>("quadrature");
-    QTest::addColumn<double>("angle");
-    struct Wave {
-        double f, a_B, angle;
-    };
-    const std::array waves{Wave{5300, 0.3, 0.3}, Wave{5300, -0.25, -2.0},
-                           Wave{4321.987654321, 0.1, 1.5707}, Wave{7071.0678118654755, -0.2, 3.0}};
-    for (const int n : {6, 22, 60, 600}) {
-        for (const double decibels : {20.0, 40.0, 60.0, 80.0}) {
-            for (const Wave& wave : waves) {
-                if (n * wave.f < 0.95 * 33333) {
-                    continue;  // below one period the fit is not linear in noise of 20 dB
+    void maximumLikelihoodReachesTheBound_data() {
+        QTest::addColumn<int>("window");
+        QTest::addColumn<double>("decibels");
+        QTest::addColumn<double>("carrier");
+        QTest::addColumn<double>("quadrature");
+        QTest::addColumn<double>("angle");
+        struct Wave {
+            double f, a_B, angle;
+        };
+        const std::array waves{Wave{5300, 0.3, 0.3}, Wave{5300, -0.25, -2.0},
+                               Wave{4321.987654321, 0.1, 1.5707},
+                               Wave{7071.0678118654755, -0.2, 3.0}};
+        for (const int n : {6, 22, 60, 600}) {
+            for (const double decibels : {20.0, 40.0, 60.0, 80.0}) {
+                for (const Wave& wave : waves) {
+                    if (n * wave.f < 0.95 * 33333) {
+                        continue;  // below one period the fit is not linear in noise of 20 dB
+                    }
+                    QTest::addRow("n = %d, %g dB, %g Hz, a_B = %g", n, decibels, wave.f, wave.a_B)
+                        << n << decibels << wave.f << wave.a_B << wave.angle;
                 }
-                QTest::addRow("n = %d, %g dB, %g Hz, a_B = %g", n, decibels, wave.f, wave.a_B)
-                    << n << decibels << wave.f << wave.a_B << wave.angle;
             }
         }
     }
-}
 
-void TestCramerRao::maximumLikelihoodReachesTheBound() {
-    QFETCH(int, window);
-    QFETCH(double, decibels);
-    QFETCH(double, carrier);
-    QFETCH(double, quadrature);
-    QFETCH(double, angle);
-    const std::int64_t windows = window == 600 ? 2000 : 8000;
-    FreeDecay wave;
-    wave.f0_hz = carrier;
-    wave.a_B = quadrature;
-    wave.two_theta_A = angle;
-    wave.noise = std::pow(10, -decibels / 20);
-    wave.seconds = static_cast<double>(windows * window + 1) / wave.rate_hz;
-    wave.seed = static_cast<std::uint64_t>(window) * 1000 + static_cast<std::uint64_t>(decibels);
+    void maximumLikelihoodReachesTheBound() {
+        QFETCH(int, window);
+        QFETCH(double, decibels);
+        QFETCH(double, carrier);
+        QFETCH(double, quadrature);
+        QFETCH(double, angle);
+        const std::int64_t windows = window == 600 ? 2000 : 8000;
+        FreeDecay wave{.f0_hz = carrier,
+                       .a_B = quadrature,
+                       .two_theta_A = angle,
+                       .noise = std::pow(10, -decibels / 20)};
+        wave.seconds = static_cast<double>(windows * window + 1) / wave.rate_hz;
+        wave.seed =
+            static_cast<std::uint64_t>(window) * 1000 + static_cast<std::uint64_t>(decibels);
 
-    Settings settings;
-    settings.window = window;
-    const Result<Analysis> analysis = analyse(test::simulated_recording(wave), settings, {});
-    QVERIFY(analysis);
-    const Result<Track> truth = true_track(wave, window);
-    QVERIFY(truth);
-    const Track& track = analysis->track;
-    QCOMPARE(track.rows(), static_cast<std::size_t>(windows));
+        Settings settings;
+        settings.window = window;
+        const Result<Analysis> analysis = analyse(test::simulated_recording(wave), settings, {});
+        QVERIFY(analysis);
+        const Result<Track> truth = true_track(wave, window);
+        QVERIFY(truth);
+        const Track& track = analysis->track;
+        QCOMPARE(track.rows(), static_cast<std::size_t>(windows));
 
-    // Off Snap, and at one period, the printed bound is not exact: METHOD section 6 leaves the
-    // residual out.
-    const bool printed = carrier == 5300;
-    const std::array<double, 5> bound =
-        printed ? method_bound(wave, window) : exact_bound(wave, window);
-    const double tolerance = window >= 22 ? 0.05 : 0.15;
-    for (std::size_t v = 0; v < variables.size(); ++v) {
-        const auto found = track.values(variables[v]);
-        const auto sds = track.sds(variables[v]);
-        const auto exact = truth->values(variables[v]);
-        double sum = 0;
-        double squares = 0;
-        double reported = 0;
-        double count = 0;
-        for (std::size_t k = 0; k < track.rows(); ++k) {
-            if (track.flags()[k] != 0) {
-                continue;  // at 20 dB and n = 6 a few waves cannot be told from circular ones
+        // Off Snap, and at one period, the printed bound is not exact: METHOD section 6 leaves the
+        // residual out.
+        const bool printed = carrier == 5300;
+        const std::array<double, 5> bound =
+            printed ? method_bound(wave, window) : exact_bound(wave, window);
+        const double tolerance = window >= 22 ? 0.05 : 0.15;
+        for (std::size_t v = 0; v < variables.size(); ++v) {
+            const auto found = track.values(variables[v]);
+            const auto sds = track.sds(variables[v]);
+            const auto exact = truth->values(variables[v]);
+            double sum = 0;
+            double squares = 0;
+            double reported = 0;
+            double count = 0;
+            for (std::size_t k = 0; k < track.rows(); ++k) {
+                if (track.flags()[k] != 0) {
+                    continue;  // at 20 dB and n = 6 a few waves cannot be told from circular ones
+                }
+                count += 1;
+                double error = found[k] - exact[k];
+                if (variables[v] == SlowVariable::two_theta_A ||
+                    variables[v] == SlowVariable::alpha) {
+                    error = std::remainder(error, std::numbers::pi);
+                }
+                sum += error;
+                squares += error * error;
+                reported += sds[k] * sds[k];
             }
-            count += 1;
-            double error = found[k] - exact[k];
-            if (variables[v] == SlowVariable::two_theta_A || variables[v] == SlowVariable::alpha) {
-                error = std::remainder(error, std::numbers::pi);
-            }
-            sum += error;
-            squares += error * error;
-            reported += sds[k] * sds[k];
+            VYBEG_AT_LEAST(count, 0.999 * static_cast<double>(windows));
+            const double bias = sum / count;
+            const double sd = std::sqrt(squares / count - bias * bias);
+            const QString where = QString("%1: sd/bound %2, bias/sd %3, chi2 %4")
+                                      .arg(info(variables[v]).column)
+                                      .arg(sd / bound[v])
+                                      .arg(bias / sd)
+                                      .arg(squares / reported);
+            VYBEG_CLOSE_RATIO(sd, bound[v], tolerance, qPrintable(where));
+            VYBEG_CLOSE(bias, 0, 0.1 * sd, qPrintable(where));
+            // The reported sd is right within 5 %: the squared errors over the reported variances.
+            VYBEG_CLOSE(std::sqrt(squares / reported), 1, 0.05, qPrintable(where));
         }
-        VYBEG_AT_LEAST(count, 0.999 * static_cast<double>(windows));
-        const double bias = sum / count;
-        const double sd = std::sqrt(squares / count - bias * bias);
-        const QString where = QString("%1: sd/bound %2, bias/sd %3, chi2 %4")
-                                  .arg(info(variables[v]).column)
-                                  .arg(sd / bound[v])
-                                  .arg(bias / sd)
-                                  .arg(squares / reported);
-        VYBEG_CLOSE_RATIO(sd, bound[v], tolerance, qPrintable(where));
-        VYBEG_CLOSE(bias, 0, 0.1 * sd, qPrintable(where));
-        // The reported sd is right within 5 %: the squared errors over the reported variances.
-        VYBEG_CLOSE(std::sqrt(squares / reported), 1, 0.05, qPrintable(where));
     }
-}
+};
 
 VYBEG_TEST(TestCramerRao)
 

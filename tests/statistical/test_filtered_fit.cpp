@@ -46,14 +46,13 @@ private slots:
         int drifts = 0;
         std::mutex mutex;
         for_each_seed(sets, [&](int seed) {
-            FreeDecay gyro;
-            gyro.seconds = 8;
-            gyro.tau_s = 100;
-            gyro.noise = 1e-3;
-            gyro.split_hz = seed % 2 == 0 ? 3e-3 : 0.05;
-            gyro.theta_w = 0.1 * seed - 0.9;
-            gyro.damping_anisotropy_per_s = 1e-3;
-            gyro.theta_tau = -0.3;
+            const FreeDecay gyro{.seconds = 8,
+                                 .split_hz = seed % 2 == 0 ? 3e-3 : 0.05,
+                                 .theta_w = 0.1 * seed - 0.9,
+                                 .tau_s = 100,
+                                 .damping_anisotropy_per_s = 1e-3,
+                                 .theta_tau = -0.3,
+                                 .noise = 1e-3};
             std::vector<Recording> recordings;
             for (int k = 0; k < 3; ++k) {
                 FreeDecay run = gyro;

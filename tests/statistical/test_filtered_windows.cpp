@@ -48,12 +48,11 @@ private slots:
         std::array<double, 5> sums{};
         double count = 0;
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-            FreeDecay wave;
-            wave.seconds = 20;
-            wave.a_B = seed == 2 ? -0.3 : 0.2;
-            wave.two_theta_A = 0.3 + 2 * static_cast<double>(seed);
-            wave.noise = seed == 3 ? 1e-2 : 1e-3;
-            wave.seed = seed + static_cast<std::uint64_t>(n);
+            const FreeDecay wave{.seconds = 20,
+                                 .a_B = seed == 2 ? -0.3 : 0.2,
+                                 .two_theta_A = 0.3 + 2 * static_cast<double>(seed),
+                                 .noise = seed == 3 ? 1e-2 : 1e-3,
+                                 .seed = seed + static_cast<std::uint64_t>(n)};
             Settings settings;
             settings.window = n;
             settings.f0_hz = wave.f0_hz;
@@ -98,10 +97,7 @@ private slots:
     void the_band_pass_keeps_the_amplitude_of_the_carrier() {
         for (const Band band : {Band{5200, 5400}, Band{5275, 5325}, Band{5000, 5600}}) {
             for (const double f0 : {5297.3, 5300.0, 5311.7}) {
-                FreeDecay wave;
-                wave.f0_hz = f0;
-                wave.seconds = 5;
-                wave.noise = 1e-4;
+                const FreeDecay wave{.seconds = 5, .f0_hz = f0, .noise = 1e-4};
                 Settings settings;
                 settings.window = 630;
                 settings.filter = band;
@@ -127,10 +123,7 @@ private slots:
     }
 
     void transients_and_delays_have_reasons_of_their_own() {
-        FreeDecay wave;
-        wave.seconds = 2;
-        wave.a_B = 0.2;
-        wave.noise = 1e-3;
+        const FreeDecay wave{.seconds = 2, .a_B = 0.2, .noise = 1e-3};
         const Recording recording = simulated_recording(wave);
         const auto flags_of = [&recording](const Settings& settings) {
             const Result<Analysis> analysis = analyse(recording, settings, {});

@@ -109,13 +109,12 @@ private slots:
         constexpr int runs = 150;  // a deviation over them is known to 6 %
         double squares = 0;
         for (int run = 1; run <= runs; ++run) {
-            FreeDecay wave;
-            wave.seconds = 2;
-            wave.a_B = run % 2 == 0 ? 0.2 : -0.2;
-            wave.two_theta_A = 0.1 * run;
-            wave.tau_s = tau;
-            wave.noise = 1e-2;
-            wave.seed = static_cast<std::uint64_t>(run + 1000 * n + 7 * hop);
+            const FreeDecay wave{.seconds = 2,
+                                 .a_B = run % 2 == 0 ? 0.2 : -0.2,
+                                 .two_theta_A = 0.1 * run,
+                                 .tau_s = tau,
+                                 .noise = 1e-2,
+                                 .seed = static_cast<std::uint64_t>(run + 1000 * n + 7 * hop)};
             const Result<Analysis> analysis = analysed(wave, n, hop, filter);
             QVERIFY(analysis);
             const TrackSummary summary = summary_of(*analysis);
@@ -161,14 +160,13 @@ private slots:
         constexpr int runs = 40;  // a deviation over them is known to 11 %
         double squares = 0;
         for (int run = 1; run <= runs; ++run) {
-            FreeDecay wave;
-            wave.seconds = n == 600 ? 4 : 1;
-            wave.a_B = 0.2;
-            wave.two_theta_A = 0.1 * run;
-            wave.tau_s = tau;
-            wave.frequency_drift_hz_s = drift;
-            wave.noise = 1e-3;
-            wave.seed = static_cast<std::uint64_t>(run + 1000 * n + 7 * hop);
+            const FreeDecay wave{.seconds = n == 600 ? 4.0 : 1.0,
+                                 .a_B = 0.2,
+                                 .two_theta_A = 0.1 * run,
+                                 .tau_s = tau,
+                                 .noise = 1e-3,
+                                 .seed = static_cast<std::uint64_t>(run + 1000 * n + 7 * hop),
+                                 .frequency_drift_hz_s = drift};
             const Result<Analysis> analysis = analysed(wave, n, hop, filter);
             QVERIFY(analysis);
             const TrackSummary& mean = analysis->means;
@@ -188,9 +186,7 @@ private slots:
     void windows_at_the_bound_of_the_search_widen_it() {
         for (const double off : {-500.0, 400.0, 540.0}) {
             for (const double noise : {1e-3, 0.3, 1.0}) {
-                FreeDecay wave;
-                wave.seconds = 2;
-                wave.noise = noise;
+                const FreeDecay wave{.seconds = 2, .noise = noise};
                 Settings settings;
                 settings.f0_hz = wave.f0_hz + off;
                 const Result<Analysis> analysis = analyse(simulated_recording(wave), settings, {});
@@ -210,10 +206,7 @@ private slots:
     }
 
     void noise_per_channel_is_the_same_for_every_window() {
-        FreeDecay wave;
-        wave.seconds = 2;
-        wave.a_B = 0.3;
-        wave.noise = 1e-3;
+        const FreeDecay wave{.seconds = 2, .a_B = 0.3, .noise = 1e-3};
         const Recording recording = simulated_recording(wave);
         for (const int n : {6, 7, 22, 60, 600}) {
             Settings settings;

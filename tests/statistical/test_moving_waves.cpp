@@ -1,6 +1,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
+#include "core/numerics/control_chart.h"
 #include "core/simulation/true_track.h"
 #include "core/track/events.h"
 #include "tests/closeness.h"
@@ -72,15 +73,14 @@ private slots:
         double still_unflagged = 0;
         double worst = 0;
         for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-            FreeDecay wave;
-            wave.seconds = 8;
-            wave.split_hz = split;
-            wave.theta_w = axis;
-            wave.two_theta_A = 0.3 * static_cast<double>(seed);
-            wave.tau_s = 5;
-            wave.omega_rad_s = seed == 1 ? 0 : 0.5;
-            wave.noise = 1e-3;
-            wave.seed = seed;
+            FreeDecay wave{.seconds = 8,
+                           .two_theta_A = 0.3 * static_cast<double>(seed),
+                           .split_hz = split,
+                           .theta_w = axis,
+                           .tau_s = 5,
+                           .omega_rad_s = seed == 1 ? 0 : 0.5,
+                           .noise = 1e-3,
+                           .seed = seed};
             Settings settings;
             settings.window = n;
             settings.hop = hop;
@@ -173,15 +173,16 @@ private slots:
         double count = 0;
         double windows = 0;
         for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-            FreeDecay wave;
-            wave.seconds = n == 6 ? 1 : n < 2000 ? 4 : 12;
-            wave.split_hz = split;
-            wave.theta_w = seed == 1 ? 0.1 : 0.39;
-            wave.two_theta_A = 0.3 * static_cast<double>(seed);
-            wave.tau_s = 20;
-            wave.a_B = 0.05;
-            wave.noise = std::pow(10, -decibels / 20);
-            wave.seed = seed + static_cast<std::uint64_t>(n);
+            FreeDecay wave{.seconds = n == 6     ? 1.0
+                                      : n < 2000 ? 4.0
+                                                 : 12.0,
+                           .a_B = 0.05,
+                           .two_theta_A = 0.3 * static_cast<double>(seed),
+                           .split_hz = split,
+                           .theta_w = seed == 1 ? 0.1 : 0.39,
+                           .tau_s = 20,
+                           .noise = std::pow(10, -decibels / 20),
+                           .seed = seed + static_cast<std::uint64_t>(n)};
             Settings settings;
             settings.window = n;
             settings.f0_hz = wave.f0_hz;
@@ -257,11 +258,7 @@ private slots:
         QFETCH(double, split);
         QFETCH(int, n);
         QFETCH(double, noise);
-        FreeDecay wave;
-        wave.seconds = 16;
-        wave.split_hz = split;
-        wave.theta_w = 0.39;
-        wave.noise = noise;
+        const FreeDecay wave{.seconds = 16, .split_hz = split, .theta_w = 0.39, .noise = noise};
         Settings settings;
         settings.window = n;
         const Result<Analysis> analysis = analyse(simulated_recording(wave), settings, {});
@@ -290,13 +287,12 @@ private slots:
         QFETCH(double, hum);
         QFETCH(double, offset);
         QFETCH(bool, filter);
-        FreeDecay wave;
-        wave.seconds = n < 10000 ? 8 : 30;
-        wave.a_B = 0.2;
-        wave.noise = 1e-3;
-        wave.seed = static_cast<std::uint64_t>(n);
-        wave.hum = hum;
-        wave.offset_c = offset;
+        FreeDecay wave{.seconds = n < 10000 ? 8.0 : 30.0,
+                       .a_B = 0.2,
+                       .noise = 1e-3,
+                       .offset_c = offset,
+                       .seed = static_cast<std::uint64_t>(n),
+                       .hum = hum};
         // Windows of whole hum periods have a zero of it at their centres.
         wave.hum_phase = 1.57;
         Settings settings;
@@ -323,9 +319,7 @@ private slots:
     }
     void a_knock_is_flagged() {
         QFETCH(int, n);
-        FreeDecay wave;
-        wave.seconds = 4;
-        wave.noise = 1e-3;
+        const FreeDecay wave{.seconds = 4, .noise = 1e-3};
         SimulatedDecay samples = simulated(wave);
         const std::size_t at = samples.c.size() / 2 + static_cast<std::size_t>(n) / 3;
         for (std::size_t k = 0; k < 200; ++k) {
@@ -363,13 +357,12 @@ private slots:
         QFETCH(double, split);
         QFETCH(int, n);
         QFETCH(int, hop);
-        FreeDecay wave;
-        wave.seconds = 20;
-        wave.omega_rad_s = omega;
-        wave.split_hz = split;
-        wave.theta_w = 0.2;
-        wave.noise = 1e-4;
-        wave.seed = static_cast<std::uint64_t>(hop);
+        const FreeDecay wave{.seconds = 20,
+                             .split_hz = split,
+                             .theta_w = 0.2,
+                             .omega_rad_s = omega,
+                             .noise = 1e-4,
+                             .seed = static_cast<std::uint64_t>(hop)};
         Settings settings;
         settings.window = n;
         settings.hop = hop;

@@ -22,11 +22,7 @@ const std::vector<double> angles{0, 22.5, 45, 67.5};
 
 // The reference of METHOD section 8 but for the start angle.
 FreeDecay reference() {
-    FreeDecay decay;
-    decay.tau_s = 400;
-    decay.noise = 1e-3;
-    decay.split_hz = 1e-6;
-    decay.theta_w = theta_w;
+    FreeDecay decay{.split_hz = 1e-6, .theta_w = theta_w, .tau_s = 400, .noise = 1e-3};
     return decay;
 }
 
@@ -96,47 +92,47 @@ class TestResonatorSet : public QObject {
     Q_OBJECT
 
 private slots:
-    void fourRunsShowASplitOfAMicrohertz();
-};
+    // The main case: samples with white noise, a split of 1e-6 Hz, one hundred seeds.
+    void fourRunsShowASplitOfAMicrohertz() {
+        std::vector<ResonatorFit> fits(seeds);
+        test::for_each_seed(seeds, [&](int k) {
+            fits[static_cast<std::size_t>(k)] = fit_of_seed(static_cast<std::uint64_t>(k) + 1);
+        });
 
-// The main case: samples with white noise, a split of 1e-6 Hz, one hundred seeds.
-void TestResonatorSet::fourRunsShowASplitOfAMicrohertz() {
-    std::vector<ResonatorFit> fits(seeds);
-    test::for_each_seed(seeds, [&](int k) {
-        fits[static_cast<std::size_t>(k)] = fit_of_seed(static_cast<std::uint64_t>(k) + 1);
-    });
-
-    double sum = 0;
-    double squares = 0;
-    double reported = 0;
-    double chi2 = 0;
-    int axis_right = 0;
-    for (const ResonatorFit& fit : fits) {
-        QVERIFY(fit.model == ResonatorModel::structured);
-        const Estimate& split = fit.resonator.split_hz;
-        const Estimate& axis = fit.resonator.theta_w_rad;
-        QVERIFY(split.given());
-        sum += split.value / seeds;
-        squares += (split.value - 1e-6) * (split.value - 1e-6) / seeds;
-        reported += split.sd / seeds;
-        chi2 += fit.chi2_per_dof / seeds;
-        axis_right += axis.given() && std::abs(axis.value - theta_w) <= 3 * axis.sd ? 1 : 0;
+        double sum = 0;
+        double squares = 0;
+        double reported = 0;
+        double chi2 = 0;
+        int axis_right = 0;
+        for (const ResonatorFit& fit : fits) {
+            QVERIFY(fit.model == ResonatorModel::structured);
+            const Estimate& split = fit.resonator.split_hz;
+            const Estimate& axis = fit.resonator.theta_w_rad;
+            QVERIFY(split.given());
+            sum += split.value / seeds;
+            squares += (split.value - 1e-6) * (split.value - 1e-6) / seeds;
+            reported += split.sd / seeds;
+            chi2 += fit.chi2_per_dof / seeds;
+            axis_right += axis.given() && std::abs(axis.value - theta_w) <= 3 * axis.sd ? 1 : 0;
+        }
+        const double scatter =
+            std::sqrt((squares - (sum - 1e-6) * (sum - 1e-6)) * seeds / (seeds - 1));
+        // The bound of the split's size at theta_w: the runs see both components alike.
+        const test::ResonatorBound bound = test::resonator_bound(reference(), angles);
+        const double least = std::hypot(std::cos(4 * theta_w) * bound.sd_split_cos_hz,
+                                        std::sin(4 * theta_w) * bound.sd_split_sin_hz);
+        qInfo(
+            "mean %.4g Hz, scatter %.3g Hz, bound %.3g Hz, reported %.3g Hz, axis %d of %d, chi2 "
+            "%.4f",
+            sum, scatter, least, reported, axis_right, seeds, chi2);
+        VYBEG_WITHIN(sum, 1e-6, 3 * scatter / std::sqrt(1.0 * seeds));
+        VYBEG_AT_MOST(scatter, 1.2 * least);
+        VYBEG_AT_MOST(scatter, 6e-8);
+        VYBEG_WITHIN(reported / scatter, 1, 0.15);
+        VYBEG_AT_LEAST(axis_right, 98);
+        VYBEG_CLOSE(chi2, 1, 0.01);
     }
-    const double scatter = std::sqrt((squares - (sum - 1e-6) * (sum - 1e-6)) * seeds / (seeds - 1));
-    // The bound of the split's size at theta_w: the runs see both components alike.
-    const test::ResonatorBound bound = test::resonator_bound(reference(), angles);
-    const double least = std::hypot(std::cos(4 * theta_w) * bound.sd_split_cos_hz,
-                                    std::sin(4 * theta_w) * bound.sd_split_sin_hz);
-    qInfo(
-        "mean %.4g Hz, scatter %.3g Hz, bound %.3g Hz, reported %.3g Hz, axis %d of %d, chi2 %.4f",
-        sum, scatter, least, reported, axis_right, seeds, chi2);
-    VYBEG_WITHIN(sum, 1e-6, 3 * scatter / std::sqrt(1.0 * seeds));
-    VYBEG_AT_MOST(scatter, 1.2 * least);
-    VYBEG_AT_MOST(scatter, 6e-8);
-    VYBEG_WITHIN(reported / scatter, 1, 0.15);
-    VYBEG_AT_LEAST(axis_right, 98);
-    VYBEG_CLOSE(chi2, 1, 0.01);
-}
+};
 
 VYBEG_TEST(TestResonatorSet)
 

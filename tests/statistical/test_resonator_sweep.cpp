@@ -69,156 +69,152 @@ class TestResonatorSweep : public QObject {
     Q_OBJECT
 
 private slots:
-    void fourRunsTellTheTruthWithinTheirDeviations_data();
-    void fourRunsTellTheTruthWithinTheirDeviations();
-    void oneStillRunTellsWhatItKnows_data();
-    void oneStillRunTellsWhatItKnows();
-    void theFreeModelTellsTheModes();
-};
-
-void TestResonatorSweep::fourRunsTellTheTruthWithinTheirDeviations_data() {
-    QTest::addColumn<FreeDecay>("decay");
-    for (const double noise : {1e-3, 1e-2}) {
-        for (const double tau : {10.0, 400.0, 4000.0}) {
-            for (const bool rich : {false, true}) {
-                for (const double split : {1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
-                    FreeDecay decay = reference();
-                    decay.noise = noise;
-                    decay.tau_s = tau;
-                    decay.split_hz = split;
-                    decay.theta_w = -0.35;
-                    if (rich) {
-                        decay.omega_rad_s = 0.05;
-                        decay.damping_anisotropy_per_s = 0.1 / tau;
-                        decay.theta_tau = 0.25;
+    void fourRunsTellTheTruthWithinTheirDeviations_data() {
+        QTest::addColumn<FreeDecay>("decay");
+        for (const double noise : {1e-3, 1e-2}) {
+            for (const double tau : {10.0, 400.0, 4000.0}) {
+                for (const bool rich : {false, true}) {
+                    for (const double split : {1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
+                        FreeDecay decay = reference();
+                        decay.noise = noise;
+                        decay.tau_s = tau;
+                        decay.split_hz = split;
+                        decay.theta_w = -0.35;
+                        if (rich) {
+                            decay.omega_rad_s = 0.05;
+                            decay.damping_anisotropy_per_s = 0.1 / tau;
+                            decay.theta_tau = 0.25;
+                        }
+                        QTest::newRow(qPrintable(QString("%1 dB, tau %2 s, %3 Hz%4")
+                                                     .arg(-20 * std::log10(noise))
+                                                     .arg(tau)
+                                                     .arg(split)
+                                                     .arg(rich ? ", turning, anisotropic" : "")))
+                            << decay;
                     }
-                    QTest::newRow(qPrintable(QString("%1 dB, tau %2 s, %3 Hz%4")
-                                                 .arg(-20 * std::log10(noise))
-                                                 .arg(tau)
-                                                 .arg(split)
-                                                 .arg(rich ? ", turning, anisotropic" : "")))
-                        << decay;
                 }
             }
         }
     }
-}
 
-void TestResonatorSweep::fourRunsTellTheTruthWithinTheirDeviations() {
-    QFETCH(FreeDecay, decay);
-    Scores split;
-    Scores axis;
-    Scores decay_rate;
-    Scores rotation;
-    int structured = 0;
-    int axes = 0;
-    for (const ResonatorFit& fit : fits_of(decay, four_angles, 4000)) {
-        structured += fit.model == ResonatorModel::structured ? 1 : 0;
-        const ResonatorEstimate& found = fit.resonator;
-        if (found.split_hz.given()) {
-            split.add(found.split_hz, decay.split_hz);
-        } else {
-            QVERIFY(found.split_hz.reason.code == ReasonCode::within_noise);
-            // The limit of two deviations beyond the length: the truth lies below it.
-            VYBEG_LESS(decay.split_hz, 1.5 * std::stod(english(found.split_hz.reason.args[0])));
+    void fourRunsTellTheTruthWithinTheirDeviations() {
+        QFETCH(FreeDecay, decay);
+        Scores split;
+        Scores axis;
+        Scores decay_rate;
+        Scores rotation;
+        int structured = 0;
+        int axes = 0;
+        for (const ResonatorFit& fit : fits_of(decay, four_angles, 4000)) {
+            structured += fit.model == ResonatorModel::structured ? 1 : 0;
+            const ResonatorEstimate& found = fit.resonator;
+            if (found.split_hz.given()) {
+                split.add(found.split_hz, decay.split_hz);
+            } else {
+                QVERIFY(found.split_hz.reason.code == ReasonCode::within_noise);
+                // The limit of two deviations beyond the length: the truth lies below it.
+                VYBEG_LESS(decay.split_hz, 1.5 * std::stod(english(found.split_hz.reason.args[0])));
+            }
+            if (found.theta_w_rad.given()) {
+                axis.add(found.theta_w_rad, decay.theta_w, pi / 2);
+                ++axes;
+            }
+            if (found.tau_s.given()) {
+                // Of 1/tau, which is normal also where tau is hardly seen.
+                const double tau = found.tau_s.value;
+                decay_rate.add(
+                    {1 / tau, found.tau_s.sd / (tau * tau), {}, found.tau_s.u / (tau * tau)},
+                    1 / decay.tau_s);
+            }
+            if (fit.identifiable.rotation) {
+                rotation.add(found.angle_rate_rad_s, -decay.bryan * decay.omega_rad_s);
+            }
         }
-        if (found.theta_w_rad.given()) {
-            axis.add(found.theta_w_rad, decay.theta_w, pi / 2);
-            ++axes;
+        QCOMPARE(structured, seeds);
+        if (axes > seeds / 2) {
+            QCOMPARE(split.fault(), QString());
+            QCOMPARE(axis.fault(), QString());
         }
-        if (found.tau_s.given()) {
-            // Of 1/tau, which is normal also where tau is hardly seen.
-            const double tau = found.tau_s.value;
-            decay_rate.add({1 / tau, found.tau_s.sd / (tau * tau), {}, found.tau_s.u / (tau * tau)},
-                           1 / decay.tau_s);
+        if (decay.split_hz > 1e-5) {
+            QCOMPARE(axes, seeds);
         }
-        if (fit.identifiable.rotation) {
-            rotation.add(found.angle_rate_rad_s, -decay.bryan * decay.omega_rad_s);
+        QCOMPARE(decay_rate.fault(), QString());
+        if (rotation.given > seeds / 2) {
+            QCOMPARE(rotation.fault(), QString());
         }
     }
-    QCOMPARE(structured, seeds);
-    if (axes > seeds / 2) {
-        QCOMPARE(split.fault(), QString());
-        QCOMPARE(axis.fault(), QString());
-    }
-    if (decay.split_hz > 1e-5) {
-        QCOMPARE(axes, seeds);
-    }
-    QCOMPARE(decay_rate.fault(), QString());
-    if (rotation.given > seeds / 2) {
-        QCOMPARE(rotation.fault(), QString());
-    }
-}
 
-void TestResonatorSweep::oneStillRunTellsWhatItKnows_data() {
-    QTest::addColumn<double>("split");
-    for (const double split : {0.0, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 0.1, 1.0}) {
-        QTest::newRow(qPrintable(QString("%1 Hz").arg(split))) << split;
-    }
-}
-
-// From nothing that can be told apart to a beat: whatever is given is right.
-void TestResonatorSweep::oneStillRunTellsWhatItKnows() {
-    QFETCH(double, split);
-    FreeDecay decay = reference();
-    decay.split_hz = split;
-    decay.theta_w = 0.2;
-    Scores sine;
-    Scores direction;
-    Scores size;
-    int given = 0;
-    for (const ResonatorFit& fit : fits_of(decay, {10}, 1000)) {
-        sine.add(fit.runs[0].split_sin_hz, split * std::sin(4 * (10 * pi / 180 - decay.theta_w)));
-        // Half a split beside the mean, as much as the wave stands along the axis; the first run of
-        // set_of() lies 13 mHz above.
-        const double along = std::cos(4 * (10 * pi / 180 - decay.theta_w));
-        direction.add(fit.runs[0].direction_f_hz, decay.f0_hz + 0.013 + 0.5 * split * along);
-        if (fit.identifiable.split) {
-            size.add(fit.resonator.split_hz, split);
-            ++given;
+    void oneStillRunTellsWhatItKnows_data() {
+        QTest::addColumn<double>("split");
+        for (const double split : {0.0, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 0.1, 1.0}) {
+            QTest::newRow(qPrintable(QString("%1 Hz").arg(split))) << split;
         }
     }
-    // A quadrature that hardly grows leaves the second component of the split open; with one of
-    // hertz, the growth at the start is another than the mean (core/README.md).
-    VYBEG_LESS(sine.worst, 5);
-    if (split >= 1e-4) {
-        QCOMPARE(sine.fault(), QString());
-    }
-    VYBEG_LESS(direction.worst, 5);
-    if (split <= 1e-6) {
-        VYBEG_AT_LEAST(direction.given, seeds - 2);
-    }
-    VYBEG_LESS(size.worst, 5);
-    if (split <= 1e-4) {
-        QCOMPARE(given, 0);
-    }
-    if (split >= 1e-2) {
-        QCOMPARE(given, seeds);
-    }
-}
 
-void TestResonatorSweep::theFreeModelTellsTheModes() {
-    FreeDecay decay = reference();
-    decay.seconds = 6;
-    decay.split_hz = 5.3;
-    decay.tau_s = 0.83;
-    decay.damping_anisotropy_per_s = 0.09;
-    decay.noise = 1e-2;
-    Scores upper;
-    Scores lower;
-    Scores faster;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const ResonatorFit fit =
-            fitted(set_of(decay, {17}, 500, seed), {.model = FitOptions::Model::free});
-        QCOMPARE(fit.modes.size(), std::size_t{2});
-        upper.add(fit.modes[0].f_hz, 5300.013 + 2.65);
-        lower.add(fit.modes[1].f_hz, 5300.013 - 2.65);
-        faster.add(fit.modes[0].tau_s, 1 / (1 / 0.83 + 0.045));
+    // From nothing that can be told apart to a beat: whatever is given is right.
+    void oneStillRunTellsWhatItKnows() {
+        QFETCH(double, split);
+        FreeDecay decay = reference();
+        decay.split_hz = split;
+        decay.theta_w = 0.2;
+        Scores sine;
+        Scores direction;
+        Scores size;
+        int given = 0;
+        for (const ResonatorFit& fit : fits_of(decay, {10}, 1000)) {
+            sine.add(fit.runs[0].split_sin_hz,
+                     split * std::sin(4 * (10 * pi / 180 - decay.theta_w)));
+            // Half a split beside the mean, as much as the wave stands along the axis; the first
+            // run of set_of() lies 13 mHz above.
+            const double along = std::cos(4 * (10 * pi / 180 - decay.theta_w));
+            direction.add(fit.runs[0].direction_f_hz, decay.f0_hz + 0.013 + 0.5 * split * along);
+            if (fit.identifiable.split) {
+                size.add(fit.resonator.split_hz, split);
+                ++given;
+            }
+        }
+        // A quadrature that hardly grows leaves the second component of the split open; with one of
+        // hertz, the growth at the start is another than the mean (core/README.md).
+        VYBEG_LESS(sine.worst, 5);
+        if (split >= 1e-4) {
+            QCOMPARE(sine.fault(), QString());
+        }
+        VYBEG_LESS(direction.worst, 5);
+        if (split <= 1e-6) {
+            VYBEG_AT_LEAST(direction.given, seeds - 2);
+        }
+        VYBEG_LESS(size.worst, 5);
+        if (split <= 1e-4) {
+            QCOMPARE(given, 0);
+        }
+        if (split >= 1e-2) {
+            QCOMPARE(given, seeds);
+        }
     }
-    QCOMPARE(upper.fault(), QString());
-    QCOMPARE(lower.fault(), QString());
-    QCOMPARE(faster.fault(), QString());
-}
+
+    void theFreeModelTellsTheModes() {
+        FreeDecay decay = reference();
+        decay.seconds = 6;
+        decay.split_hz = 5.3;
+        decay.tau_s = 0.83;
+        decay.damping_anisotropy_per_s = 0.09;
+        decay.noise = 1e-2;
+        Scores upper;
+        Scores lower;
+        Scores faster;
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            const ResonatorFit fit =
+                fitted(set_of(decay, {17}, 500, seed), {.model = FitOptions::Model::free});
+            QCOMPARE(fit.modes.size(), std::size_t{2});
+            upper.add(fit.modes[0].f_hz, 5300.013 + 2.65);
+            lower.add(fit.modes[1].f_hz, 5300.013 - 2.65);
+            faster.add(fit.modes[0].tau_s, 1 / (1 / 0.83 + 0.045));
+        }
+        QCOMPARE(upper.fault(), QString());
+        QCOMPARE(lower.fault(), QString());
+        QCOMPARE(faster.fault(), QString());
+    }
+};
 
 VYBEG_TEST(TestResonatorSweep)
 

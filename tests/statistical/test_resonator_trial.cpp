@@ -414,13 +414,12 @@ private slots:
         int free = 0;
         std::mutex mutex;
         for_each_seed(seeds, [&](int seed) {
-            FreeDecay gyro;
-            gyro.tau_s = 400;
-            gyro.noise = 1e-3;
-            gyro.split_hz = 1e-3;
-            gyro.theta_w = 0.2;
-            gyro.damping_anisotropy_per_s = 2e-4;
-            gyro.theta_tau = -0.3;
+            const FreeDecay gyro{.split_hz = 1e-3,
+                                 .theta_w = 0.2,
+                                 .tau_s = 400,
+                                 .damping_anisotropy_per_s = 2e-4,
+                                 .theta_tau = -0.3,
+                                 .noise = 1e-3};
             GaussianNoise noise(static_cast<std::uint64_t>(seed) + 77);
             std::vector<PhasorRun> runs;
             for (int k = 0; k < 4; ++k) {

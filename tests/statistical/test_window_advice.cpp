@@ -48,112 +48,109 @@ class TestWindowAdvice : public QObject {
     Q_OBJECT
 
 private slots:
-    void the_recommended_window_is_near_the_best_data();
-    void the_recommended_window_is_near_the_best();
+    void the_recommended_window_is_near_the_best_data() {
+        QTest::addColumn<double>("carrier");
+        QTest::addColumn<double>("decibels");
+        QTest::addColumn<double>("split");
+        QTest::addColumn<double>("tau");
+        QTest::addColumn<double>("rotation");
+        QTest::addColumn<int>("algorithm");
+        const auto add = [](double carrier, double decibels, double split, double tau,
+                            double rotation, Algorithm algorithm) {
+            QTest::addRow("%g Hz, %g dB, split %g Hz, tau %g s, %g rad/s, %s", carrier, decibels,
+                          split, tau, rotation, algorithm_name(algorithm).data())
+                << carrier << decibels << split << tau << rotation << static_cast<int>(algorithm);
+        };
+        for (const double carrier : {5300.0, 4321.987654321, 7071.0678}) {
+            for (const double decibels : {40.0, 60.0, 80.0}) {
+                for (const double split : {0.0, 0.3, 3.0, 30.0, 120.0}) {
+                    add(carrier, decibels, split, 8, 0, Algorithm::maximum_likelihood);
+                }
+            }
+        }
+        add(5300, 60, 0, 0.1, 0, Algorithm::maximum_likelihood);
+        add(5300, 60, 0.1, 8, 30, Algorithm::maximum_likelihood);
+        add(5300, 80, 0.1, 8, 300, Algorithm::maximum_likelihood);
+        for (const Algorithm algorithm : {Algorithm::phase_shift, Algorithm::moving_axes,
+                                          Algorithm::demodulation, Algorithm::conjugate_gradient}) {
+            for (const double decibels : {40.0, 60.0, 80.0}) {
+                for (const double split : {0.0, 3.0, 30.0}) {
+                    add(5300, decibels, split, 8, 0, algorithm);
+                }
+            }
+        }
+    }
+
+    void the_recommended_window_is_near_the_best() {
+        QFETCH(double, carrier);
+        QFETCH(double, decibels);
+        QFETCH(double, split);
+        QFETCH(double, tau);
+        QFETCH(double, rotation);
+        QFETCH(int, algorithm);
+        FreeDecay decay{.seconds = 5,
+                        .f0_hz = carrier,
+                        .a_B = 0.1,
+                        .two_theta_A = 0.7,
+                        .split_hz = split,
+                        .theta_w = 0.25,
+                        .tau_s = tau,
+                        .omega_rad_s = rotation};
+        decay.seconds = std::min(5.0, 8 * tau);
+        decay.noise = std::pow(10, -decibels / 20);
+        const Recording recording = test::simulated_recording(decay);
+        Settings settings;
+        settings.algorithm = static_cast<Algorithm>(algorithm);
+        const auto sweep = sweep_windows(recording, settings, spaced_lengths(6, 600), JobControl());
+        QVERIFY(sweep);
+        QVERIFY(sweep->advice);
+
+        std::vector<std::array<double, sweep_variable_count>> errors;
+        for (const SweepLength& each : sweep->lengths) {
+            settings.window = each.length;
+            const auto analysis = analyse(recording, settings, JobControl());
+            const auto truth = true_track(decay, each.length);
+            QVERIFY(analysis && truth);
+            auto& of_length = errors.emplace_back();
+            for (std::size_t v = 0; v < sweep_variable_count; ++v) {
+                of_length[v] = error_of(analysis->track, *truth, main_slow_variables[v]);
+            }
+        }
+        std::array<double, sweep_variable_count> least;
+        least.fill(1e300);
+        for (const auto& of_length : errors) {
+            for (std::size_t v = 0; v < sweep_variable_count; ++v) {
+                least[v] = std::min(least[v], of_length[v]);
+            }
+        }
+        std::vector<double> losses;
+        QString table;
+        for (std::size_t k = 0; k < errors.size(); ++k) {
+            double loss = 0;
+            table += QString("\nn = %1:").arg(sweep->lengths[k].length);
+            for (std::size_t v = 0; v < sweep_variable_count; ++v) {
+                loss = std::max(loss, errors[k][v] / least[v]);
+                const SweepValue& value = sweep->lengths[k].values[v];
+                table +=
+                    QString(" %1 (%2)").arg(errors[k][v], 0, 'g', 3).arg(value.error(), 0, 'g', 3);
+            }
+            table += QString(" loss %1").arg(loss, 0, 'g', 3);
+            losses.push_back(loss);
+        }
+        const double best = *std::ranges::min_element(losses);
+        const double found = losses[sweep->advice->best];
+        if (qEnvironmentVariableIsSet("VYBEG_SHOW")) {
+            qInfo("n = %d: %.2f of the best%s", int(sweep->lengths[sweep->advice->best].length),
+                  found / best, found > 2.5 * best ? qPrintable(table) : "");
+        }
+        VYBEG_AT_MOST(found, 2.5 * best,
+                      qPrintable(QString("recommended %1, loss %2 instead of %3%4")
+                                     .arg(sweep->lengths[sweep->advice->best].length)
+                                     .arg(found)
+                                     .arg(best)
+                                     .arg(table)));
+    }
 };
-
-void TestWindowAdvice::the_recommended_window_is_near_the_best_data() {
-    QTest::addColumn<double>("carrier");
-    QTest::addColumn<double>("decibels");
-    QTest::addColumn<double>("split");
-    QTest::addColumn<double>("tau");
-    QTest::addColumn<double>("rotation");
-    QTest::addColumn<int>("algorithm");
-    const auto add = [](double carrier, double decibels, double split, double tau, double rotation,
-                        Algorithm algorithm) {
-        QTest::addRow("%g Hz, %g dB, split %g Hz, tau %g s, %g rad/s, %s", carrier, decibels, split,
-                      tau, rotation, algorithm_name(algorithm).data())
-            << carrier << decibels << split << tau << rotation << static_cast<int>(algorithm);
-    };
-    for (const double carrier : {5300.0, 4321.987654321, 7071.0678}) {
-        for (const double decibels : {40.0, 60.0, 80.0}) {
-            for (const double split : {0.0, 0.3, 3.0, 30.0, 120.0}) {
-                add(carrier, decibels, split, 8, 0, Algorithm::maximum_likelihood);
-            }
-        }
-    }
-    add(5300, 60, 0, 0.1, 0, Algorithm::maximum_likelihood);
-    add(5300, 60, 0.1, 8, 30, Algorithm::maximum_likelihood);
-    add(5300, 80, 0.1, 8, 300, Algorithm::maximum_likelihood);
-    for (const Algorithm algorithm : {Algorithm::phase_shift, Algorithm::moving_axes,
-                                      Algorithm::demodulation, Algorithm::conjugate_gradient}) {
-        for (const double decibels : {40.0, 60.0, 80.0}) {
-            for (const double split : {0.0, 3.0, 30.0}) {
-                add(5300, decibels, split, 8, 0, algorithm);
-            }
-        }
-    }
-}
-
-void TestWindowAdvice::the_recommended_window_is_near_the_best() {
-    QFETCH(double, carrier);
-    QFETCH(double, decibels);
-    QFETCH(double, split);
-    QFETCH(double, tau);
-    QFETCH(double, rotation);
-    QFETCH(int, algorithm);
-    FreeDecay decay;
-    decay.seconds = 5;
-    decay.f0_hz = carrier;
-    decay.a_B = 0.1;
-    decay.two_theta_A = 0.7;
-    decay.split_hz = split;
-    decay.theta_w = 0.25;
-    decay.tau_s = tau;
-    decay.omega_rad_s = rotation;
-    decay.seconds = std::min(5.0, 8 * tau);
-    decay.noise = std::pow(10, -decibels / 20);
-    const Recording recording = test::simulated_recording(decay);
-    Settings settings;
-    settings.algorithm = static_cast<Algorithm>(algorithm);
-    const auto sweep = sweep_windows(recording, settings, spaced_lengths(6, 600), JobControl());
-    QVERIFY(sweep);
-    QVERIFY(sweep->advice);
-
-    std::vector<std::array<double, sweep_variable_count>> errors;
-    for (const SweepLength& each : sweep->lengths) {
-        settings.window = each.length;
-        const auto analysis = analyse(recording, settings, JobControl());
-        const auto truth = true_track(decay, each.length);
-        QVERIFY(analysis && truth);
-        auto& of_length = errors.emplace_back();
-        for (std::size_t v = 0; v < sweep_variable_count; ++v) {
-            of_length[v] = error_of(analysis->track, *truth, main_slow_variables[v]);
-        }
-    }
-    std::array<double, sweep_variable_count> least;
-    least.fill(1e300);
-    for (const auto& of_length : errors) {
-        for (std::size_t v = 0; v < sweep_variable_count; ++v) {
-            least[v] = std::min(least[v], of_length[v]);
-        }
-    }
-    std::vector<double> losses;
-    QString table;
-    for (std::size_t k = 0; k < errors.size(); ++k) {
-        double loss = 0;
-        table += QString("\nn = %1:").arg(sweep->lengths[k].length);
-        for (std::size_t v = 0; v < sweep_variable_count; ++v) {
-            loss = std::max(loss, errors[k][v] / least[v]);
-            const SweepValue& value = sweep->lengths[k].values[v];
-            table += QString(" %1 (%2)").arg(errors[k][v], 0, 'g', 3).arg(value.error(), 0, 'g', 3);
-        }
-        table += QString(" loss %1").arg(loss, 0, 'g', 3);
-        losses.push_back(loss);
-    }
-    const double best = *std::ranges::min_element(losses);
-    const double found = losses[sweep->advice->best];
-    if (qEnvironmentVariableIsSet("VYBEG_SHOW")) {
-        qInfo("n = %d: %.2f of the best%s", int(sweep->lengths[sweep->advice->best].length),
-              found / best, found > 2.5 * best ? qPrintable(table) : "");
-    }
-    VYBEG_AT_MOST(found, 2.5 * best,
-                  qPrintable(QString("recommended %1, loss %2 instead of %3%4")
-                                 .arg(sweep->lengths[sweep->advice->best].length)
-                                 .arg(found)
-                                 .arg(best)
-                                 .arg(table)));
-}
 
 VYBEG_TEST(TestWindowAdvice)
 

@@ -1,7 +1,6 @@
 #include "tests/ui/gui_home.h"
 
 #include "core/output/sample_files.h"
-#include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 
 #include <QFile>
@@ -24,6 +23,10 @@ QString GuiTestHome::recording(const QString& name, double seconds) const {
     decay.a_B = 0.1;
     decay.two_theta_A = 0.4;
     decay.noise = 1e-3;
+    return recording(name, decay);
+}
+
+QString GuiTestHome::recording(const QString& name, const FreeDecay& decay) const {
     const auto samples = simulate(decay, JobControl());
     const std::filesystem::path target(path(name).toStdString());
     auto file = OutputFile::create(target, JobControl());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/simulation/free_decay.h"
+
 #include <QByteArray>
 #include <QCoreApplication>
 #include <QDir>
@@ -20,6 +22,7 @@ public:
     // A decay of a_A = 1, a_B = 0.1, 2theta_A = 0.4 at 1000 Hz, sampled at 8000 Hz, with noise
     // of standard deviation 1e-3; WAV or CSV by the ending.
     QString recording(const QString& name, double seconds = 2) const;
+    QString recording(const QString& name, const FreeDecay& decay) const;
     QString file(const QString& name, const QByteArray& content) const;
 
 private:

@@ -39,6 +39,11 @@ std::unique_ptr<MainWindow> shownWindow() {
     return window;
 }
 
+bool WindowTest::idle(std::size_t analyses) {
+    return QTest::qWaitFor(
+        [&] { return !document().busy() && document().analyses().size() == analyses; }, 20000);
+}
+
 bool savedTo(MainWindow& window, const QString& path) {
     bool saved = false;
     window.session().save(path, [&saved] { saved = true; });

@@ -41,6 +41,24 @@ public:
 
 std::unique_ptr<MainWindow> shownWindow();
 
+// What the tests of the window share: a folder of its settings and files, and the window.
+class WindowTest {
+protected:
+    Document& document() { return window_->document(); }
+    template <class Widget>
+    Widget& the(const QString& name = {}) {
+        return childOf<Widget>(*window_, name);
+    }
+    NumberField& field(const QString& accessible_name) {
+        return fieldOf(*window_, accessible_name);
+    }
+    // Waits until the document rests with so many analyses; whether it does.
+    bool idle(std::size_t analyses);
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+};
+
 // Whether the window's session is in a file, as a person sees it after saving.
 bool savedTo(MainWindow& window, const QString& path);
 

@@ -1,9 +1,5 @@
 #include "tests/ui/resonator_runs.h"
 
-#include "core/output/sample_files.h"
-#include "core/simulation/free_decay.h"
-#include "core/simulation/simulate.h"
-
 #include <numbers>
 
 namespace vybeg::ui {
@@ -23,16 +19,7 @@ QStringList resonatorRuns(const GuiTestHome& home, const QString& prefix,
         decay.kappa = resonator.kappa;
         decay.noise = 1e-3;
         decay.seed = static_cast<std::uint64_t>(k + 1);
-        const QString path = home.path(QStringLiteral("%1-%2.wav").arg(prefix).arg(k * 45 / 2));
-        const auto samples = simulate(decay, JobControl());
-        auto file = OutputFile::create(path.toStdString(), JobControl());
-        const auto format = sample_format(path.toStdString());
-        if (!samples || !file || !format ||
-            !write_samples(*file, *format, {samples->c, samples->d, decay.rate_hz}, JobControl()) ||
-            !file->commit()) {
-            qFatal("the test's recording cannot be written");
-        }
-        paths << path;
+        paths << home.recording(QStringLiteral("%1-%2.wav").arg(prefix).arg(k * 45 / 2), decay);
     }
     return paths;
 }

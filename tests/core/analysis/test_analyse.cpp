@@ -20,10 +20,7 @@ using namespace vybeg;
 namespace {
 
 FreeDecay short_decay() {
-    FreeDecay decay;
-    decay.seconds = 1;
-    decay.a_B = 0.2;
-    decay.noise = 0.001;
+    FreeDecay decay{.seconds = 1, .a_B = 0.2, .noise = 0.001};
     return decay;
 }
 
@@ -53,248 +50,237 @@ class TestAnalyse : public QObject {
     Q_OBJECT
 
 private slots:
-    void fillsInWhatWasLeftOpen();
-    void resultIsTheSameForAnyNumberOfThreads();
-    void slidingWindowsAgreeWithDiscreteOnes();
-    void rangeIsKept();
-    void calibrationTakesOutWhatTheChannelsAdd();
-    void electrodeAngleIsSubtracted();
-    void filterFlagsItsTransients();
-    void windowsOverMissingSamplesAreFlaggedAndEmpty();
-    void uncertaintyOfTheRateIsInThatOfTheFrequency();
-    void impossibleAnalysesAreNamed();
-    void cancellingInterrupts();
-    void progressRisesToOne();
-};
-
-void TestAnalyse::fillsInWhatWasLeftOpen() {
-    const Recording recording = test::simulated_recording(short_decay());
-    Settings settings;
-    settings.periods = 10;
-    settings.snap = true;
-    const Result<Analysis> analysis = analyse(recording, settings, {});
-    QVERIFY(analysis);
-    VYBEG_CLOSE(analysis->f0_hz(), 5300, 0.1);
-    QCOMPARE(analysis->settings.window, 66);  // ten periods are 62.9; 66 are 20.99 half-periods
-    QCOMPARE(analysis->settings.hop, 66);
-    VYBEG_LESS(analysis->residual, 0.001);
-    QCOMPARE(analysis->track.rows(), std::size_t{33333 / 66});
-}
-
-void TestAnalyse::resultIsTheSameForAnyNumberOfThreads() {
-    FreeDecay decay = demo_decay();
-    decay.seconds = 10;  // more than one chunk
-    const Recording recording = test::simulated_recording(decay);
-    for (const Algorithm algorithm :
-         {Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes,
-          Algorithm::demodulation, Algorithm::conjugate_gradient, Algorithm::maximum_likelihood}) {
+    void fillsInWhatWasLeftOpen() {
+        const Recording recording = test::simulated_recording(short_decay());
         Settings settings;
-        settings.algorithm = algorithm;
-        settings.window = 22;
-        settings.threads = 1;
-        const Result<Analysis> one = analyse(recording, settings, {});
-        settings.threads = 2;
-        const Result<Analysis> two = analyse(recording, settings, {});
-        settings.threads = 5;
-        const Result<Analysis> five = analyse(recording, settings, {});
-        QVERIFY(one && two && five);
-        QVERIFY2(identical(one->track, two->track), algorithm_name(algorithm).data());
-        QVERIFY2(identical(one->track, five->track), algorithm_name(algorithm).data());
-    }
-}
-
-void TestAnalyse::slidingWindowsAgreeWithDiscreteOnes() {
-    FreeDecay decay = short_decay();
-    decay.seconds = 0.2;
-    const Recording recording = test::simulated_recording(decay);
-    Settings settings;
-    settings.window = 60;
-    const Result<Analysis> discrete = analyse(recording, settings, {});
-    settings.hop = 1;
-    const Result<Analysis> sliding = analyse(recording, settings, {});
-    QVERIFY(discrete && sliding);
-    QCOMPARE(sliding->track.rows(), static_cast<std::size_t>(recording.frames() - 59));
-    for (std::size_t k = 0; k < discrete->track.rows(); ++k) {
-        QCOMPARE(sliding->track.time_s()[60 * k], discrete->track.time_s()[k]);
-        QCOMPARE(sliding->track.values(SlowVariable::a_A)[60 * k],
-                 discrete->track.values(SlowVariable::a_A)[k]);
-        QCOMPARE(sliding->track.values(SlowVariable::f)[60 * k],
-                 discrete->track.values(SlowVariable::f)[k]);
-    }
-}
-
-void TestAnalyse::rangeIsKept() {
-    const Recording recording = test::simulated_recording(short_decay());
-    Settings settings;
-    settings.from_s = 0.25;
-    settings.to_s = 0.5;
-    const Result<Analysis> analysis = analyse(recording, settings, {});
-    QVERIFY(analysis);
-    VYBEG_AT_LEAST(analysis->track.time_s().front(), 0.25);
-    VYBEG_AT_MOST(analysis->track.time_s().back(), 0.5);
-    QCOMPARE(analysis->plan.first, 8334);  // the first frame not before 0.25 s
-    QCOMPARE(analysis->track.rows(), std::size_t{(16667 - 8334) / 60});
-}
-
-void TestAnalyse::calibrationTakesOutWhatTheChannelsAdd() {
-    FreeDecay decay = short_decay();
-    decay.kappa = 1.03;
-    decay.offset_c = 0.5;
-    decay.offset_d = -0.2;
-    const Recording recording = test::simulated_recording(decay);
-    const auto error_of = [&](const Settings& settings) {
-        const Result<Analysis> analysis = analyse(recording, settings, {});
-        const auto angle = analysis->track.values(SlowVariable::two_theta_A);
-        double sum = 0;
-        for (const double value : angle) {
-            sum += value - decay.two_theta_A;
-        }
-        return std::abs(sum / static_cast<double>(angle.size()));
-    };
-    Settings settings;
-    // sd of 2theta_A in a window is 2e-4 and of the mean of 555 windows 1e-5.
-    VYBEG_MORE(error_of(settings), 3e-3);
-    settings.calibration.kappa = 1.03;
-    settings.calibration.offset_c = 0.5;
-    settings.calibration.offset_d = -0.2;
-    VYBEG_CLOSE(error_of(settings), 0, 5e-5);
-    settings.calibration.offset_c = settings.calibration.offset_d = 0;
-    settings.calibration.offset_auto = true;
-    VYBEG_CLOSE(error_of(settings), 0, 5e-5);
-    const Result<Analysis> analysis = analyse(recording, settings, {});
-    VYBEG_CLOSE(analysis->settings.calibration.offset_c, 0.5, 1e-4);
-    VYBEG_CLOSE(analysis->settings.calibration.offset_d, -0.2, 1e-4);
-}
-
-void TestAnalyse::electrodeAngleIsSubtracted() {
-    const Recording recording = test::simulated_recording(short_decay());
-    Settings settings;
-    const double before =
-        analyse(recording, settings, {})->track.values(SlowVariable::two_theta_A)[0];
-    settings.calibration.angle_zero_deg = 5;
-    const double after =
-        analyse(recording, settings, {})->track.values(SlowVariable::two_theta_A)[0];
-    VYBEG_CLOSE(before - after, 10 * std::numbers::pi / 180, 1e-12);
-}
-
-void TestAnalyse::filterFlagsItsTransients() {
-    const Recording recording = test::simulated_recording(short_decay());
-    Settings settings;
-    settings.filter = Band{5000, 5600};
-    const Result<Analysis> analysis = analyse(recording, settings, {});
-    QVERIFY(analysis);
-    const auto flags = analysis->track.flags();
-    QVERIFY(has(flags.front(), Flag::filter_transient));
-    QVERIFY(has(flags.back(), Flag::filter_transient));
-    const auto clean = std::count(flags.begin(), flags.end(), Flags{0});
-    VYBEG_MORE(clean, 450);
-    VYBEG_LESS(clean, 555);
-    VYBEG_CLOSE(analysis->track.values(SlowVariable::a_A)[250], 1, 1e-3);
-    QVERIFY(std::ranges::any_of(analysis->diagnostics, [](const Diagnostic& d) {
-        return d.kind == DiagnosticKind::filter_transients;
-    }));
-}
-
-void TestAnalyse::windowsOverMissingSamplesAreFlaggedAndEmpty() {
-    Recording recording = test::simulated_recording(short_decay());
-    std::vector<double> c(static_cast<std::size_t>(recording.frames()));
-    std::vector<double> d(c.size());
-    QVERIFY(recording.source->read(0, c, d));
-    c[605] = std::nan("");
-    d[1205] = std::numeric_limits<double>::infinity();
-    recording.source = std::make_shared<MemorySource>(c, d);
-    for (const Algorithm algorithm :
-         {Algorithm::in_phase, Algorithm::conjugate_gradient, Algorithm::maximum_likelihood}) {
-        Settings settings;
-        settings.algorithm = algorithm;
+        settings.periods = 10;
+        settings.snap = true;
         const Result<Analysis> analysis = analyse(recording, settings, {});
         QVERIFY(analysis);
-        for (std::size_t k = 0; k < analysis->track.rows(); ++k) {
-            const bool gap = k == 10 || k == 20;
-            QCOMPARE(has(analysis->track.flags()[k], Flag::gap), gap);
-            QCOMPARE(std::isnan(analysis->track.values(SlowVariable::a_A)[k]), gap);
-            QCOMPARE(std::isnan(analysis->track.values(SlowVariable::rms)[k]), gap);
+        VYBEG_CLOSE(analysis->f0_hz(), 5300, 0.1);
+        QCOMPARE(analysis->settings.window, 66);  // ten periods are 62.9; 66 are 20.99 half-periods
+        QCOMPARE(analysis->settings.hop, 66);
+        VYBEG_LESS(analysis->residual, 0.001);
+        QCOMPARE(analysis->track.rows(), std::size_t{33333 / 66});
+    }
+
+    void resultIsTheSameForAnyNumberOfThreads() {
+        FreeDecay decay = demo_decay();
+        decay.seconds = 10;  // more than one chunk
+        const Recording recording = test::simulated_recording(decay);
+        for (const Algorithm algorithm :
+             {Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes,
+              Algorithm::demodulation, Algorithm::conjugate_gradient,
+              Algorithm::maximum_likelihood}) {
+            Settings settings;
+            settings.algorithm = algorithm;
+            settings.window = 22;
+            settings.threads = 1;
+            const Result<Analysis> one = analyse(recording, settings, {});
+            settings.threads = 2;
+            const Result<Analysis> two = analyse(recording, settings, {});
+            settings.threads = 5;
+            const Result<Analysis> five = analyse(recording, settings, {});
+            QVERIFY(one && two && five);
+            QVERIFY2(identical(one->track, two->track), algorithm_name(algorithm).data());
+            QVERIFY2(identical(one->track, five->track), algorithm_name(algorithm).data());
         }
     }
-}
 
-void TestAnalyse::uncertaintyOfTheRateIsInThatOfTheFrequency() {
-    Recording recording = test::simulated_recording(short_decay());
-    Settings settings;
-    settings.periods = 100;
-    const Result<Analysis> exact = analyse(recording, settings, {});
-    for (const double relative : {1e-7, 1e-5, 1e-3}) {
-        recording.rate_relative_sd = relative;
-        const Result<Analysis> open = analyse(recording, settings, {});
-        QVERIFY(exact && open);
-        for (std::size_t row = 0; row < open->track.rows(); row += 7) {
-            const double f = exact->track.values(SlowVariable::f)[row];
-            const double expected =
-                std::hypot(exact->track.sds(SlowVariable::f)[row], relative * f);
-            const double sd = open->track.sds(SlowVariable::f)[row];
-            VYBEG_CLOSE_RATIO(sd, expected, 1e-12);
-            QCOMPARE(open->track.values(SlowVariable::f)[row], f);
-            QCOMPARE(open->track.sds(SlowVariable::a_A)[row],
-                     exact->track.sds(SlowVariable::a_A)[row]);
+    void slidingWindowsAgreeWithDiscreteOnes() {
+        FreeDecay decay = short_decay();
+        decay.seconds = 0.2;
+        const Recording recording = test::simulated_recording(decay);
+        Settings settings;
+        settings.window = 60;
+        const Result<Analysis> discrete = analyse(recording, settings, {});
+        settings.hop = 1;
+        const Result<Analysis> sliding = analyse(recording, settings, {});
+        QVERIFY(discrete && sliding);
+        QCOMPARE(sliding->track.rows(), static_cast<std::size_t>(recording.frames() - 59));
+        for (std::size_t k = 0; k < discrete->track.rows(); ++k) {
+            QCOMPARE(sliding->track.time_s()[60 * k], discrete->track.time_s()[k]);
+            QCOMPARE(sliding->track.values(SlowVariable::a_A)[60 * k],
+                     discrete->track.values(SlowVariable::a_A)[k]);
+            QCOMPARE(sliding->track.values(SlowVariable::f)[60 * k],
+                     discrete->track.values(SlowVariable::f)[k]);
         }
     }
-}
 
-void TestAnalyse::impossibleAnalysesAreNamed() {
-    const Recording recording = test::simulated_recording(short_decay());
-    Settings settings;
-    settings.window = 40000;
-    QVERIFY(code_of(recording, settings) == ErrorCode::window_too_long);
-    settings = {};
-    settings.f0_hz = 17000;
-    QVERIFY(code_of(recording, settings) == ErrorCode::carrier_above_half_rate);
-    settings = {};
-    settings.f0_hz = 1000;
-    settings.window = 10;
-    QVERIFY(code_of(recording, settings) == ErrorCode::window_too_short);
-    for (const Algorithm algorithm :
-         {Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes,
-          Algorithm::demodulation, Algorithm::conjugate_gradient, Algorithm::maximum_likelihood}) {
+    void rangeIsKept() {
+        const Recording recording = test::simulated_recording(short_decay());
+        Settings settings;
+        settings.from_s = 0.25;
+        settings.to_s = 0.5;
+        const Result<Analysis> analysis = analyse(recording, settings, {});
+        QVERIFY(analysis);
+        VYBEG_AT_LEAST(analysis->track.time_s().front(), 0.25);
+        VYBEG_AT_MOST(analysis->track.time_s().back(), 0.5);
+        QCOMPARE(analysis->plan.first, 8334);  // the first frame not before 0.25 s
+        QCOMPARE(analysis->track.rows(), std::size_t{(16667 - 8334) / 60});
+    }
+
+    void calibrationTakesOutWhatTheChannelsAdd() {
+        FreeDecay decay = short_decay();
+        decay.kappa = 1.03;
+        decay.offset_c = 0.5;
+        decay.offset_d = -0.2;
+        const Recording recording = test::simulated_recording(decay);
+        const auto error_of = [&](const Settings& settings) {
+            const Result<Analysis> analysis = analyse(recording, settings, {});
+            const auto angle = analysis->track.values(SlowVariable::two_theta_A);
+            double sum = 0;
+            for (const double value : angle) {
+                sum += value - decay.two_theta_A;
+            }
+            return std::abs(sum / static_cast<double>(angle.size()));
+        };
+        Settings settings;
+        // sd of 2theta_A in a window is 2e-4 and of the mean of 555 windows 1e-5.
+        VYBEG_MORE(error_of(settings), 3e-3);
+        settings.calibration.kappa = 1.03;
+        settings.calibration.offset_c = 0.5;
+        settings.calibration.offset_d = -0.2;
+        VYBEG_CLOSE(error_of(settings), 0, 5e-5);
+        settings.calibration.offset_c = settings.calibration.offset_d = 0;
+        settings.calibration.offset_auto = true;
+        VYBEG_CLOSE(error_of(settings), 0, 5e-5);
+        const Result<Analysis> analysis = analyse(recording, settings, {});
+        VYBEG_CLOSE(analysis->settings.calibration.offset_c, 0.5, 1e-4);
+        VYBEG_CLOSE(analysis->settings.calibration.offset_d, -0.2, 1e-4);
+    }
+
+    void electrodeAngleIsSubtracted() {
+        const Recording recording = test::simulated_recording(short_decay());
+        Settings settings;
+        const double before =
+            analyse(recording, settings, {})->track.values(SlowVariable::two_theta_A)[0];
+        settings.calibration.angle_zero_deg = 5;
+        const double after =
+            analyse(recording, settings, {})->track.values(SlowVariable::two_theta_A)[0];
+        VYBEG_CLOSE(before - after, 10 * std::numbers::pi / 180, 1e-12);
+    }
+
+    void filterFlagsItsTransients() {
+        const Recording recording = test::simulated_recording(short_decay());
+        Settings settings;
+        settings.filter = Band{5000, 5600};
+        const Result<Analysis> analysis = analyse(recording, settings, {});
+        QVERIFY(analysis);
+        const auto flags = analysis->track.flags();
+        QVERIFY(has(flags.front(), Flag::filter_transient));
+        QVERIFY(has(flags.back(), Flag::filter_transient));
+        const auto clean = std::count(flags.begin(), flags.end(), Flags{0});
+        VYBEG_MORE(clean, 450);
+        VYBEG_LESS(clean, 555);
+        VYBEG_CLOSE(analysis->track.values(SlowVariable::a_A)[250], 1, 1e-3);
+        QVERIFY(std::ranges::any_of(analysis->diagnostics, [](const Diagnostic& d) {
+            return d.kind == DiagnosticKind::filter_transients;
+        }));
+    }
+
+    void windowsOverMissingSamplesAreFlaggedAndEmpty() {
+        Recording recording = test::simulated_recording(short_decay());
+        std::vector<double> c(static_cast<std::size_t>(recording.frames()));
+        std::vector<double> d(c.size());
+        QVERIFY(recording.source->read(0, c, d));
+        c[605] = std::nan("");
+        d[1205] = std::numeric_limits<double>::infinity();
+        recording.source = std::make_shared<MemorySource>(c, d);
+        for (const Algorithm algorithm :
+             {Algorithm::in_phase, Algorithm::conjugate_gradient, Algorithm::maximum_likelihood}) {
+            Settings settings;
+            settings.algorithm = algorithm;
+            const Result<Analysis> analysis = analyse(recording, settings, {});
+            QVERIFY(analysis);
+            for (std::size_t k = 0; k < analysis->track.rows(); ++k) {
+                const bool gap = k == 10 || k == 20;
+                QCOMPARE(has(analysis->track.flags()[k], Flag::gap), gap);
+                QCOMPARE(std::isnan(analysis->track.values(SlowVariable::a_A)[k]), gap);
+                QCOMPARE(std::isnan(analysis->track.values(SlowVariable::rms)[k]), gap);
+            }
+        }
+    }
+
+    void uncertaintyOfTheRateIsInThatOfTheFrequency() {
+        Recording recording = test::simulated_recording(short_decay());
+        Settings settings;
+        settings.periods = 100;
+        const Result<Analysis> exact = analyse(recording, settings, {});
+        for (const double relative : {1e-7, 1e-5, 1e-3}) {
+            recording.rate_relative_sd = relative;
+            const Result<Analysis> open = analyse(recording, settings, {});
+            QVERIFY(exact && open);
+            for (std::size_t row = 0; row < open->track.rows(); row += 7) {
+                const double f = exact->track.values(SlowVariable::f)[row];
+                const double expected =
+                    std::hypot(exact->track.sds(SlowVariable::f)[row], relative * f);
+                const double sd = open->track.sds(SlowVariable::f)[row];
+                VYBEG_CLOSE_RATIO(sd, expected, 1e-12);
+                QCOMPARE(open->track.values(SlowVariable::f)[row], f);
+                QCOMPARE(open->track.sds(SlowVariable::a_A)[row],
+                         exact->track.sds(SlowVariable::a_A)[row]);
+            }
+        }
+    }
+
+    void impossibleAnalysesAreNamed() {
+        const Recording recording = test::simulated_recording(short_decay());
+        Settings settings;
+        settings.window = 40000;
+        QVERIFY(code_of(recording, settings) == ErrorCode::window_too_long);
         settings = {};
-        settings.algorithm = algorithm;
-        settings.f0_hz = 0.4914 * 33333;
-        settings.window = 7;
+        settings.f0_hz = 17000;
+        QVERIFY(code_of(recording, settings) == ErrorCode::carrier_above_half_rate);
+        settings = {};
+        settings.f0_hz = 1000;
+        settings.window = 10;
         QVERIFY(code_of(recording, settings) == ErrorCode::window_too_short);
+        for (const Algorithm algorithm :
+             {Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes,
+              Algorithm::demodulation, Algorithm::conjugate_gradient,
+              Algorithm::maximum_likelihood}) {
+            settings = {};
+            settings.algorithm = algorithm;
+            settings.f0_hz = 0.4914 * 33333;
+            settings.window = 7;
+            QVERIFY(code_of(recording, settings) == ErrorCode::window_too_short);
+        }
+        settings = {};
+        settings.from_s = 2;
+        QVERIFY(code_of(recording, settings) == ErrorCode::range_empty);
+        settings = {};
+        settings.band = Band{17000, 18000};
+        QVERIFY(code_of(recording, settings) == ErrorCode::band_invalid);
+        settings = {};
+        settings.filter = Band{5299.99, 5300.01};
+        QVERIFY(code_of(recording, settings) == ErrorCode::filter_too_long);
+        settings = {};
+        settings.hop = -1;
+        QVERIFY(code_of(recording, settings) == ErrorCode::setting_invalid);
     }
-    settings = {};
-    settings.from_s = 2;
-    QVERIFY(code_of(recording, settings) == ErrorCode::range_empty);
-    settings = {};
-    settings.band = Band{17000, 18000};
-    QVERIFY(code_of(recording, settings) == ErrorCode::band_invalid);
-    settings = {};
-    settings.filter = Band{5299.99, 5300.01};
-    QVERIFY(code_of(recording, settings) == ErrorCode::filter_too_long);
-    settings = {};
-    settings.hop = -1;
-    QVERIFY(code_of(recording, settings) == ErrorCode::setting_invalid);
-}
 
-void TestAnalyse::cancellingInterrupts() {
-    const Recording recording = test::simulated_recording(short_decay());
-    std::stop_source stop;
-    stop.request_stop();
-    const Result<Analysis> analysis = analyse(recording, {}, JobControl(stop.get_token()));
-    QVERIFY(!analysis);
-    QVERIFY(analysis.error().code == ErrorCode::interrupted);
-}
+    void cancellingInterrupts() {
+        const Recording recording = test::simulated_recording(short_decay());
+        std::stop_source stop;
+        stop.request_stop();
+        const Result<Analysis> analysis = analyse(recording, {}, JobControl(stop.get_token()));
+        QVERIFY(!analysis);
+        QVERIFY(analysis.error().code == ErrorCode::interrupted);
+    }
 
-void TestAnalyse::progressRisesToOne() {
-    FreeDecay decay = short_decay();
-    decay.seconds = 20;
-    const Recording recording = test::simulated_recording(decay);
-    std::vector<double> told;
-    const JobControl job({}, [&told](double fraction) { told.push_back(fraction); });
-    QVERIFY(analyse(recording, {}, job));
-    VYBEG_MORE(told.size(), 1);
-    QVERIFY(std::ranges::is_sorted(told));
-    QCOMPARE(told.back(), 1.0);
-}
+    void progressRisesToOne() {
+        FreeDecay decay = short_decay();
+        decay.seconds = 20;
+        const Recording recording = test::simulated_recording(decay);
+        std::vector<double> told;
+        const JobControl job({}, [&told](double fraction) { told.push_back(fraction); });
+        QVERIFY(analyse(recording, {}, job));
+        VYBEG_MORE(told.size(), 1);
+        QVERIFY(std::ranges::is_sorted(told));
+        QCOMPARE(told.back(), 1.0);
+    }
+};
 
 VYBEG_TEST(TestAnalyse, threads)
 

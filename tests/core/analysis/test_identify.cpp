@@ -21,13 +21,12 @@ namespace {
 std::vector<Recording> runs_at(std::initializer_list<double> two_theta_A) {
     std::vector<Recording> runs;
     for (const double angle : two_theta_A) {
-        FreeDecay decay;
-        decay.seconds = 4;
-        decay.tau_s = 40;
-        decay.split_hz = 0.1;
-        decay.noise = 1e-3;
-        decay.two_theta_A = angle;
-        decay.seed = static_cast<std::uint64_t>(10 * angle);
+        const FreeDecay decay{.seconds = 4,
+                              .two_theta_A = angle,
+                              .split_hz = 0.1,
+                              .tau_s = 40,
+                              .noise = 1e-3,
+                              .seed = static_cast<std::uint64_t>(10 * angle)};
         runs.push_back(simulated_recording(decay));
     }
     return runs;
@@ -154,18 +153,17 @@ private slots:
         QFETCH(double, angle_zero_deg);
         std::vector<Recording> runs;
         for (int k = 0; k < 4; ++k) {
-            FreeDecay decay;
-            decay.seconds = 8;
-            decay.tau_s = 10;
-            decay.split_hz = 0.3;
-            decay.theta_w = 0.4;
-            decay.damping_anisotropy_per_s = 0.01;
-            decay.theta_tau = 0.2;
-            decay.noise = 1e-3;
-            decay.kappa = 1.03;
-            decay.skew_deg = 0.5;
-            decay.two_theta_A = 0.3 + k * std::numbers::pi / 4;
-            decay.seed = static_cast<std::uint64_t>(k + 1);
+            const FreeDecay decay{.seconds = 8,
+                                  .two_theta_A = 0.3 + k * std::numbers::pi / 4,
+                                  .split_hz = 0.3,
+                                  .theta_w = 0.4,
+                                  .tau_s = 10,
+                                  .damping_anisotropy_per_s = 0.01,
+                                  .theta_tau = 0.2,
+                                  .noise = 1e-3,
+                                  .kappa = 1.03,
+                                  .seed = static_cast<std::uint64_t>(k + 1),
+                                  .skew_deg = 0.5};
             runs.push_back(simulated_recording(decay));
         }
         IdentifySettings settings;

@@ -26,23 +26,18 @@ using namespace vybeg::test;
 namespace {
 
 FreeDecay bell() {
-    FreeDecay decay;
-    decay.seconds = 3;
-    decay.rate_hz = 44100;
-    decay.f0_hz = 1020;
-    decay.split_hz = 5;
-    decay.theta_w = 0.3;
-    decay.tau_s = 0.8;
-    decay.damping_anisotropy_per_s = 0.1;
+    FreeDecay decay{.seconds = 3,
+                    .rate_hz = 44100,
+                    .f0_hz = 1020,
+                    .split_hz = 5,
+                    .theta_w = 0.3,
+                    .tau_s = 0.8,
+                    .damping_anisotropy_per_s = 0.1};
     return decay;
 }
 
 FreeDecay gyro() {
-    FreeDecay decay;
-    decay.seconds = 4;
-    decay.a_B = 0.1;
-    decay.tau_s = 400;
-    decay.noise = 1e-3;
+    FreeDecay decay{.seconds = 4, .a_B = 0.1, .tau_s = 400, .noise = 1e-3};
     return decay;
 }
 

@@ -15,112 +15,6 @@ namespace test_settings {
 
 using namespace vybeg;
 
-class TestSettings : public QObject {
-    Q_OBJECT
-
-private slots:
-    void defaultsAreThoseOfTheCommandLine();
-    void whatLiesWithinItsBoundsIsAccepted();
-    void whatCannotBeIsRefusedByName_data();
-    void whatCannotBeIsRefusedByName();
-    void everySettingReadsBackFromItsText();
-    void theDefaultsReadBackToo();
-    void settingsOfLogsAreListedWhereTheyAreTold();
-    void whatNoLogIsIsRefused_data();
-    void whatNoLogIsIsRefused();
-    void namesAreThoseOfOneRowEach();
-};
-
-void TestSettings::defaultsAreThoseOfTheCommandLine() {
-    const Settings settings;
-    QVERIFY(validate(settings));
-    QVERIFY(settings.algorithm == Algorithm::maximum_likelihood);
-    QCOMPARE(settings.window, 60);
-    QVERIFY(settings.start == StartRule::first);
-    QCOMPARE(settings.calibration.kappa, 1.0);
-}
-
-void TestSettings::whatLiesWithinItsBoundsIsAccepted() {
-    Settings settings;
-    settings.window = 1'000'000'000'000'000;
-    settings.hop = settings.window;
-    settings.f0_hz = 1e-6;
-    settings.initial = StartValues{{1e30, -1e30, -1e6, 1e6}, 5300};
-    settings.calibration.kappa = 1e6;
-    settings.calibration.offset_c = -1e30;
-    settings.calibration.delay_d_s = -1;
-    settings.calibration.angle_zero_deg = -360;
-    QVERIFY(validate(settings));
-    settings.periods = 1e9;
-    settings.calibration.kappa = 1e-6;
-    settings.calibration.angle_zero_deg = 360;
-    QVERIFY(validate(settings));
-}
-
-void TestSettings::whatCannotBeIsRefusedByName_data() {
-    using Change = std::function<void(Settings&)>;
-    QTest::addColumn<Change>("change");
-    QTest::addColumn<QString>("option");
-    const double nan = std::nan("");
-    const double infinity = std::numeric_limits<double>::infinity();
-    const auto row = [](const char* name, const char* option, Change change) {
-        QTest::newRow(name) << change << option;
-    };
-    row("window of 4", "--window", [](Settings& s) { s.window = 4; });
-    row("no periods", "--periods", [](Settings& s) { s.periods = 0; });
-    row("endless periods", "--periods", [=](Settings& s) { s.periods = infinity; });
-    row("backward hop", "--hop", [](Settings& s) { s.hop = -1; });
-    row("negative carrier", "--f0", [](Settings& s) { s.f0_hz = -5300; });
-    row("carrier NaN", "--f0", [=](Settings& s) { s.f0_hz = nan; });
-    row("start without amplitude", "--initial", [](Settings& s) {
-        s.initial = StartValues{{0, 0, 0, 0}, 5300};
-    });
-    row("start NaN", "--initial", [=](Settings& s) {
-        s.initial = StartValues{{1, nan, 0, 0}, 5300};
-    });
-    row("start without frequency", "--initial", [](Settings& s) {
-        s.initial = StartValues{{1, 0, 0, 0}, 0};
-    });
-    row("from NaN", "--from", [=](Settings& s) { s.from_s = nan; });
-    row("to infinity", "--to", [=](Settings& s) { s.to_s = infinity; });
-    row("falling band", "--band", [](Settings& s) { s.band = Band{6000, 5000}; });
-    row("negative filter", "--filter", [](Settings& s) { s.filter = Band{-1, 5000}; });
-    row("no gain", "--kappa", [](Settings& s) { s.calibration.kappa = 0; });
-    row("offset NaN", "--offset", [=](Settings& s) { s.calibration.offset_d = nan; });
-    row("delay NaN", "--delay", [=](Settings& s) { s.calibration.delay_d_s = nan; });
-    row("electrode NaN", "--angle-zero", [=](Settings& s) { s.calibration.angle_zero_deg = nan; });
-    row("huge window", "--window", [](Settings& s) { s.window = 1'000'000'000'000'001; });
-    row("huge hop", "--hop", [](Settings& s) { s.hop = 1'000'000'000'000'001; });
-    row("huge periods", "--periods", [](Settings& s) { s.periods = 1.1e9; });
-    row("carrier next to zero", "--f0", [](Settings& s) { s.f0_hz = 1e-7; });
-    row("huge start", "--initial", [](Settings& s) {
-        s.initial = StartValues{{1e31, 0, 0, 0}, 5300};
-    });
-    row("start that turned often", "--initial", [](Settings& s) {
-        s.initial = StartValues{{1, 0, 1e7, 0}, 5300};
-    });
-    row("huge gain", "--kappa", [](Settings& s) { s.calibration.kappa = 1.1e6; });
-    row("tiny gain", "--kappa", [](Settings& s) { s.calibration.kappa = 0.9e-6; });
-    row("huge offset", "--offset", [](Settings& s) { s.calibration.offset_c = -1e31; });
-    row("long delay", "--delay", [](Settings& s) { s.calibration.delay_d_s = 1.1; });
-    row("far electrode", "--angle-zero", [](Settings& s) { s.calibration.angle_zero_deg = 361; });
-    row("farthest electrode", "--angle-zero",
-        [](Settings& s) { s.calibration.angle_zero_deg = -1e308; });
-    row("threads below zero", "--threads", [](Settings& s) { s.threads = -2; });
-}
-
-void TestSettings::whatCannotBeIsRefusedByName() {
-    QFETCH(std::function<void(Settings&)>, change);
-    QFETCH(QString, option);
-    Settings settings;
-    change(settings);
-    const Status status = validate(settings);
-    QVERIFY(!status);
-    QVERIFY(status.error().code == ErrorCode::setting_invalid);
-    QCOMPARE(QString::fromStdString(english(status.error().args.at(0))), option);
-    QCOMPARE(exit_status(status.error().code), 2);
-}
-
 namespace {
 
 // Other settings than the defaults in every field that has a row.
@@ -188,85 +82,183 @@ std::string rows_without_field(const std::vector<SettingRow<S>>& rows, const S& 
 
 }  // namespace
 
-void TestSettings::everySettingReadsBackFromItsText() {
-    QVERIFY(read_back(analysis_settings(), all_changed()) == all_changed());
-    QVERIFY(read_back(identify_settings(), all_of_identification_changed()) ==
-            all_of_identification_changed());
-    QCOMPARE(rows_without_field(analysis_settings(), all_changed()), std::string());
-    QCOMPARE(rows_without_field(identify_settings(), all_of_identification_changed()),
-             std::string());
-}
+class TestSettings : public QObject {
+    Q_OBJECT
 
-void TestSettings::theDefaultsReadBackToo() {
-    QVERIFY(read_back(analysis_settings(), Settings{}) == Settings{});
-    QVERIFY(read_back(identify_settings(), IdentifySettings{}) == IdentifySettings{});
-    Settings offsets;
-    offsets.calibration.offset_auto = true;
-    QVERIFY(read_back(analysis_settings(), offsets) == offsets);
-}
-
-void TestSettings::settingsOfLogsAreListedWhereTheyAreTold() {
-    const auto names = [](const IdentifySettings& settings) {
-        std::set<std::string> all;
-        for (const auto& [name, value] : settings_list(settings)) {
-            all.insert(name);
-        }
-        return all;
-    };
-    const auto with = names(all_of_identification_changed());
-    const auto without = names({});
-    for (const SettingRow<LogChoice>& row : log_settings()) {
-        QVERIFY2(with.contains(row.name), row.name.c_str());
-        QVERIFY2(!without.contains(row.name), row.name.c_str());
+private slots:
+    void defaultsAreThoseOfTheCommandLine() {
+        const Settings settings;
+        QVERIFY(validate(settings));
+        QVERIFY(settings.algorithm == Algorithm::maximum_likelihood);
+        QCOMPARE(settings.window, 60);
+        QVERIFY(settings.start == StartRule::first);
+        QCOMPARE(settings.calibration.kappa, 1.0);
     }
-    QVERIFY(without.contains("kappa"));
-    QCOMPARE(log_settings().size(), std::size_t{7});
-}
 
-void TestSettings::whatNoLogIsIsRefused_data() {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QString>("text");
-    const auto row = [](const char* name, const char* text) {
-        QTest::addRow("%s %s", name, text) << QString(name) << QString(text);
-    };
-    row("angle-unit", "turn");
-    row("phasors", "moving");
-    row("f-ref", "0");
-    row("f-ref", "-5300");
-    row("f-ref", "1e13");
-    row("f-ref", "fast");
-    row("y-sign", "1");
-    row("amplitude", "mean");
-    for (const char* text : {"9,20", "0,20", "1.5,20", "4", "4,0", "4,20,200", "4,", ",20", ""}) {
-        row("lock-in", text);
+    void whatLiesWithinItsBoundsIsAccepted() {
+        Settings settings;
+        settings.window = 1'000'000'000'000'000;
+        settings.hop = settings.window;
+        settings.f0_hz = 1e-6;
+        settings.initial = StartValues{{1e30, -1e30, -1e6, 1e6}, 5300};
+        settings.calibration.kappa = 1e6;
+        settings.calibration.offset_c = -1e30;
+        settings.calibration.delay_d_s = -1;
+        settings.calibration.angle_zero_deg = -360;
+        QVERIFY(validate(settings));
+        settings.periods = 1e9;
+        settings.calibration.kappa = 1e-6;
+        settings.calibration.angle_zero_deg = 360;
+        QVERIFY(validate(settings));
     }
-}
 
-void TestSettings::whatNoLogIsIsRefused() {
-    QFETCH(QString, name);
-    QFETCH(QString, text);
-    LogChoice choice;
-    const auto row =
-        std::ranges::find(log_settings(), name.toStdString(), &SettingRow<LogChoice>::name);
-    const Status read = row->read(text.toStdString(), choice);
-    QVERIFY(!read);
-    QCOMPARE(QString::fromStdString(english(read.error().args.at(0))), "--" + name);
-    QVERIFY(choice == LogChoice{});
-}
+    void whatCannotBeIsRefusedByName_data() {
+        using Change = std::function<void(Settings&)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<QString>("option");
+        const double nan = std::nan("");
+        const double infinity = std::numeric_limits<double>::infinity();
+        const auto row = [](const char* name, const char* option, Change change) {
+            QTest::newRow(name) << change << option;
+        };
+        row("window of 4", "--window", [](Settings& s) { s.window = 4; });
+        row("no periods", "--periods", [](Settings& s) { s.periods = 0; });
+        row("endless periods", "--periods", [=](Settings& s) { s.periods = infinity; });
+        row("backward hop", "--hop", [](Settings& s) { s.hop = -1; });
+        row("negative carrier", "--f0", [](Settings& s) { s.f0_hz = -5300; });
+        row("carrier NaN", "--f0", [=](Settings& s) { s.f0_hz = nan; });
+        row("start without amplitude", "--initial", [](Settings& s) {
+            s.initial = StartValues{{0, 0, 0, 0}, 5300};
+        });
+        row("start NaN", "--initial", [=](Settings& s) {
+            s.initial = StartValues{{1, nan, 0, 0}, 5300};
+        });
+        row("start without frequency", "--initial", [](Settings& s) {
+            s.initial = StartValues{{1, 0, 0, 0}, 0};
+        });
+        row("from NaN", "--from", [=](Settings& s) { s.from_s = nan; });
+        row("to infinity", "--to", [=](Settings& s) { s.to_s = infinity; });
+        row("falling band", "--band", [](Settings& s) { s.band = Band{6000, 5000}; });
+        row("negative filter", "--filter", [](Settings& s) { s.filter = Band{-1, 5000}; });
+        row("no gain", "--kappa", [](Settings& s) { s.calibration.kappa = 0; });
+        row("offset NaN", "--offset", [=](Settings& s) { s.calibration.offset_d = nan; });
+        row("delay NaN", "--delay", [=](Settings& s) { s.calibration.delay_d_s = nan; });
+        row("electrode NaN", "--angle-zero",
+            [=](Settings& s) { s.calibration.angle_zero_deg = nan; });
+        row("huge window", "--window", [](Settings& s) { s.window = 1'000'000'000'000'001; });
+        row("huge hop", "--hop", [](Settings& s) { s.hop = 1'000'000'000'000'001; });
+        row("huge periods", "--periods", [](Settings& s) { s.periods = 1.1e9; });
+        row("carrier next to zero", "--f0", [](Settings& s) { s.f0_hz = 1e-7; });
+        row("huge start", "--initial", [](Settings& s) {
+            s.initial = StartValues{{1e31, 0, 0, 0}, 5300};
+        });
+        row("start that turned often", "--initial", [](Settings& s) {
+            s.initial = StartValues{{1, 0, 1e7, 0}, 5300};
+        });
+        row("huge gain", "--kappa", [](Settings& s) { s.calibration.kappa = 1.1e6; });
+        row("tiny gain", "--kappa", [](Settings& s) { s.calibration.kappa = 0.9e-6; });
+        row("huge offset", "--offset", [](Settings& s) { s.calibration.offset_c = -1e31; });
+        row("long delay", "--delay", [](Settings& s) { s.calibration.delay_d_s = 1.1; });
+        row("far electrode", "--angle-zero",
+            [](Settings& s) { s.calibration.angle_zero_deg = 361; });
+        row("farthest electrode", "--angle-zero",
+            [](Settings& s) { s.calibration.angle_zero_deg = -1e308; });
+        row("threads below zero", "--threads", [](Settings& s) { s.threads = -2; });
+    }
 
-void TestSettings::namesAreThoseOfOneRowEach() {
-    const auto names = [](const auto& rows) {
-        std::set<std::string> all;
-        for (const auto& row : rows) {
-            all.insert(row.name);
+    void whatCannotBeIsRefusedByName() {
+        QFETCH(std::function<void(Settings&)>, change);
+        QFETCH(QString, option);
+        Settings settings;
+        change(settings);
+        const Status status = validate(settings);
+        QVERIFY(!status);
+        QVERIFY(status.error().code == ErrorCode::setting_invalid);
+        QCOMPARE(QString::fromStdString(english(status.error().args.at(0))), option);
+        QCOMPARE(exit_status(status.error().code), 2);
+    }
+
+    void everySettingReadsBackFromItsText() {
+        QVERIFY(read_back(analysis_settings(), all_changed()) == all_changed());
+        QVERIFY(read_back(identify_settings(), all_of_identification_changed()) ==
+                all_of_identification_changed());
+        QCOMPARE(rows_without_field(analysis_settings(), all_changed()), std::string());
+        QCOMPARE(rows_without_field(identify_settings(), all_of_identification_changed()),
+                 std::string());
+    }
+
+    void theDefaultsReadBackToo() {
+        QVERIFY(read_back(analysis_settings(), Settings{}) == Settings{});
+        QVERIFY(read_back(identify_settings(), IdentifySettings{}) == IdentifySettings{});
+        Settings offsets;
+        offsets.calibration.offset_auto = true;
+        QVERIFY(read_back(analysis_settings(), offsets) == offsets);
+    }
+
+    void settingsOfLogsAreListedWhereTheyAreTold() {
+        const auto names = [](const IdentifySettings& settings) {
+            std::set<std::string> all;
+            for (const auto& [name, value] : settings_list(settings)) {
+                all.insert(name);
+            }
+            return all;
+        };
+        const auto with = names(all_of_identification_changed());
+        const auto without = names({});
+        for (const SettingRow<LogChoice>& row : log_settings()) {
+            QVERIFY2(with.contains(row.name), row.name.c_str());
+            QVERIFY2(!without.contains(row.name), row.name.c_str());
         }
-        return all;
-    };
-    QCOMPARE(names(analysis_settings()).size(), analysis_settings().size());
-    QCOMPARE(names(identify_settings()).size(), identify_settings().size());
-    QVERIFY(validate(all_changed()));
-    QVERIFY(validate(all_of_identification_changed()));
-}
+        QVERIFY(without.contains("kappa"));
+        QCOMPARE(log_settings().size(), std::size_t{7});
+    }
+
+    void whatNoLogIsIsRefused_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("text");
+        const auto row = [](const char* name, const char* text) {
+            QTest::addRow("%s %s", name, text) << QString(name) << QString(text);
+        };
+        row("angle-unit", "turn");
+        row("phasors", "moving");
+        row("f-ref", "0");
+        row("f-ref", "-5300");
+        row("f-ref", "1e13");
+        row("f-ref", "fast");
+        row("y-sign", "1");
+        row("amplitude", "mean");
+        for (const char* text :
+             {"9,20", "0,20", "1.5,20", "4", "4,0", "4,20,200", "4,", ",20", ""}) {
+            row("lock-in", text);
+        }
+    }
+
+    void whatNoLogIsIsRefused() {
+        QFETCH(QString, name);
+        QFETCH(QString, text);
+        LogChoice choice;
+        const auto row =
+            std::ranges::find(log_settings(), name.toStdString(), &SettingRow<LogChoice>::name);
+        const Status read = row->read(text.toStdString(), choice);
+        QVERIFY(!read);
+        QCOMPARE(QString::fromStdString(english(read.error().args.at(0))), "--" + name);
+        QVERIFY(choice == LogChoice{});
+    }
+
+    void namesAreThoseOfOneRowEach() {
+        const auto names = [](const auto& rows) {
+            std::set<std::string> all;
+            for (const auto& row : rows) {
+                all.insert(row.name);
+            }
+            return all;
+        };
+        QCOMPARE(names(analysis_settings()).size(), analysis_settings().size());
+        QCOMPARE(names(identify_settings()).size(), identify_settings().size());
+        QVERIFY(validate(all_changed()));
+        QVERIFY(validate(all_of_identification_changed()));
+    }
+};
 
 VYBEG_TEST(TestSettings)
 

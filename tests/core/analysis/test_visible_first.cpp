@@ -19,11 +19,7 @@ namespace {
 constexpr TimeRange visible{4.1, 4.6};
 
 Recording decay_of(double seconds) {
-    FreeDecay decay;
-    decay.seconds = seconds;
-    decay.a_B = 0.2;
-    decay.noise = 0.001;
-    decay.two_theta_A = 0.3;
+    const FreeDecay decay{.seconds = seconds, .a_B = 0.2, .two_theta_A = 0.3, .noise = 0.001};
     return test::simulated_recording(decay);
 }
 

@@ -28,11 +28,10 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 FreeDecay gyro(double split_hz = 0, std::uint64_t seed = 1) {
-    FreeDecay decay;
-    decay.seconds = 6;
-    decay.tau_s = 400;
-    decay.split_hz = split_hz;
-    decay.theta_w = 0.1 + 0.3 * static_cast<double>(seed);
+    FreeDecay decay{.seconds = 6,
+                    .split_hz = split_hz,
+                    .theta_w = 0.1 + 0.3 * static_cast<double>(seed),
+                    .tau_s = 400};
     // Both modes move, the weaker one by 7 % at least.
     decay.two_theta_A = 0.5 + 0.9 * static_cast<double>(seed);
     decay.noise = 1e-3;

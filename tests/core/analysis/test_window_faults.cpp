@@ -26,11 +26,7 @@ using namespace vybeg::test;
 namespace {
 
 FreeDecay two_seconds() {
-    FreeDecay decay;
-    decay.seconds = 2;
-    decay.a_B = 0.2;
-    decay.tau_s = 20;
-    decay.noise = 0.003;
+    FreeDecay decay{.seconds = 2, .a_B = 0.2, .tau_s = 20, .noise = 0.003};
     return decay;
 }
 

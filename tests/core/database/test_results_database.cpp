@@ -2,6 +2,7 @@
 #include "core/database/results_database.h"
 #include "tests/closeness.h"
 #include "tests/core/database/made_result.h"
+#include "tests/small_files.h"
 #include "tests/test_registry.h"
 
 #include <QTemporaryDir>
@@ -53,16 +54,6 @@ QList<QStringList> rows_of(const QString& path, const char* sql) {
     }
     sqlite3_close(connection);
     return rows;
-}
-
-QByteArray content(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
-}
-
-bool put(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
 }
 
 }  // namespace

@@ -27,12 +27,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 HeldLoop loop_of() {
-    HeldLoop loop;
-    loop.c2 = 2e-4;
-    loop.s2 = -1e-4;
-    loop.c4 = 3e-4;
-    loop.s4 = 1.5e-4;
-    loop.white = 1e-5;
+    HeldLoop loop{.c2 = 2e-4, .s2 = -1e-4, .c4 = 3e-4, .s4 = 1.5e-4, .white = 1e-5};
     return loop;
 }
 

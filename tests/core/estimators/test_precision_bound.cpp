@@ -53,56 +53,55 @@ class TestPrecisionBound : public QObject {
     Q_OBJECT
 
 private slots:
-    void equalsTheInverseFisherMatrix();
-    void isTheClosedFormOfTheMethodWhereTheResidualVanishes();
+    void equalsTheInverseFisherMatrix() {
+        for (const std::int64_t n : {5, 6, 22, 61}) {
+            for (const double w : {0.7, 0.999, 1.9}) {
+                if (static_cast<double>(n) * w < 2 * std::numbers::pi) {
+                    continue;  // below one period nothing can be identified
+                }
+                for (const WaveState& state :
+                     {WaveState{1, 0, 0.3, 0.4}, WaveState{2, 0.9, -1.2, 2},
+                      WaveState{1, -0.6, 1.5, -3}}) {
+                    const Precision bound =
+                        precision_bound(to_phasors(state), w / (2 * std::numbers::pi), 1, n, 0.01);
+                    const auto expected = brute_force(state, w, n);
+                    VYBEG_CLOSE_RATIO(bound.sd.a_A, 0.01 * expected[0], 1e-6);
+                    VYBEG_CLOSE_RATIO(bound.sd.a_B, 0.01 * expected[1], 1e-6);
+                    VYBEG_CLOSE_RATIO(bound.sd.two_theta_A, 0.01 * expected[2], 1e-6);
+                    VYBEG_CLOSE_RATIO(bound.sd.alpha, 0.01 * expected[3], 1e-6);
+                    VYBEG_CLOSE_RATIO(bound.sd_f_hz, 0.01 * expected[4] / (2 * std::numbers::pi),
+                                      1e-6);
+                }
+            }
+        }
+    }
+
+    void isTheClosedFormOfTheMethodWhereTheResidualVanishes() {
+        constexpr double rate = 33333;
+        for (const std::int64_t n : {60, 600, 100000}) {
+            const double f = 2 * std::round(5300 / rate * static_cast<double>(n) / 2) * rate /
+                             static_cast<double>(n);
+            for (const double a_B : {-0.8, 0.0, 0.5}) {
+                const WaveState state{1.5, a_B, 0.8, -2};
+                const double sigma = 0.02;
+                const auto count = static_cast<double>(n);
+                const Precision bound = precision_bound(to_phasors(state), f, rate, n, sigma);
+                const double power = 2.25 + a_B * a_B;
+                const double amplitude = sigma * std::sqrt(2 / count);
+                const double angle = amplitude * std::sqrt(power) / (2.25 - a_B * a_B);
+                const double omega =
+                    sigma * rate * std::sqrt(24 / (power * count * (count * count - 1)));
+                // What the method drops falls with the window like 1/n.
+                const double relative = 2 / count;
+                VYBEG_CLOSE_RATIO(bound.sd.a_A, amplitude, relative);
+                VYBEG_CLOSE_RATIO(bound.sd.a_B, amplitude, relative);
+                VYBEG_CLOSE_RATIO(bound.sd.two_theta_A, angle, relative);
+                VYBEG_CLOSE_RATIO(bound.sd.alpha, angle, relative);
+                VYBEG_CLOSE_RATIO(bound.sd_f_hz * 2 * std::numbers::pi, omega, relative);
+            }
+        }
+    }
 };
-
-void TestPrecisionBound::equalsTheInverseFisherMatrix() {
-    for (const std::int64_t n : {5, 6, 22, 61}) {
-        for (const double w : {0.7, 0.999, 1.9}) {
-            if (static_cast<double>(n) * w < 2 * std::numbers::pi) {
-                continue;  // below one period nothing can be identified
-            }
-            for (const WaveState& state : {WaveState{1, 0, 0.3, 0.4}, WaveState{2, 0.9, -1.2, 2},
-                                           WaveState{1, -0.6, 1.5, -3}}) {
-                const Precision bound =
-                    precision_bound(to_phasors(state), w / (2 * std::numbers::pi), 1, n, 0.01);
-                const auto expected = brute_force(state, w, n);
-                VYBEG_CLOSE_RATIO(bound.sd.a_A, 0.01 * expected[0], 1e-6);
-                VYBEG_CLOSE_RATIO(bound.sd.a_B, 0.01 * expected[1], 1e-6);
-                VYBEG_CLOSE_RATIO(bound.sd.two_theta_A, 0.01 * expected[2], 1e-6);
-                VYBEG_CLOSE_RATIO(bound.sd.alpha, 0.01 * expected[3], 1e-6);
-                VYBEG_CLOSE_RATIO(bound.sd_f_hz, 0.01 * expected[4] / (2 * std::numbers::pi), 1e-6);
-            }
-        }
-    }
-}
-
-void TestPrecisionBound::isTheClosedFormOfTheMethodWhereTheResidualVanishes() {
-    constexpr double rate = 33333;
-    for (const std::int64_t n : {60, 600, 100000}) {
-        const double f = 2 * std::round(5300 / rate * static_cast<double>(n) / 2) * rate /
-                         static_cast<double>(n);
-        for (const double a_B : {-0.8, 0.0, 0.5}) {
-            const WaveState state{1.5, a_B, 0.8, -2};
-            const double sigma = 0.02;
-            const auto count = static_cast<double>(n);
-            const Precision bound = precision_bound(to_phasors(state), f, rate, n, sigma);
-            const double power = 2.25 + a_B * a_B;
-            const double amplitude = sigma * std::sqrt(2 / count);
-            const double angle = amplitude * std::sqrt(power) / (2.25 - a_B * a_B);
-            const double omega =
-                sigma * rate * std::sqrt(24 / (power * count * (count * count - 1)));
-            // What the method drops falls with the window like 1/n.
-            const double relative = 2 / count;
-            VYBEG_CLOSE_RATIO(bound.sd.a_A, amplitude, relative);
-            VYBEG_CLOSE_RATIO(bound.sd.a_B, amplitude, relative);
-            VYBEG_CLOSE_RATIO(bound.sd.two_theta_A, angle, relative);
-            VYBEG_CLOSE_RATIO(bound.sd.alpha, angle, relative);
-            VYBEG_CLOSE_RATIO(bound.sd_f_hz * 2 * std::numbers::pi, omega, relative);
-        }
-    }
-}
 
 VYBEG_TEST(TestPrecisionBound)
 

@@ -1,6 +1,7 @@
 #include "core/output/output_file.h"
 #include "tests/closeness.h"
 #include "tests/core/output/full_disk.h"
+#include "tests/small_files.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
@@ -21,17 +22,6 @@ using namespace vybeg::test;
 
 namespace {
 
-QByteArray content(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
-}
-
-void put(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
-}
-
 QStringList entries(const QString& folder) {
     return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
 }
@@ -49,7 +39,7 @@ private slots:
     }
 
     void the_target_appears_only_when_committed() {
-        put(target_, "old");
+        QVERIFY(put(target_, "old"));
         {
             auto file = OutputFile::create(target_.toStdString(), {});
             QVERIFY(file);
@@ -65,7 +55,7 @@ private slots:
     }
 
     void without_commit_nothing_is_left() {
-        put(target_, "old");
+        QVERIFY(put(target_, "old"));
         {
             auto file = OutputFile::create(target_.toStdString(), {});
             QVERIFY(file);
@@ -89,7 +79,7 @@ private slots:
     }
 
     void a_stop_request_leaves_the_old_file() {
-        put(target_, "old");
+        QVERIFY(put(target_, "old"));
         std::stop_source stop;
         {
             auto file = OutputFile::create(target_.toStdString(), JobControl(stop.get_token()));
@@ -105,7 +95,7 @@ private slots:
     }
 
     void permissions_of_the_old_file_stay_and_new_ones_follow_the_umask() {
-        put(target_, "old");
+        QVERIFY(put(target_, "old"));
         QCOMPARE(chmod(target_.toUtf8().constData(), 0640), 0);
         const QString other = folder_->filePath("other.csv");
         const mode_t mask = umask(0027);
@@ -133,7 +123,7 @@ private slots:
     }
 
     void a_link_is_followed() {
-        put(target_, "old");
+        QVERIFY(put(target_, "old"));
         const QString link = folder_->filePath("link.csv");
         QVERIFY(QFile::link(target_, link));
         auto file = OutputFile::create(link.toStdString(), {});
@@ -209,7 +199,7 @@ private slots:
 
     void files_of_a_group_appear_together() {
         const QString other = folder_->filePath("other.csv");
-        put(target_, "old");
+        QVERIFY(put(target_, "old"));
         {
             auto one = OutputFile::create(target_.toStdString(), {});
             auto two = OutputFile::create(other.toStdString(), {});
@@ -234,7 +224,7 @@ private slots:
         const QString other = folder_->filePath("sub/other.csv");
         QVERIFY(QDir(folder_->path()).mkdir("sub"));
         if (first_exists) {
-            put(target_, "old");
+            QVERIFY(put(target_, "old"));
         }
         {
             auto one = OutputFile::create(target_.toStdString(), {});
@@ -258,7 +248,7 @@ private slots:
 
     void a_stop_request_leaves_the_whole_group() {
         const QString other = folder_->filePath("other.csv");
-        put(target_, "old");
+        QVERIFY(put(target_, "old"));
         std::stop_source stop;
         {
             const JobControl job(stop.get_token());
@@ -321,7 +311,7 @@ private slots:
     }
 
     void a_file_is_written_whole() {
-        put(target_, "old");
+        QVERIFY(put(target_, "old"));
         const std::string bytes(5 << 20, 'x');
         QVERIFY(write_file(target_.toStdString(), bytes, {}));
         QVERIFY(content(target_) == QByteArray::fromStdString(bytes));

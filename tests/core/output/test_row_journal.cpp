@@ -2,6 +2,7 @@
 #include "core/base/messages.h"
 #include "core/output/row_journal.h"
 #include "tests/closeness.h"
+#include "tests/small_files.h"
 #include "tests/test_registry.h"
 
 #include <QTemporaryDir>
@@ -14,19 +15,9 @@
 namespace test_row_journal {
 
 using namespace vybeg;
+using namespace vybeg::test;
 
 namespace {
-
-QByteArray content(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
-}
-
-void put(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
-}
 
 std::string key_of(int k) {
     return "key" + std::to_string(k);
@@ -111,7 +102,7 @@ private slots:
             return appended ? found : -1000;
         };
         for (qsizetype size = 0; size <= whole.size(); ++size) {
-            put(path_, whole.left(size));
+            QVERIFY(put(path_, whole.left(size)));
             const qsizetype lines = whole.left(size).count('\n');
             QCOMPARE(rows_found(), static_cast<int>(std::max<qsizetype>(lines - 1, 0)));
             RowJournal again = open(true);
@@ -125,7 +116,7 @@ private slots:
             const auto rest = static_cast<unsigned>(whole.size() - head);
             const qsizetype at = head + static_cast<qsizetype>(random() % rest);
             damaged[at] = static_cast<char>(damaged[at] ^ static_cast<char>(1 + random() % 255));
-            put(path_, damaged);
+            QVERIFY(put(path_, damaged));
             const int found = rows_found();
             // A line feed that is damaged, or made, takes one row or the next one with it.
             VYBEG_AT_LEAST(found, 2);
@@ -142,7 +133,7 @@ private slots:
     }
 
     void another_kind_of_file_is_not_lost() {
-        put(path_, "a,b\n1,2\n");
+        QVERIFY(put(path_, "a,b\n1,2\n"));
         for (const bool resume : {false, true}) {
             const auto journal = RowJournal::open(path_.toStdString(), resume);
             QVERIFY(!journal);

@@ -299,8 +299,7 @@ private slots:
         QFETCH(QString, ending);
         const Track track = random_track(2000);
         write(track, "again");
-        OpenOptions options;
-        options.variables = {"a_A", "f_Hz"};
+        OpenOptions options{.variables = {"a_A", "f_Hz"}};
         const auto recording = open_recording(path("again" + ending), options, {});
         QVERIFY2(recording, recording ? "" : english(recording.error()).c_str());
         QCOMPARE(recording->frames(), std::int64_t{2000});

@@ -97,4 +97,8 @@ inline double worst_difference(const std::vector<double>& a, const std::vector<d
     return largest;
 }
 
+inline double worst_difference(const Samples& a, const Samples& b) {
+    return std::max(worst_difference(a.c, b.c), worst_difference(a.d, b.d));
+}
+
 }  // namespace vybeg::test

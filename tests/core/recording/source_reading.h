@@ -23,6 +23,8 @@ inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 struct Samples {
     std::vector<double> c;
     std::vector<double> d;
+
+    bool operator==(const Samples&) const = default;
 };
 
 inline std::shared_ptr<const SampleSource> source_of(Samples samples) {

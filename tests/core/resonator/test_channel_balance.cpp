@@ -16,8 +16,7 @@ using namespace vybeg::test;
 namespace {
 
 FreeDecay turning() {
-    FreeDecay decay;
-    decay.tau_s = 100;
+    FreeDecay decay{.tau_s = 100};
     decay.omega_rad_s = 0.3;  // 2 theta_A turns through 266 degrees
     decay.noise = 1e-3;
     return decay;
@@ -32,8 +31,7 @@ double mean_square(const ChannelBalance& balance) {
 }
 
 ChannelBalance balance_of(const PhasorRun& run) {
-    FitOptions options;
-    options.model = FitOptions::Model::structured;
+    FitOptions options{.model = FitOptions::Model::structured};
     options.tolerance.kappa = 0;
     const Result<ResonatorFit> fit = fit_resonator({&run, 1}, options, {});
     if (!fit) {

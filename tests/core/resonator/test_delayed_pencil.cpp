@@ -41,37 +41,34 @@ class TestDelayedPencil : public QObject {
     Q_OBJECT
 
 private slots:
-    void nearlyEqualChannelsGiveBothModes();
-    void theFitFindsThem();
-    void tooFewWindowsGiveNothing();
+    void nearlyEqualChannelsGiveBothModes() {
+        const ScaledRun run = scaled_run(two_microphones(0.03), 1);
+        const std::optional<SlowRates> rates = delayed_pencil(run, run.z, 2);
+        QVERIFY(rates.has_value());
+        const SlowDynamics motion(*rates);
+        const double split = std::abs(motion.half_difference().imag()) / std::numbers::pi;
+        VYBEG_CLOSE(split, 5.6, 0.02);
+        VYBEG_CLOSE(rates->decay_per_s * 0.83, 1, 0.05);
+    }
+
+    void theFitFindsThem() {
+        const ResonatorFit fit =
+            fitted({two_microphones(0.03)}, {.model = FitOptions::Model::free});
+        VYBEG_EQUAL(fit.modes.size(), 2,
+                    qPrintable(QString("chi^2/dof %1: %2")
+                                   .arg(fit.chi2_per_dof)
+                                   .arg(english(fit.no_modes).c_str())));
+        // Both channels share most of their noise here, which the deviations take as colour.
+        VYBEG_NEAR(fit.modes[0].f_hz, 3618 + 2.8, 4, 3e-2);
+        VYBEG_NEAR(fit.modes[1].f_hz, 3618 - 2.8, 4, 3e-2);
+        VYBEG_NEAR(fit.modes[0].tau_s, 0.83, 4, 0.2);
+    }
+
+    void tooFewWindowsGiveNothing() {
+        const ScaledRun run = scaled_run(two_microphones(0.03), 1);
+        QVERIFY(!delayed_pencil(run, run.z, run.size()).has_value());
+    }
 };
-
-void TestDelayedPencil::nearlyEqualChannelsGiveBothModes() {
-    const ScaledRun run = scaled_run(two_microphones(0.03), 1);
-    const std::optional<SlowRates> rates = delayed_pencil(run, run.z, 2);
-    QVERIFY(rates.has_value());
-    const SlowDynamics motion(*rates);
-    const double split = std::abs(motion.half_difference().imag()) / std::numbers::pi;
-    VYBEG_CLOSE(split, 5.6, 0.02);
-    VYBEG_CLOSE(rates->decay_per_s * 0.83, 1, 0.05);
-}
-
-void TestDelayedPencil::theFitFindsThem() {
-    const ResonatorFit fit = fitted({two_microphones(0.03)}, {.model = FitOptions::Model::free});
-    VYBEG_EQUAL(
-        fit.modes.size(), 2,
-        qPrintable(
-            QString("chi^2/dof %1: %2").arg(fit.chi2_per_dof).arg(english(fit.no_modes).c_str())));
-    // Both channels share most of their noise here, which the deviations take as colour.
-    VYBEG_NEAR(fit.modes[0].f_hz, 3618 + 2.8, 4, 3e-2);
-    VYBEG_NEAR(fit.modes[1].f_hz, 3618 - 2.8, 4, 3e-2);
-    VYBEG_NEAR(fit.modes[0].tau_s, 0.83, 4, 0.2);
-}
-
-void TestDelayedPencil::tooFewWindowsGiveNothing() {
-    const ScaledRun run = scaled_run(two_microphones(0.03), 1);
-    QVERIFY(!delayed_pencil(run, run.z, run.size()).has_value());
-}
 
 VYBEG_TEST(TestDelayedPencil)
 

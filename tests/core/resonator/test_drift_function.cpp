@@ -26,14 +26,13 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 FreeDecay gyro() {
-    FreeDecay decay;
-    decay.tau_s = 400;
-    decay.noise = 1e-3;
-    decay.split_hz = 1e-4;
-    decay.theta_w = 0.2;
-    decay.damping_anisotropy_per_s = 3e-4;
-    decay.theta_tau = -0.3;
-    decay.omega_rad_s = 2e-5;
+    FreeDecay decay{.split_hz = 1e-4,
+                    .theta_w = 0.2,
+                    .tau_s = 400,
+                    .damping_anisotropy_per_s = 3e-4,
+                    .theta_tau = -0.3,
+                    .omega_rad_s = 2e-5,
+                    .noise = 1e-3};
     return decay;
 }
 

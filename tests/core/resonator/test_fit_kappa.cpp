@@ -359,8 +359,7 @@ private slots:
         decay.split_hz = 0.5;
         decay.theta_w = 0.2;
         decay.a_B = 0.05;
-        FitOptions options;
-        options.model = FitOptions::Model::free;
+        const FitOptions options{.model = FitOptions::Model::free};
         for (const double kappa : {0.985, 0.993, 1.007, 1.015}) {
             decay.kappa = kappa;
             const ResonatorFit fit = fitted(set_of(decay, four_angles, 1000, 1), options);

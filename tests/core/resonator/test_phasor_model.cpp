@@ -16,14 +16,13 @@ using namespace vybeg;
 namespace {
 
 ScaledRun some_run() {
-    FreeDecay decay;
-    decay.seconds = 5;
-    decay.rate_hz = 1000;
-    decay.f0_hz = 200;
-    decay.noise = 0.01;
-    decay.tau_s = 4;
-    decay.split_hz = 0.2;
-    decay.omega_rad_s = 0.3;
+    const FreeDecay decay{.seconds = 5,
+                          .rate_hz = 1000,
+                          .f0_hz = 200,
+                          .split_hz = 0.2,
+                          .tau_s = 4,
+                          .omega_rad_s = 0.3,
+                          .noise = 0.01};
     PhasorRun run = test::simulated_phasors(decay, 100, 1);
     run.breaks = {{1.1, BreakKind::start}, {1.7}, {2.5, BreakKind::gain}, {3.3}};
     return scaled_run(run, 2);
@@ -106,16 +105,15 @@ private slots:
     }
 
     void the_truth_leaves_the_noise() {
-        FreeDecay decay;
-        decay.seconds = 20;
-        decay.rate_hz = 1000;
-        decay.f0_hz = 200;
-        decay.noise = 1e-3;
-        decay.tau_s = 4;
-        decay.split_hz = 1.2;
-        decay.theta_w = 0.1;
-        decay.omega_rad_s = 0.3;
-        decay.kappa = 1.1;
+        const FreeDecay decay{.seconds = 20,
+                              .rate_hz = 1000,
+                              .f0_hz = 200,
+                              .split_hz = 1.2,
+                              .theta_w = 0.1,
+                              .tau_s = 4,
+                              .omega_rad_s = 0.3,
+                              .noise = 1e-3,
+                              .kappa = 1.1};
         const PhasorRun run = test::simulated_phasors(decay, 10, 1);
         const ScaledRun scaled = scaled_run(run, 1);
         Eigen::VectorXd shared = Eigen::VectorXd::Zero(int{shared_count});

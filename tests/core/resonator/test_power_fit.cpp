@@ -172,14 +172,13 @@ private slots:
     }
 
     void tracks_and_phasors_of_the_same_decays_agree() {
-        FreeDecay decay;
-        decay.noise = 1e-3;
-        decay.tau_s = 400;
-        decay.split_hz = 2e-3;
-        decay.theta_w = 0.3;
-        decay.damping_anisotropy_per_s = 3e-4;
-        decay.theta_tau = 0.7;
-        decay.omega_rad_s = 2e-3;
+        FreeDecay decay{.split_hz = 2e-3,
+                        .theta_w = 0.3,
+                        .tau_s = 400,
+                        .damping_anisotropy_per_s = 3e-4,
+                        .theta_tau = 0.7,
+                        .omega_rad_s = 2e-3,
+                        .noise = 1e-3};
         std::vector<PhasorRun> phasors;
         std::vector<PowerRun> tracks;
         for (int k = 0; k < 4; ++k) {

@@ -19,10 +19,7 @@ class TestRunTrack : public QObject {
 
 private slots:
     void its_points_lie_on_the_motion_within_their_deviations() {
-        FreeDecay decay;
-        decay.f0_hz = 5300;
-        decay.tau_s = 100;
-        decay.a_B = 0.2;
+        FreeDecay decay{.f0_hz = 5300, .a_B = 0.2, .tau_s = 100};
         decay.omega_rad_s = 0.4;  // 2 theta_A turns through 355 degrees
         decay.noise = 1e-3;
         const RunTrack track = run_track(simulated_phasors(decay, 500, 1), 200);
@@ -41,8 +38,7 @@ private slots:
     }
 
     void its_frequency_is_that_of_the_phase() {
-        FreeDecay decay;
-        decay.noise = 1e-3;
+        const FreeDecay decay{.noise = 1e-3};
         PhasorRun run = simulated_phasors(decay, 500, 2);
         run.f_ref_hz += 0.02;  // the same signals seen from another reference
         for (std::size_t k = 0; k < run.time_s.size(); ++k) {
@@ -59,8 +55,7 @@ private slots:
     }
 
     void few_windows_are_points_of_their_own() {
-        FreeDecay decay;
-        decay.seconds = 0.05;
+        const FreeDecay decay{.seconds = 0.05};
         const RunTrack track = run_track(simulated_phasors(decay, 500, 3), 200);
         QCOMPARE(track.time_s.size(), std::size_t{3});
         QVERIFY(std::isnan(track.f_hz[0]));

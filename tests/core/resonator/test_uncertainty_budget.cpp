@@ -24,8 +24,7 @@ FreeDecay resonator() {
 }
 
 FitOptions with(const ChannelTolerance& tolerance) {
-    FitOptions options;
-    options.tolerance = tolerance;
+    FitOptions options{.tolerance = tolerance};
     return options;
 }
 

@@ -15,13 +15,12 @@ using namespace vybeg;
 namespace {
 
 FreeDecay decay_of(double tau_s) {
-    FreeDecay decay;
-    decay.seconds = 20;
-    decay.rate_hz = 1000;
-    decay.f0_hz = 210;
-    decay.tau_s = tau_s;
-    decay.split_hz = 0.1;
-    decay.omega_rad_s = 0.1;
+    FreeDecay decay{.seconds = 20,
+                    .rate_hz = 1000,
+                    .f0_hz = 210,
+                    .split_hz = 0.1,
+                    .tau_s = tau_s,
+                    .omega_rad_s = 0.1};
     return decay;
 }
 

@@ -70,11 +70,7 @@ void runge_kutta_step(const FreeDecay& decay, Pair& z, double h) {
 
 // A whole number of periods in a whole number of samples, so that the carrier's phase is exact.
 FreeDecay slow_carrier() {
-    FreeDecay decay;
-    decay.seconds = 6;
-    decay.rate_hz = 2000;
-    decay.f0_hz = 317;
-    decay.a_B = 0.15;
+    FreeDecay decay{.seconds = 6, .rate_hz = 2000, .f0_hz = 317, .a_B = 0.15};
     return decay;
 }
 
@@ -273,8 +269,7 @@ private slots:
     }
 
     void more_samples_than_memory_can_only_be_had_piece_by_piece() {
-        FreeDecay decay;
-        decay.seconds = 1e6;
+        const FreeDecay decay{.seconds = 1e6};
         QCOMPARE(simulate(decay, {}).error().code, ErrorCode::simulation_impossible);
         // The sink's own error ends the simulation, which is not begun again.
         const Error enough{ErrorCode::output_failed, "sink", {"enough"}};

@@ -20,8 +20,7 @@ using namespace vybeg;
 namespace {
 
 FreeDecay short_decay() {
-    FreeDecay decay;
-    decay.seconds = 6;
+    FreeDecay decay{.seconds = 6};
     return decay;
 }
 

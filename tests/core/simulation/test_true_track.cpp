@@ -46,11 +46,8 @@ private slots:
         QFETCH(double, a_B);
         QFETCH(double, two_theta_A);
         QFETCH(double, alpha);
-        FreeDecay decay;
-        decay.seconds = 3600;
-        decay.a_B = a_B;
-        decay.two_theta_A = two_theta_A;
-        decay.alpha = alpha;
+        const FreeDecay decay{
+            .seconds = 3600, .a_B = a_B, .two_theta_A = two_theta_A, .alpha = alpha};
         const std::int64_t window = 333330 - 1;  // odd: the centre is a frame
         const auto track = true_track(decay, window);
         QVERIFY(track);
@@ -110,9 +107,7 @@ private slots:
     }
 
     void a_balanced_wave_decays_exponentially() {
-        FreeDecay decay;
-        decay.tau_s = 7;
-        decay.a_B = -0.1;
+        const FreeDecay decay{.a_B = -0.1, .tau_s = 7};
         const auto track = true_track(decay, 1000);
         QVERIFY(track);
         for (std::size_t row = 0; row < track->rows(); ++row) {
@@ -123,9 +118,7 @@ private slots:
     }
 
     void a_turned_gyro_turns_the_wave_backwards_without_a_jump() {
-        FreeDecay decay;
-        decay.omega_rad_s = 1.2;
-        decay.a_B = 0.2;
+        const FreeDecay decay{.a_B = 0.2, .omega_rad_s = 1.2};
         const auto track = true_track(decay, 3333);
         QVERIFY(track);
         const auto angle = column(*track, SlowVariable::two_theta_A);
@@ -141,10 +134,7 @@ private slots:
     }
 
     void a_split_makes_the_quadrature_grow_at_the_rate_of_the_method() {
-        FreeDecay decay;
-        decay.seconds = 0.2;
-        decay.split_hz = 1e-3;
-        decay.theta_w = -0.2;
+        const FreeDecay decay{.seconds = 0.2, .split_hz = 1e-3, .theta_w = -0.2};
         const auto track = true_track(decay, 101);
         QVERIFY(track);
         // da_B/dt = pi split a_A sin 4(theta_A - theta_w), METHOD section 8.
@@ -157,10 +147,7 @@ private slots:
     }
 
     void the_frequency_is_that_of_the_mode_along_which_the_wave_stands() {
-        FreeDecay decay;
-        decay.split_hz = 0.5;
-        decay.theta_w = 0.15;
-        decay.two_theta_A = 2 * 0.15;
+        FreeDecay decay{.two_theta_A = 2 * 0.15, .split_hz = 0.5, .theta_w = 0.15};
         auto track = true_track(decay, 60);
         QVERIFY(track);
         VYBEG_CLOSE(column(*track, SlowVariable::f).back(), 5300.25, 1e-9);
@@ -171,8 +158,7 @@ private slots:
     }
 
     void the_phase_difference_has_the_sign_of_minus_the_quadrature() {
-        FreeDecay decay;
-        decay.two_theta_A = 0.7;
+        FreeDecay decay{.two_theta_A = 0.7};
         for (const double a_B : {0.3, -0.3}) {
             decay.a_B = a_B;
             const auto track = true_track(decay, 60);
@@ -187,8 +173,7 @@ private slots:
     }
 
     void a_circular_wave_has_no_angle() {
-        FreeDecay decay;
-        decay.a_B = -1;
+        const FreeDecay decay{.a_B = -1};
         const auto track = true_track(decay, 60);
         QVERIFY(track);
         for (std::size_t row = 0; row < track->rows(); ++row) {

@@ -27,10 +27,7 @@ constexpr std::size_t f = 3;
 constexpr std::size_t delta_phi_CD = 4;
 
 FreeDecay still_wave() {
-    FreeDecay decay;
-    decay.seconds = 6;
-    decay.a_B = 0.2;
-    decay.noise = 1e-3;
+    FreeDecay decay{.seconds = 6, .a_B = 0.2, .noise = 1e-3};
     return decay;
 }
 

@@ -35,70 +35,67 @@ class TestEvents : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyAxisIsCrossedOnceInEitherDirection();
-    void aWaveThatRestsOnAnAxisCrossesNothing();
-    void segmentsOfFlagsAreGathered();
-    void wavesThatMoveCrossNothing();
-};
-
-void TestEvents::everyAxisIsCrossedOnceInEitherDirection() {
-    for (const int direction : {1, -1}) {
-        for (const double sd : {0.0, 0.001, 0.03}) {
-            for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-                // From between axes -2 and -1 to between 2 and 3: axes -1, 0, 1, 2.
-                const double from = -1.4 * half_pi * direction;
-                const double to = 2.3 * half_pi * direction;
-                const std::vector<Event> events = find_events(turning(20000, from, to, sd, seed));
-                QCOMPARE(events.size(), std::size_t{4});
-                for (int k = 0; k < 4; ++k) {
-                    const Event& event = events[static_cast<std::size_t>(k)];
-                    QVERIFY(event.kind == EventKind::axis_crossing);
-                    QCOMPARE(event.direction, direction);
-                    QCOMPARE(event.multiple_of_half_pi, direction * (k - 1));
-                    const double expected =
-                        (event.multiple_of_half_pi * half_pi - from) / (to - from);
-                    // A line through m rows of noise sd at slope s knows its zero to sd/(s sqrt m);
-                    // the segment of twelve sd holds m = 12 sd/s/dt rows.
-                    const double slope = std::abs(to - from);
-                    const double rows = std::max(12 * sd / slope * 20000, 2.0);
-                    VYBEG_CLOSE(event.time_s, expected, 5 * sd / slope / std::sqrt(rows) + 1e-6);
+    void everyAxisIsCrossedOnceInEitherDirection() {
+        for (const int direction : {1, -1}) {
+            for (const double sd : {0.0, 0.001, 0.03}) {
+                for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+                    // From between axes -2 and -1 to between 2 and 3: axes -1, 0, 1, 2.
+                    const double from = -1.4 * half_pi * direction;
+                    const double to = 2.3 * half_pi * direction;
+                    const std::vector<Event> events =
+                        find_events(turning(20000, from, to, sd, seed));
+                    QCOMPARE(events.size(), std::size_t{4});
+                    for (int k = 0; k < 4; ++k) {
+                        const Event& event = events[static_cast<std::size_t>(k)];
+                        QVERIFY(event.kind == EventKind::axis_crossing);
+                        QCOMPARE(event.direction, direction);
+                        QCOMPARE(event.multiple_of_half_pi, direction * (k - 1));
+                        const double expected =
+                            (event.multiple_of_half_pi * half_pi - from) / (to - from);
+                        // A line through m rows of noise sd at slope s knows its zero to sd/(s sqrt
+                        // m); the segment of twelve sd holds m = 12 sd/s/dt rows.
+                        const double slope = std::abs(to - from);
+                        const double rows = std::max(12 * sd / slope * 20000, 2.0);
+                        VYBEG_CLOSE(event.time_s, expected,
+                                    5 * sd / slope / std::sqrt(rows) + 1e-6);
+                    }
                 }
             }
         }
     }
-}
 
-void TestEvents::aWaveThatRestsOnAnAxisCrossesNothing() {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        QVERIFY(find_events(turning(5000, half_pi, half_pi, 0.01, seed)).empty());
+    void aWaveThatRestsOnAnAxisCrossesNothing() {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            QVERIFY(find_events(turning(5000, half_pi, half_pi, 0.01, seed)).empty());
+        }
     }
-}
 
-void TestEvents::segmentsOfFlagsAreGathered() {
-    Track track = turning(101, 0.2, 0.4, 0, 1);
-    for (const std::size_t k : {0UL, 1UL, 2UL, 50UL, 99UL, 100UL}) {
-        set(track.flags()[k], k == 50 ? Flag::not_converged : Flag::gap);
+    void segmentsOfFlagsAreGathered() {
+        Track track = turning(101, 0.2, 0.4, 0, 1);
+        for (const std::size_t k : {0UL, 1UL, 2UL, 50UL, 99UL, 100UL}) {
+            set(track.flags()[k], k == 50 ? Flag::not_converged : Flag::gap);
+        }
+        const std::vector<Event> events = find_events(track);
+        QCOMPARE(events.size(), std::size_t{3});
+        QVERIFY((events[0] == Event{EventKind::gap, 0, events[0].seconds, 0, 0}));
+        VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
+        QVERIFY(events[1].kind == EventKind::not_converged);
+        QVERIFY(events[2].kind == EventKind::gap);
+        QCOMPARE(events[2].time_s, 0.99);
     }
-    const std::vector<Event> events = find_events(track);
-    QCOMPARE(events.size(), std::size_t{3});
-    QVERIFY((events[0] == Event{EventKind::gap, 0, events[0].seconds, 0, 0}));
-    VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
-    QVERIFY(events[1].kind == EventKind::not_converged);
-    QVERIFY(events[2].kind == EventKind::gap);
-    QCOMPARE(events[2].time_s, 0.99);
-}
 
-void TestEvents::wavesThatMoveCrossNothing() {
-    Track track = turning(101, -0.5, 0.5, 0, 1);
-    QCOMPARE(find_events(track).size(), std::size_t{1});
-    for (const std::size_t k : {49UL, 50UL, 51UL}) {
-        set(track.flags()[k], Flag::moving);
+    void wavesThatMoveCrossNothing() {
+        Track track = turning(101, -0.5, 0.5, 0, 1);
+        QCOMPARE(find_events(track).size(), std::size_t{1});
+        for (const std::size_t k : {49UL, 50UL, 51UL}) {
+            set(track.flags()[k], Flag::moving);
+        }
+        const std::vector<Event> events = find_events(track);
+        QCOMPARE(events.size(), std::size_t{1});
+        QVERIFY(events[0].kind == EventKind::moving);
+        VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
     }
-    const std::vector<Event> events = find_events(track);
-    QCOMPARE(events.size(), std::size_t{1});
-    QVERIFY(events[0].kind == EventKind::moving);
-    VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
-}
+};
 
 VYBEG_TEST(TestEvents)
 

@@ -59,8 +59,7 @@ private slots:
         QStringList messages;
         connect(&document, &Document::reported, this,
                 [&](const Message& message) { messages << message.text(); });
-        OpenOptions options;
-        options.rate_hz = 8000;
+        const OpenOptions options{.rate_hz = 8000};
         document.open({home_.file("lost.csv", text)}, options);
         QVERIFY(idle(document, 1));
         const auto checked = [&] { return document.currentRecording()->faults != nullptr; };

@@ -21,15 +21,13 @@ namespace vybeg::ui {
 
 // A window with the window of a batch, for a list of three good sets and one whose recording is
 // broken, as an engineer works with it.
-class BatchJourney : public QObject {
+class BatchJourney : public QObject, protected WindowTest {
 protected:
     static constexpr int most_ms = 120'000;
     static constexpr std::array titles{"Set",   "Gyro", "State", "Verdict", "Frequency split\nHz",
                                        "Reason"};
     enum Title : std::uint8_t { set_name, gyro, state, verdict, split, reason };
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
     QByteArray expected_;  // the table of the command line
 
     BatchWindow& batch() { return childOf<BatchWindow>(*window_); }

@@ -41,20 +41,11 @@ using namespace vybeg;
 using namespace vybeg::ui;
 using vybeg::test::HeldLoop;
 
-class TestDriftPage : public QObject {
+class TestDriftPage : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
     DriftStore& drift() { return document().drift(); }
     DriftPage& page() { return the<DriftPage>(); }
-
-    template <class Widget>
-    Widget& the(const QString& name = {}) {
-        return childOf<Widget>(*window_, name);
-    }
 
     QString text(const char* name) { return the<QLabel>(QLatin1String(name)).text(); }
     QString messages() { return the<MessageBar>().texts().join('\n'); }
@@ -63,14 +54,13 @@ class TestDriftPage : public QObject {
     }
 
     static HeldLoop loop(double turn, unsigned seed) {
-        HeldLoop loop;
-        loop.turn = turn;
-        loop.seed = seed;
-        loop.c2 = 2e-5;
-        loop.c4 = 3e-4;
-        loop.s4 = -2e-4;
-        loop.white = 1e-5;
-        loop.effort_noise = 1e-3;
+        HeldLoop loop{.turn = turn,
+                      .c2 = 2e-5,
+                      .c4 = 3e-4,
+                      .s4 = -2e-4,
+                      .white = 1e-5,
+                      .effort_noise = 1e-3,
+                      .seed = seed};
         return loop;
     }
 

@@ -35,19 +35,10 @@ namespace test_history_page {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestHistoryPage : public QObject {
+class TestHistoryPage : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
     HistoryPage& page() { return the<HistoryPage>(); }
-
-    template <class Widget>
-    Widget& the(const QString& name = {}) {
-        return childOf<Widget>(*window_, name);
-    }
 
     QString text(const char* name) { return the<QLabel>(name).text(); }
 

@@ -34,13 +34,9 @@ namespace test_log_dialog {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestLogDialog : public QObject {
+class TestLogDialog : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
     SetStore& sets() { return document().sets(); }
     LogDialog* dialog() { return window_->findChild<LogDialog*>(); }
 

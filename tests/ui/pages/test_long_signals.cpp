@@ -36,15 +36,12 @@ constexpr double clock_ms = 2;  // of a timer and of a step that takes nothing
 
 }  // namespace
 
-class TestLongSignals : public QObject {
+class TestLongSignals : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
     Heartbeat heart_;
     std::map<QString, double> costs_ms_;  // medians by step, of the recording looked at
 
-    Document& document() { return window_->document(); }
     SignalsView& view() { return childOf<SignalsPage>(*window_).view(); }
     TrackView& tracks() { return childOf<TrackView>(*window_); }
 
@@ -99,9 +96,7 @@ class TestLongSignals : public QObject {
 
     void panAndZoom(qint64 samples) {
         costs_ms_.clear();
-        OpenOptions options;
-        options.raw = RawLayout{};
-        options.rate_hz = rate;
+        const OpenOptions options{.rate_hz = rate, .raw = RawLayout{}};
         window_ = shownWindow();
         document().open({written(samples)}, options);
         QVERIFY(QTest::qWaitFor(

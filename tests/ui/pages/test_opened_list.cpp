@@ -25,13 +25,9 @@ namespace test_opened_list {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestOpenedList : public QObject {
+class TestOpenedList : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
     SetStore& sets() { return document().sets(); }
 
     // Two sets of the same resonator, one of them from 1 s on with its channels named.

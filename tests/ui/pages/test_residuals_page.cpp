@@ -1,6 +1,4 @@
 // The page of the residuals as a person uses it: keys, mouse, menus.
-#include "core/output/sample_files.h"
-#include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
@@ -25,47 +23,22 @@ namespace test_residuals_page {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestResidualsPage : public QObject {
+class TestResidualsPage : public QObject, private WindowTest {
     Q_OBJECT
-
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
-
-    template <class Widget>
-    Widget& the(const QString& name = {}) {
-        return childOf<Widget>(*window_, name);
-    }
 
     ResidualsPage& page() { return the<ResidualsPage>(); }
 
     // 4 s at 8000 Hz, 1000 Hz, noise 1e-3, with hum at 50 Hz and a line of unknown origin at 2345
     // Hz, both of amplitude 1e-3; the noise of the second half is as large as the first's.
     QString disturbed(const QString& name) {
-        FreeDecay decay;
-        decay.seconds = 4;
-        decay.rate_hz = 8000;
-        decay.f0_hz = 1000;
-        decay.a_B = 0.1;
-        decay.noise = 1e-3;
-        decay.hum = 1e-3;
-        decay.modes_beside = {{2345, 1e-3, 1e-3, 0, 0, 1e300}};
-        const auto samples = simulate(decay, JobControl());
-        const std::filesystem::path target(home_.path(name).toStdString());
-        auto file = OutputFile::create(target, JobControl());
-        const auto format = sample_format(target);
-        if (!samples || !file || !format ||
-            !write_samples(*file, *format, {samples->c, samples->d, decay.rate_hz}, JobControl()) ||
-            !file->commit()) {
-            qFatal("the test's recording cannot be written");
-        }
-        return home_.path(name);
-    }
-
-    bool idle(std::size_t runs) {
-        return QTest::qWaitFor(
-            [&] { return !document().busy() && document().analyses().size() == runs; }, 20000);
+        const FreeDecay decay{.seconds = 4,
+                              .rate_hz = 8000,
+                              .f0_hz = 1000,
+                              .a_B = 0.1,
+                              .noise = 1e-3,
+                              .hum = 1e-3,
+                              .modes_beside = {{2345, 1e-3, 1e-3, 0, 0, 1e300}}};
+        return home_.recording(name, decay);
     }
 
     void open(const QString& path) {

@@ -30,23 +30,15 @@ namespace test_resonator_tab {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestResonatorTab : public QObject {
+class TestResonatorTab : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
     QStringList files_;
-    std::unique_ptr<MainWindow> window_;
     // With the identified set, while no function looks at it.
     std::unique_ptr<MainWindow> identified_;
     bool looks_only_ = false;
 
-    Document& document() { return window_->document(); }
     SetStore& setStore() { return window_->document().sets(); }
-
-    template <class Widget>
-    Widget& the(const QString& name = {}) {
-        return childOf<Widget>(*window_, name);
-    }
 
     void openRuns(const QStringList& files) {
         document().open(files);

@@ -1,6 +1,4 @@
 // The page of the signals as a person uses it: keys, mouse, zoom shared with the tracks.
-#include "core/output/sample_files.h"
-#include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
@@ -25,18 +23,8 @@ namespace test_signals_page {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestSignalsPage : public QObject {
+class TestSignalsPage : public QObject, private WindowTest {
     Q_OBJECT
-
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
-
-    template <class Widget>
-    Widget& the(const QString& name = {}) {
-        return childOf<Widget>(*window_, name);
-    }
 
     SignalsPage& page() { return the<SignalsPage>(); }
     SignalsView& view() { return page().view(); }
@@ -45,8 +33,7 @@ class TestSignalsPage : public QObject {
 
     void open(const QString& path) {
         document().open({path});
-        QVERIFY(QTest::qWaitFor(
-            [&] { return !document().busy() && document().analyses().size() == 1; }, 20000));
+        QVERIFY(idle(1));
         QVERIFY(QTest::qWaitFor([&] {
             const RecordingEntry* entry = document().currentRecording();
             return entry->envelope && entry->envelope->whole();
@@ -259,8 +246,7 @@ private slots:
         // The row of an analysis is that of its recording, too: its wave is fitted to its samples.
         const auto first = document().currentRecording()->id;
         document().open({home_.recording("other.wav", 1)});
-        QVERIFY(QTest::qWaitFor(
-            [&] { return !document().busy() && document().analyses().size() == 3; }, 20000));
+        QVERIFY(idle(3));
         the<Ledger>().setCurrentAnalysis(document().analyses().front().shown.id);
         QCOMPARE(document().currentRecording()->id, first);
         QVERIFY2(state().isEmpty(), qPrintable(state()));  // the chosen row says it

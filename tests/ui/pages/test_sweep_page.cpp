@@ -26,19 +26,10 @@ namespace test_sweep_page {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestSweepPage : public QObject {
+class TestSweepPage : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
     SweepPage& page() { return the<SweepPage>(); }
-
-    template <class Widget>
-    Widget& the(const QString& name = {}) {
-        return childOf<Widget>(*window_, name);
-    }
 
     void open(const QString& path) {
         document().open({path});

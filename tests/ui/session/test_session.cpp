@@ -26,17 +26,9 @@ namespace test_session {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestSession : public QObject {
+class TestSession : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    template <class Widget>
-    Widget& the() {
-        return childOf<Widget>(*window_);
-    }
-    Document& document() { return window_->document(); }
     SessionKeeper& session() { return window_->session(); }
 
     void wait(std::size_t runs) {

@@ -21,13 +21,9 @@ namespace test_session_file {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestSessionFile : public QObject {
+class TestSessionFile : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
     SessionKeeper& session() { return window_->session(); }
     QString messages() { return childOf<MessageBar>(*window_).texts().join('\n'); }
 

@@ -109,14 +109,11 @@ private:
     QString what_;
 };
 
-class TestSessionMutations : public QObject {
+class TestSessionMutations : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
     QByteArray sound_;  // a session with all that sessions hold
 
-    Document& document() { return window_->document(); }
     SessionKeeper& session() { return window_->session(); }
     bool isIdle() { return !document().busy() && !session().isOpening(); }
     QString messages() { return childOf<MessageBar>(*window_).texts().join('\n'); }

@@ -23,7 +23,7 @@ namespace test_session_results {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestSessionResults : public QObject {
+class TestSessionResults : public QObject, private WindowTest {
     Q_OBJECT
 
     // A session of an identified set, and what its window shows.
@@ -33,13 +33,10 @@ class TestSessionResults : public QObject {
         QString warnings, state;
     };
 
-    GuiTestHome home_;
     QStringList files_;
     Stored fresh_;
     Stored stale_;
-    std::unique_ptr<MainWindow> window_;
 
-    Document& document() { return window_->document(); }
     SessionKeeper& session() { return window_->session(); }
 
     void waitIdle() {

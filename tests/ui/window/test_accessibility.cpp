@@ -122,11 +122,8 @@ QStringList cutTexts(const QWidget& window) {
 
 }  // namespace
 
-class TestAccessibility : public QObject {
+class TestAccessibility : public QObject, private WindowTest {
     Q_OBJECT
-
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
 
     // Calls a function with the name of each state of the window, on every page.
     template <class Function>

@@ -20,14 +20,11 @@ namespace test_dossier {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestDossier : public QObject {
+class TestDossier : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
     QStringList files_;
-    std::unique_ptr<MainWindow> window_;
 
-    Document& document() { return window_->document(); }
     const Dossier& dossier() { return document().dossier().dossier(); }
 
     template <class Dialog>

@@ -218,8 +218,7 @@ private slots:
         }
         QCOMPARE(fields.findChildren<NumberField*>().size(), 4);
         for (const double scale : {0.0, -1.0, 1e-300}) {
-            OpenOptions options;
-            options.scale = scale;
+            const OpenOptions options{.scale = scale};
             fields.setOptions(options);
             QCOMPARE(fields.isValid(), bool(check_options(options)));
         }

@@ -26,24 +26,13 @@ namespace test_file_dialogs {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestFileDialogs : public QObject {
+class TestFileDialogs : public QObject, private WindowTest {
     Q_OBJECT
-
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
-
-    template <class Widget>
-    Widget& the(const QString& name = {}) {
-        return childOf<Widget>(*window_, name);
-    }
 
     void openOne() {
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         document().open({home_.recording("demo.wav")});
-        QVERIFY(QTest::qWaitFor(
-            [&] { return !document().busy() && document().analyses().size() == 1; }, 20000));
+        QVERIFY(idle(1));
         QVERIFY(QTest::qWaitFor([&] { return document().carrier().has_value(); }));
     }
 

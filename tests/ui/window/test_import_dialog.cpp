@@ -179,8 +179,7 @@ private slots:
         the<QLineEdit>("channel_d_file").actions().front()->trigger();
         QCOMPARE(dialog_->options().channel_d_file, std::string("/data/a.csv"));
         // What was given stays as it is: a folder may have a comma in its name.
-        OpenOptions given;
-        given.join = {"/data, old/2.csv"};
+        const OpenOptions given{.join = {"/data, old/2.csv"}};
         show(path, given);
         QCOMPARE(dialog_->options().join, given.join);
     }
@@ -199,8 +198,7 @@ private slots:
     }
 
     void another_delimiter_is_another_preview() {
-        OpenOptions rate;
-        rate.rate_hz = 8000;
+        const OpenOptions rate{.rate_hz = 8000};
         show(table("delimiter.csv"), rate);
         QTRY_VERIFY(openButton().isEnabled());
         QCOMPARE(cell(0, 0), QString("pick-off C;pick-off D"));
@@ -269,9 +267,8 @@ private slots:
     }
 
     void a_text_read_as_raw_gets_the_layout_of_the_last_one() {
-        OpenOptions options;
-        options.rate_hz = 1000;
-        options.raw = RawLayout{.type = RawType::f64, .skip_bytes = 80};
+        const OpenOptions options{.rate_hz = 1000,
+                                  .raw = RawLayout{.type = RawType::f64, .skip_bytes = 80}};
         rememberImport(importKind("/a/b.wav", {}, true), options);
         show(home_.recording("wave.wav"));
         QTRY_VERIFY(openButton().isEnabled());
@@ -282,8 +279,7 @@ private slots:
     }
 
     void what_was_chosen_is_remembered_for_files_of_the_kind() {
-        OpenOptions rate;
-        rate.rate_hz = 8000;
+        OpenOptions rate{.rate_hz = 8000};
         show(table("first.csv"), rate);
         QTRY_VERIFY(openButton().isEnabled());
         choose("delimiter", "semicolon");
@@ -320,11 +316,11 @@ private slots:
     }
 
     void raw_layouts_are_remembered_by_the_ending() {
-        OpenOptions options;
-        options.rate_hz = 1000;
-        options.raw = RawLayout{.type = RawType::f32, .channels = 3, .skip_bytes = 8};
-        options.scale = 4;
-        options.channel_d = 3;
+        const OpenOptions options{
+            .rate_hz = 1000,
+            .channel_d = 3,
+            .raw = RawLayout{.type = RawType::f32, .channels = 3, .skip_bytes = 8},
+            .scale = 4};
         rememberImport(importKind("/a/b.BIN", {}, true), options);
         show(raw("other.bin"));
         QTRY_VERIFY(openButton().isEnabled());
@@ -333,8 +329,7 @@ private slots:
 
     void only_the_last_kinds_are_kept() {
         for (int i = 0; i < 60; ++i) {
-            OpenOptions options;
-            options.rate_hz = 100 + i;
+            const OpenOptions options{.rate_hz = 100 + i};
             rememberImport(QString::number(i), options);
         }
         rememberImport("59", {});
@@ -344,19 +339,17 @@ private slots:
     }
 
     void options_come_back_from_their_json() {
-        OpenOptions options;
-        options.rate_hz = 33333.25;
-        options.channel_c = 4;
-        options.text = TextChoice{'\t', true, 7, 0, 1e-6};
-        options.scale = -0.125;
-        options.unit = "мкВ";
-        options.variables = {"XY", "", "fs"};
-        options.channel_d_file = "/данные/d.ana";
-        options.join = {"/data/2.wav", "/data/3.wav"};
+        const OpenOptions options{.rate_hz = 33333.25,
+                                  .channel_c = 4,
+                                  .variables = {"XY", "", "fs"},
+                                  .text = TextChoice{'\t', true, 7, 0, 1e-6},
+                                  .unit = "мкВ",
+                                  .scale = -0.125,
+                                  .channel_d_file = "/данные/d.ana",
+                                  .join = {"/data/2.wav", "/data/3.wav"}};
         QCOMPARE(optionsFromJson(optionsToJson(options)), options);
-        OpenOptions raw;
-        raw.raw = RawLayout{RawType::i32, true, 5, std::int64_t{1} << 40};
-        raw.scale = 1e-9;
+        const OpenOptions raw{.raw = RawLayout{RawType::i32, true, 5, std::int64_t{1} << 40},
+                              .scale = 1e-9};
         QCOMPARE(optionsFromJson(optionsToJson(raw)), raw);
         // Earlier versions kept the scale with the layout or the choice.
         for (const char* part : {"raw", "text"}) {

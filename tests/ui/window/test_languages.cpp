@@ -169,13 +169,11 @@ private slots:
         // Both with every choice on the screen: text here, raw samples in the other.
         const QString table = home_.file("demo-2.csv", "t;C;D\n0,1;1;2\n0,2;3;4\n0,3;5;6\n");
         BackgroundJobs job;
-        OpenOptions as_text;
-        as_text.text = TextChoice{};
+        const OpenOptions as_text{.text = TextChoice{}};
         ImportDialog text_import(job, table, as_text, &window);
         text_import.setAttribute(Qt::WA_DeleteOnClose, false);
         text_import.show();
-        OpenOptions as_raw;
-        as_raw.raw = RawLayout{};
+        const OpenOptions as_raw{.raw = RawLayout{}};
         emit window.findChild<Ledger*>()->reopenWanted(home_.path("demo.wav"), as_raw);
         window.action(Command::about)->trigger();
         window.action(Command::help)->trigger();

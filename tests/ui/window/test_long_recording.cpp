@@ -46,21 +46,13 @@ constexpr int rounds = 3;
 
 }  // namespace
 
-class TestLongRecording : public QObject {
+class TestLongRecording : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
     QString path_;
     OpenOptions options_;  // of path_
-    std::unique_ptr<MainWindow> window_;
     Heartbeat heart_;
     QMap<QString, double> gaps_ms_;  // by step: the least of the rounds' longest gaps
-
-    Document& document() { return window_->document(); }
-    template <class Widget>
-    Widget& the() {
-        return *window_->findChild<Widget*>();
-    }
 
     // 33333 Hz, 16 bit: one second over and over, in which the carrier of 5300 Hz has whole periods
     // and the wave crosses the axis of C twice. Returns the path.
@@ -129,9 +121,7 @@ class TestLongRecording : public QObject {
     }
 
     static OpenOptions rawOptions() {
-        OpenOptions options;
-        options.raw = RawLayout{};
-        options.rate_hz = rate;
+        OpenOptions options{.rate_hz = rate, .raw = RawLayout{}};
         return options;
     }
 

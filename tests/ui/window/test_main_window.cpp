@@ -36,27 +36,8 @@ namespace test_main_window {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestMainWindow : public QObject {
+class TestMainWindow : public QObject, private WindowTest {
     Q_OBJECT
-
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
-
-    template <class Widget>
-    Widget& the(const QString& name = {}) {
-        return childOf<Widget>(*window_, name);
-    }
-
-    NumberField& field(const QString& accessible_name) {
-        return fieldOf(*window_, accessible_name);
-    }
-
-    bool idle(std::size_t runs) {
-        return QTest::qWaitFor(
-            [&] { return !document().busy() && document().analyses().size() == runs; }, 20000);
-    }
 
     void openOne(const QString& name = "demo.wav") {
         document().open({home_.recording(name)});

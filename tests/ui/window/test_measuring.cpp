@@ -21,16 +21,9 @@ namespace test_measuring {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestMeasuring : public QObject {
+class TestMeasuring : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    template <class Widget>
-    Widget& the() {
-        return childOf<Widget>(*window_);
-    }
     Ledger& ledger() { return the<Ledger>(); }
     const Analysis& analysis() { return *window_->document().analyses().front().shown.analysis; }
 

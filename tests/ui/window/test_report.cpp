@@ -54,13 +54,8 @@ bool isPdf(const QString& path) {
 
 }  // namespace
 
-class TestReport : public QObject {
+class TestReport : public QObject, private WindowTest {
     Q_OBJECT
-
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
 
     void openAll(const QStringList& files) {
         document().open(files);

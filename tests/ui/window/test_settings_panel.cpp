@@ -25,22 +25,8 @@ namespace test_settings_panel {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestSettingsPanel : public QObject {
+class TestSettingsPanel : public QObject, private WindowTest {
     Q_OBJECT
-
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
-
-    NumberField& field(const QString& accessible_name) {
-        return fieldOf(*window_, accessible_name);
-    }
-
-    bool idle(std::size_t runs) {
-        return QTest::qWaitFor(
-            [&] { return !document().busy() && document().analyses().size() == runs; }, 20000);
-    }
 
     void openOne() {
         document().open({home_.recording("demo.wav")});

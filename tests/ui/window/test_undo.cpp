@@ -12,13 +12,9 @@ namespace test_undo {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestUndo : public QObject {
+class TestUndo : public QObject, private WindowTest {
     Q_OBJECT
 
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    Document& document() { return window_->document(); }
     SetStore& sets() { return document().sets(); }
     QAction& undo() { return *window_->action(Command::undo); }
     QAction& redo() { return *window_->action(Command::redo); }

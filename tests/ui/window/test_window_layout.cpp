@@ -32,16 +32,8 @@ namespace test_window_layout {
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestWindowLayout : public QObject {
+class TestWindowLayout : public QObject, private WindowTest {
     Q_OBJECT
-
-    GuiTestHome home_;
-    std::unique_ptr<MainWindow> window_;
-
-    template <class Widget>
-    Widget& the() {
-        return childOf<Widget>(*window_);
-    }
 
     // Where a widget's area begins and ends, in the window's coordinates.
     std::pair<int, int> span(const QWidget& widget, const QRect& area) const {

@@ -334,65 +334,62 @@ class TestTdmsLayouts : public QObject {
     Q_OBJECT
 
 private slots:
-    void a_file_is_read_as_its_layout_says_data();
-    void a_file_is_read_as_its_layout_says();
-    void unequal_lengths_are_said_with_names_and_numbers();
-    void names_units_and_starts_are_plain_text();
+    void a_file_is_read_as_its_layout_says_data() {
+        QTest::addColumn<TdmsCase>("row");
+        add_daqmx_type<std::uint8_t>(0, "8 bit unsigned");
+        add_daqmx_type<std::int8_t>(1, "8 bit");
+        add_daqmx_type<std::uint16_t>(2, "16 bit unsigned");
+        add_daqmx_type<std::int16_t>(3, "16 bit");
+        add_daqmx_type<std::uint32_t>(4, "32 bit unsigned");
+        add_daqmx_type<std::int32_t>(5, "32 bit");
+        add_daqmx_type<std::uint64_t>(6, "64 bit unsigned");
+        add_daqmx_type<std::int64_t>(7, "64 bit");
+        add_daqmx_type<float>(8, "32 bit float");
+        add_daqmx_type<double>(9, "64 bit float");
+        add_daqmx_layouts();
+        add_unequal_lengths();
+        add_short_last_segments();
+        add_other_values();
+    }
+
+    void a_file_is_read_as_its_layout_says() {
+        QFETCH(TdmsCase, row);
+        check(folder_, row);
+    }
+
+    void unequal_lengths_are_said_with_names_and_numbers() {
+        const Tdms t;
+        const Recording recording = opened(folder_.write(
+            "unequal.tdms",
+            t.segment(
+                first_segment,
+                t.metadata({t.object(path_c, t.values(tds_i16, 8), {t.real("wf_increment", 1)}),
+                            t.object(path_d, t.values(tds_i16, 6))}),
+                t.raw<std::int16_t>(raw_c) + t.raw<std::int16_t>(part(raw_d, 0, 6)))));
+        const Diagnostic* unequal = find(recording, DiagnosticKind::channels_unequal);
+        QVERIFY(unequal);
+        QCOMPARE(unequal->args, (std::vector<MessageArg>{"C", "8", "D", "6"}));
+    }
+
+    void names_units_and_starts_are_plain_text() {
+        const Tdms t;
+        const std::string escape = "\x1b[31m";
+        const Recording recording = opened(folder_.write(
+            "escapes.tdms",
+            t.segment(
+                first_segment,
+                t.metadata({t.object("/'Run'/'C" + escape + "'", t.values(tds_i16, 8),
+                                     {t.real("wf_increment", 1), t.words("unit_string", "V\n")}),
+                            t.object("/'Run'/'" + std::string("D\xE2\x80\xAE") + "'",
+                                     t.values(tds_i16, 8))}),
+                t.raw<std::int16_t>(raw_c) + t.raw<std::int16_t>(raw_d))));
+        QCOMPARE(recording.channels[0], (Channel{"C\\x1b[31m", "V\\x0a"}));
+        QCOMPARE(recording.channels[1].name, std::string("D\\u202e"));
+    }
 
 private:
     Folder folder_;
 };
-
-void TestTdmsLayouts::a_file_is_read_as_its_layout_says_data() {
-    QTest::addColumn<TdmsCase>("row");
-    add_daqmx_type<std::uint8_t>(0, "8 bit unsigned");
-    add_daqmx_type<std::int8_t>(1, "8 bit");
-    add_daqmx_type<std::uint16_t>(2, "16 bit unsigned");
-    add_daqmx_type<std::int16_t>(3, "16 bit");
-    add_daqmx_type<std::uint32_t>(4, "32 bit unsigned");
-    add_daqmx_type<std::int32_t>(5, "32 bit");
-    add_daqmx_type<std::uint64_t>(6, "64 bit unsigned");
-    add_daqmx_type<std::int64_t>(7, "64 bit");
-    add_daqmx_type<float>(8, "32 bit float");
-    add_daqmx_type<double>(9, "64 bit float");
-    add_daqmx_layouts();
-    add_unequal_lengths();
-    add_short_last_segments();
-    add_other_values();
-}
-
-void TestTdmsLayouts::a_file_is_read_as_its_layout_says() {
-    QFETCH(TdmsCase, row);
-    check(folder_, row);
-}
-
-void TestTdmsLayouts::unequal_lengths_are_said_with_names_and_numbers() {
-    const Tdms t;
-    const Recording recording = opened(folder_.write(
-        "unequal.tdms",
-        t.segment(first_segment,
-                  t.metadata({t.object(path_c, t.values(tds_i16, 8), {t.real("wf_increment", 1)}),
-                              t.object(path_d, t.values(tds_i16, 6))}),
-                  t.raw<std::int16_t>(raw_c) + t.raw<std::int16_t>(part(raw_d, 0, 6)))));
-    const Diagnostic* unequal = find(recording, DiagnosticKind::channels_unequal);
-    QVERIFY(unequal);
-    QCOMPARE(unequal->args, (std::vector<MessageArg>{"C", "8", "D", "6"}));
-}
-
-void TestTdmsLayouts::names_units_and_starts_are_plain_text() {
-    const Tdms t;
-    const std::string escape = "\x1b[31m";
-    const Recording recording = opened(folder_.write(
-        "escapes.tdms",
-        t.segment(first_segment,
-                  t.metadata({t.object("/'Run'/'C" + escape + "'", t.values(tds_i16, 8),
-                                       {t.real("wf_increment", 1), t.words("unit_string", "V\n")}),
-                              t.object("/'Run'/'" + std::string("D\xE2\x80\xAE") + "'",
-                                       t.values(tds_i16, 8))}),
-                  t.raw<std::int16_t>(raw_c) + t.raw<std::int16_t>(raw_d))));
-    QCOMPARE(recording.channels[0], (Channel{"C\\x1b[31m", "V\\x0a"}));
-    QCOMPARE(recording.channels[1].name, std::string("D\\u202e"));
-}
 
 VYBEG_TEST(TestTdmsLayouts)
 

@@ -185,26 +185,23 @@ class TestTdmsScales : public QObject {
     Q_OBJECT
 
 private slots:
-    void a_file_is_read_as_its_layout_says_data();
-    void a_file_is_read_as_its_layout_says();
+    void a_file_is_read_as_its_layout_says_data() {
+        QTest::addColumn<TdmsCase>("row");
+        add_scales_by_place();
+        add_precedence();
+        add_chains();
+        add_refused_scales();
+        add_units();
+    }
+
+    void a_file_is_read_as_its_layout_says() {
+        QFETCH(TdmsCase, row);
+        check(folder_, row);
+    }
 
 private:
     Folder folder_;
 };
-
-void TestTdmsScales::a_file_is_read_as_its_layout_says_data() {
-    QTest::addColumn<TdmsCase>("row");
-    add_scales_by_place();
-    add_precedence();
-    add_chains();
-    add_refused_scales();
-    add_units();
-}
-
-void TestTdmsScales::a_file_is_read_as_its_layout_says() {
-    QFETCH(TdmsCase, row);
-    check(folder_, row);
-}
 
 VYBEG_TEST(TestTdmsScales)
 

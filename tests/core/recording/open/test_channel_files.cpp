@@ -44,8 +44,7 @@ std::string table(const std::string& names, int rows, double from_s,
 }
 
 OpenOptions d_in(const std::filesystem::path& path) {
-    OpenOptions options;
-    options.channel_d_file = path.string();
+    OpenOptions options{.channel_d_file = path.string()};
     return options;
 }
 
@@ -222,9 +221,7 @@ private slots:
         QVERIFY(sentence(open(c)).endsWith("--channel-d FILE."));
         folder.write("ch2.csv", "1");
         QVERIFY(sentence(open(c)).endsWith("--channel-d ch2.csv."));
-        OpenOptions raw;
-        raw.rate_hz = rate;
-        raw.raw = RawLayout{.channels = 1};
+        const OpenOptions raw{.rate_hz = rate, .raw = RawLayout{.channels = 1}};
         QCOMPARE(open(c, raw).error().code, ErrorCode::too_few_channels);
     }
 
@@ -254,9 +251,7 @@ private slots:
 
     void pieces_untimed_follow_each_other_and_it_is_told() {
         const Folder folder;
-        OpenOptions raw;
-        raw.rate_hz = rate;
-        raw.raw = RawLayout{};
+        OpenOptions raw{.rate_hz = rate, .raw = RawLayout{}};
         raw.join = {folder.write("2.raw", std::string(400, '\2')).string()};
         const Recording recording = opened(folder.write("1.raw", std::string(400, '\1')), raw);
         QCOMPARE(recording.frames(), 200);

@@ -71,8 +71,7 @@ private slots:
                             const OpenOptions& options = {}) {
             QTest::newRow(name) << QString(name) << QByteArray::fromStdString(bytes) << options;
         };
-        OpenOptions rate;
-        rate.rate_hz = 33333;
+        const OpenOptions rate{.rate_hz = 33333};
         add("short.csv", "C,D\n" + rows(50, ',', false), rate);
         add("long.csv", "t,C,D\n" + rows(30000, ',', true));
         add("missing.csv", "1;2\n;3\n4;nan\n5;6\n7;8\n9;10", rate);
@@ -81,9 +80,7 @@ private slots:
         choice.scale = 0.1;
         choice.unit = "V";
         add("choice.csv", "1;2\nC;D\n1,5;2\n3;4\n5;6\n7,25;8\n9;10\n", choice);
-        OpenOptions swapped;
-        swapped.channel_c = 2;
-        swapped.channel_d = 1;
+        const OpenOptions swapped{.channel_c = 2, .channel_d = 1};
         add("swapped.csv", "t,C,D\n" + rows(3000, ',', true), swapped);
         std::string bytes = "head";
         for (int i = 0; i < 30000; ++i) {
@@ -126,9 +123,7 @@ private slots:
 
     void a_format_that_gives_no_table_says_why_and_still_shows_the_lines() {
         const auto path = folder_.write("d.csv", "C;D\n1,5;2,5\n3,5;4,5\n5;6\n7;8\n9;1\n");
-        OpenOptions options;
-        options.text = TextChoice{.delimiter = '\t'};
-        options.rate_hz = 100;
+        const OpenOptions options{.rate_hz = 100, .text = TextChoice{.delimiter = '\t'}};
         const RecordingPreview preview = shown(path, options);
         QVERIFY(preview.problem);
         QCOMPARE(preview.problem->code, ErrorCode::text_no_table);
@@ -144,8 +139,7 @@ private slots:
         QTest::addColumn<QByteArray>("bytes");
         QTest::addColumn<OpenOptions>("options");
         OpenOptions none;
-        OpenOptions rate;
-        rate.rate_hz = 10;
+        const OpenOptions rate{.rate_hz = 10};
         QTest::newRow("no rate") << QByteArray("1 2\n3 4\n5 6\n7 8\n9 1\n") << none;
         QTest::newRow("no number") << QByteArray("1 2\n3 4\n5 x\n7 8\n9 1\n1 1\n") << rate;
         QTest::newRow("time") << QByteArray("t,C,D\n0.1,1,2\n0.2,1,2\n0.15,3,4\n0.3,1,2\n0.4,1,1\n")
@@ -156,8 +150,7 @@ private slots:
         OpenOptions third = rate;
         third.channel_d = 3;
         QTest::newRow("channel") << QByteArray("1 2\n3 4\n5 6\n7 8\n9 1\n") << third;
-        OpenOptions raw;
-        raw.raw = RawLayout{.channels = 2};
+        OpenOptions raw{.raw = RawLayout{.channels = 2}};
         QTest::newRow("raw without a rate") << QByteArray("1234567890abcdef1234567890") << raw;
         raw.rate_hz = 10;
         raw.raw->skip_bytes = 1000;
@@ -179,8 +172,7 @@ private slots:
         const RecordingPreview text = shown(folder_.write("n.csv", "1 2\n3 4\n5 6\n7 8\n9 1\n"));
         QCOMPARE(text.c, (std::vector<double>{1, 3, 5, 7, 9}));
         QVERIFY(!text.rate_hz);
-        OpenOptions raw;
-        raw.raw = RawLayout{.type = RawType::i16};
+        const OpenOptions raw{.raw = RawLayout{.type = RawType::i16}};
         const RecordingPreview binary = shown(folder_.write("n.bin", std::string(40, '\1')), raw);
         QCOMPARE(binary.c.size(), 10u);
         QVERIFY(!binary.rate_hz);
@@ -191,11 +183,10 @@ private slots:
         for (int i = 0; i < 60; ++i) {
             bytes += store(static_cast<std::int16_t>(i), false);
         }
-        OpenOptions options;
-        options.raw = RawLayout{.channels = 6, .skip_bytes = 2};
-        options.scale = 0.5;
-        options.rate_hz = 100;
-        options.channel_c = 5;
+        const OpenOptions options{.rate_hz = 100,
+                                  .channel_c = 5,
+                                  .raw = RawLayout{.channels = 6, .skip_bytes = 2},
+                                  .scale = 0.5};
         const RecordingPreview preview = shown(folder_.write("six.bin", bytes), options);
         QCOMPARE(preview.lines.size(), 10u);
         QCOMPARE(preview.lines[1].cells,
@@ -221,9 +212,7 @@ private slots:
     void a_huge_file_takes_no_longer_than_a_small_one() {
         const auto text = folder_.write("huge.csv", "t,C,D\n" + rows(60000, ',', true));
         const auto raw = folder_.write("huge.bin", std::string(100000, '\1'));
-        OpenOptions layout;
-        layout.rate_hz = 1000;
-        layout.raw = RawLayout{};
+        const OpenOptions layout{.rate_hz = 1000, .raw = RawLayout{}};
         const auto processor_s = [&] {  // a busy machine fails no test
             const std::clock_t before = std::clock();
             const auto first = shown(text).c.size() + shown(raw, layout).c.size();

@@ -93,8 +93,7 @@ private slots:
     void without_times_its_length_is_about_that_of_the_rows() {
         const auto path = folder_.write("rows.csv", falling(false));
         QVERIFY(!look_at(path));  // needs a rate
-        OpenOptions with_rate;
-        with_rate.rate_hz = rate;
+        const OpenOptions with_rate{.rate_hz = rate};
         const auto look = look_at(path, with_rate);
         QVERIFY(look.has_value());
         QCOMPARE(look->rate_hz, rate);
@@ -106,9 +105,7 @@ private slots:
 
     void channels_are_those_of_the_options() {
         const auto path = folder_.write("swapped.csv", falling(true));
-        OpenOptions swapped;
-        swapped.channel_c = 2;
-        swapped.channel_d = 1;
+        const OpenOptions swapped{.channel_c = 2, .channel_d = 1};
         const auto look = look_at(path, swapped);
         QVERIFY(look.has_value());
         const auto first = look->envelope->buckets(0, 1000, 1).at(0);

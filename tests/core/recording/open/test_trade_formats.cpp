@@ -18,8 +18,7 @@ constexpr double digits = 1e-8;       // of the text
 constexpr double float_digit = 1e-7;  // of samples below 1
 
 OpenOptions d_in(const std::filesystem::path& path) {
-    OpenOptions options;
-    options.channel_d_file = path.string();
+    OpenOptions options{.channel_d_file = path.string()};
     return options;
 }
 
@@ -94,8 +93,7 @@ private slots:
         QCOMPARE(refused.error().args, (std::vector<MessageArg>{"100000", "33333"}));
         // The option says which holds.
         for (const double holds : {100e3, rate}) {
-            OpenOptions options;
-            options.rate_hz = holds;
+            const OpenOptions options{.rate_hz = holds};
             const Recording recording = opened(path, options);
             VYBEG_CLOSE(recording.rate_hz, holds, 1e-3);
             QCOMPARE(recording.rate_from, RateOrigin::option);

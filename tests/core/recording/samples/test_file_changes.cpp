@@ -30,8 +30,7 @@ class TestFileChanges : public QObject {
     }
 
     static OpenOptions with_rate() {
-        OpenOptions options;
-        options.rate_hz = 33333;
+        OpenOptions options{.rate_hz = 33333};
         return options;
     }
 

@@ -26,9 +26,7 @@ std::string table(int rows, double start, double step) {
 
 Result<Recording> opened_raw(const std::string& bytes, int c, int d) {
     const Folder folder;
-    OpenOptions options;
-    options.rate_hz = rate_hz;
-    options.raw = RawLayout{};
+    OpenOptions options{.rate_hz = rate_hz, .raw = RawLayout{}};
     options.raw->type = RawType::f64;
     options.raw->channels = 3;
     options.channel_c = c;

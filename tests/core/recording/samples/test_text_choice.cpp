@@ -12,9 +12,7 @@ using namespace vybeg::test;
 namespace {
 
 OpenOptions said(const TextChoice& choice, std::optional<double> rate_hz = {}) {
-    OpenOptions options;
-    options.text = choice;
-    options.rate_hz = rate_hz;
+    OpenOptions options{.rate_hz = rate_hz, .text = choice};
     return options;
 }
 
@@ -39,8 +37,7 @@ class TestTextChoice : public QObject {
 
     static void same(const Recording& recording, const Samples& expected) {
         const Samples read = read_all(recording);
-        QCOMPARE(worst_difference(read.c, expected.c), 0.0);
-        QCOMPARE(worst_difference(read.d, expected.d), 0.0);
+        QCOMPARE(worst_difference(read, expected), 0.0);
     }
 
 private slots:
@@ -201,8 +198,7 @@ private slots:
                 value *= 3;
             }
         }
-        QCOMPARE(worst_difference(scaled.c, expected.c), 0.0);
-        QCOMPARE(worst_difference(scaled.d, expected.d), 0.0);
+        QCOMPARE(worst_difference(scaled, expected), 0.0);
     }
 
     void a_file_that_looks_like_something_else_is_read_as_text_when_it_is_said() {
@@ -225,10 +221,8 @@ private slots:
         QCOMPARE(options_text(options),
                  std::string("--delimiter tab --decimal comma --skip-lines 4 --time-column none "
                              "--time-unit us --scale 0.25 --unit mV"));
-        OpenOptions raw;
-        raw.raw = RawLayout{RawType::f32, true, 3, 512};
-        raw.scale = 0.5;
-        raw.variables = {"C", "D"};
+        const OpenOptions raw{
+            .raw = RawLayout{RawType::f32, true, 3, 512}, .variables = {"C", "D"}, .scale = 0.5};
         QCOMPARE(options_text(raw), std::string("--variables C,D --raw f32:be --raw-channels 3 "
                                                 "--skip 512 --scale 0.5"));
         QCOMPARE(options_text({}), std::string());
@@ -245,10 +239,9 @@ private slots:
         text.channel_c = 4;
         text.channel_d = 2;
         text.unit = "V";
-        OpenOptions raw;
-        raw.raw = RawLayout{RawType::f64, true, 5, 44};
-        raw.scale = -1e-7;
-        raw.variables = {"XY", "", "fs"};
+        const OpenOptions raw{.raw = RawLayout{RawType::f64, true, 5, 44},
+                              .variables = {"XY", "", "fs"},
+                              .scale = -1e-7};
         for (const OpenOptions& wanted : {OpenOptions(), text, raw}) {
             OpenOptions read;
             for (const SettingRow<OpenOptions>& row : open_settings()) {

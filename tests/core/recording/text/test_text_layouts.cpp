@@ -215,9 +215,7 @@ private slots:
     void d_is_converted_to_the_unit_of_c_whichever_channels_they_are() {
         const Folder folder;
         const std::string text = "t [s],C [V],D [mV]\n" + rows("T,C,D\n");
-        OpenOptions swapped;
-        swapped.channel_c = 2;
-        swapped.channel_d = 1;
+        const OpenOptions swapped{.channel_c = 2, .channel_d = 1};
         const Recording plain = opened(folder.write("run.csv", text));
         const Recording other = opened(folder.write("run.csv", text), swapped);
         QCOMPARE(read_all(plain).c[3], 1.5 * 3);
@@ -245,9 +243,7 @@ private slots:
         QVERIFY(!wrong);
         QCOMPARE(wrong.error().code, ErrorCode::parts_differ);
         // D and E share their times, which are those of their rate.
-        OpenOptions options;
-        options.channel_c = 2;
-        options.channel_d = 3;
+        const OpenOptions options{.channel_c = 2, .channel_d = 3};
         VYBEG_CLOSE(opened(path, options).rate_hz, 500, 0.5);
     }
 
@@ -336,8 +332,7 @@ private slots:
         const Recording recording = opened(folder.write("run.csv", text));
         QCOMPARE(channels_text(recording), QString("C [], D []"));
         // Of two columns both are channels, whatever they hold.
-        OpenOptions at_10_hz;
-        at_10_hz.rate_hz = 10;
+        const OpenOptions at_10_hz{.rate_hz = 10};
         const auto ramp = folder.write("ramp.csv", "1,9\n2,8\n3,8\n4,9\n5,7\n6,9\n");
         QCOMPARE(opened(ramp, at_10_hz).channels.size(), 2u);
     }

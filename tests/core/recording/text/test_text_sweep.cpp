@@ -237,8 +237,7 @@ private slots:
             expected.d.push_back(value(row, 1, layout.size()));
         }
         const Samples read = read_all(*recording);
-        QCOMPARE(read.c, expected.c);
-        QCOMPARE(read.d, expected.d);
+        QCOMPARE(read, expected);
         QCOMPARE(recording->rate_from, RateOrigin::time_column);
         VYBEG_WITHIN(recording->rate_hz / rate_hz, 1, 2.001 * recording->rate_relative_sd + 1e-9);
         const bool cyrillic = layout.header == "Cyrillic";

@@ -130,9 +130,7 @@ private slots:
         const auto path = folder.write("run.csv", table("t (s);S_D (V);S_C (V)", 1, 1, ';'));
         const Recording recording = opened(path);
         QVERIFY(find(recording, DiagnosticKind::channels_crossed));
-        OpenOptions exchanged;
-        exchanged.channel_c = 2;
-        exchanged.channel_d = 1;
+        const OpenOptions exchanged{.channel_c = 2, .channel_d = 1};
         QVERIFY(!find(opened(path, exchanged), DiagnosticKind::channels_crossed));
     }
 
@@ -188,8 +186,7 @@ private slots:
         QFETCH(bool, refused);
         const Folder folder;
         const auto path = folder.write("run.csv", rows.repeated(20).toStdString());
-        OpenOptions options;
-        options.rate_hz = rate_hz;
+        OpenOptions options{.rate_hz = rate_hz};
         const auto recording = open(path, options);
         QCOMPARE(!recording && recording.error().code == ErrorCode::text_decimal_commas, refused);
         // Said to be so, it is read so.
@@ -241,8 +238,7 @@ private slots:
         const auto refused = open_recording(path, {}, {});
         QVERIFY(!refused);
         QVERIFY(refused.error().code == ErrorCode::rate_unknown);
-        OpenOptions options;
-        options.rate_hz = rate_hz;
+        const OpenOptions options{.rate_hz = rate_hz};
         check_samples(opened(path, options));
         check_samples(opened(folder.write(
             "run2.csv", "Sample rate: 33333 Hz\n" + table("Ramp (V),C (V),D (V)", 2, 1))));
@@ -257,11 +253,9 @@ private slots:
         QCOMPARE(refused.error().code, ErrorCode::rates_differ);
         QCOMPARE(refused.error().args, (std::vector<MessageArg>{"33333", "33.333"}));
         // The unit of the times, or the rate that holds, settles it.
-        OpenOptions in_ms;
-        in_ms.text = TextChoice{.time_unit_s = 1e-3};
+        const OpenOptions in_ms{.text = TextChoice{.time_unit_s = 1e-3}};
         check_samples(opened(path, in_ms));
-        OpenOptions stated;
-        stated.rate_hz = 33333;
+        const OpenOptions stated{.rate_hz = 33333};
         VYBEG_CLOSE_RATIO(opened(path, stated).rate_hz, rate_hz, 1e-9);
         for (const char* agreeing : {"Sample Rate: 33333 Hz\n", "Sample Rate: 33.3 kHz\n"}) {
             QVERIFY(open(folder.write("ok.csv", agreeing + table("Time,C,D", 1, 1))));

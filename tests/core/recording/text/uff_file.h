@@ -24,7 +24,7 @@ struct UffText {
     int spacing = 1;
     int axis = 17;
     double step_s = 3e-5;
-    std::string count;  // empty: as many as there are
+    std::string count{};  // empty: as many as there are
     std::string line_end = "\n";
 };
 
@@ -50,9 +50,9 @@ inline std::string fortran(double value, int digits, std::size_t width) {
 struct UffBytes {
     bool big_endian = false;
     bool doubles = true;
-    int float_format = 2;  // IEEE 754
-    long long bytes = -1;  // -1: as many as there are
-    std::string between;   // the numbers and the separator after them
+    int float_format = 2;   // IEEE 754
+    long long bytes = -1;   // -1: as many as there are
+    std::string between{};  // the numbers and the separator after them
 };
 
 // One dataset from separator to separator.

@@ -9,8 +9,6 @@ using namespace vybeg::test;
 
 namespace {
 
-enum class Rounding { none, to_float, to_counts };
-
 const char* const script = R"(
 import h5py
 counts = lambda x: np.round(1000 * x)
@@ -193,242 +191,215 @@ class TestHdf5Reader : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void the_demonstration_decay_is_the_same_from_every_layout_data();
-    void the_demonstration_decay_is_the_same_from_every_layout();
-    void a_file_that_is_still_written_or_was_never_closed_says_so_data();
-    void a_file_that_is_still_written_or_was_never_closed_says_so();
-    void fields_of_records_are_named_and_chosen();
-    void units_are_those_of_the_attributes();
-    void times_that_count_in_another_unit_are_converted();
-    void a_gap_in_the_times_is_a_gap_in_the_recording();
-    void named_datasets_are_the_ones_that_are_read();
-    void other_channels_are_chosen_by_number();
-    void any_part_of_a_file_is_the_same_part_of_its_samples_data();
-    void any_part_of_a_file_is_the_same_part_of_its_samples();
-    void times_that_were_rounded_are_even_data();
-    void times_that_were_rounded_are_even();
-    void a_dataset_in_one_packed_piece_is_read();
-    void infinite_samples_are_missing();
-    void what_cannot_be_read_is_refused_by_name_data();
-    void what_cannot_be_read_is_refused_by_name();
+    void initTestCase() {
+        demo_ = demo_second();
+        write_with_python(folder_, demo_, script);
+    }
+
+    void the_demonstration_decay_is_the_same_from_every_layout_data() {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<Rounding>("rounding");
+        const auto add = [](const char* file, const QString& type,
+                            Rounding rounding = Rounding::none) {
+            QTest::newRow(file) << "HDF5, " + type + ", 2 channels" << rounding;
+        };
+        for (const char* file : {"plain.h5", "latest.h5", "userblock.h5", "groups.h5", "chunked.h5",
+                                 "rows.h5", "big_endian.h5", "time.h5", "ring.h5", "hollows.h5",
+                                 "pytables.h5", "pandas.h5", "pandas_columns.h5"}) {
+            add(file, "64 bit float");
+        }
+        add("float32.h5", "32 bit float", Rounding::to_float);
+        add("float32_be.h5", "32 bit float", Rounding::to_float);
+        add("int16.h5", "16 bit integer", Rounding::to_counts);
+        add("int16_be.h5", "16 bit integer", Rounding::to_counts);
+        add("int32_be.h5", "32 bit integer", Rounding::to_counts);
+        add("counted_records.h5", "16 bit integer", Rounding::to_counts);
+    }
+
+    void the_demonstration_decay_is_the_same_from_every_layout() {
+        QFETCH(QString, format);
+        QFETCH(Rounding, rounding);
+        const Recording recording = opened(folder_.file(QTest::currentDataTag()));
+        QCOMPARE(QString::fromStdString(english(recording.format)), format);
+        const QString file = QTest::currentDataTag();
+        const bool by_time = file == "time.h5" || file == "pytables.h5";
+        QCOMPARE(recording.rate_from, by_time ? RateOrigin::time_column : RateOrigin::file);
+        VYBEG_CLOSE_RATIO(recording.rate_hz, 33333, 1e-12);  // 1/dt is rounded
+        const Samples read = read_all(recording);
+        QCOMPARE(worst_difference(read, rounded(demo_, rounding)), 0.0);
+        QVERIFY(recording.diagnostics.empty());
+    }
+
+    void a_file_that_is_still_written_or_was_never_closed_says_so_data() {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("another program writes it (SWMR)") << "swmr.h5";
+        QTest::newRow("its writer died") << "never_closed.h5";
+    }
+
+    void a_file_that_is_still_written_or_was_never_closed_says_so() {
+        QFETCH(QString, file);
+        const std::string before = bytes_of(folder_.file(file.toStdString()));
+        const Recording recording = opened(folder_.file(file.toStdString()));
+        QCOMPARE(worst_difference(read_all(recording), demo_), 0.0);
+        QCOMPARE(recording.diagnostics.size(), 1u);
+        QVERIFY(recording.diagnostics[0].kind == DiagnosticKind::file_not_closed);
+        QCOMPARE(recording.diagnostics[0].args, std::vector<MessageArg>{"33333"});
+        QVERIFY(bytes_of(folder_.file(file.toStdString())) == before);
+    }
+
+    void fields_of_records_are_named_and_chosen() {
+        const Recording recording = opened(folder_.file("pandas_columns.h5"));
+        QCOMPARE(recording.channels,
+                 (std::vector<Channel>{{"/df/table/C", ""}, {"/df/table/D", ""}}));
+        QVERIFY(same_however_cut(*recording.source, 20000));
+        OpenOptions options{.variables = {"/df/table/D", "df/table/C"}};
+        QCOMPARE(worst_difference(read_all(opened(folder_.file("pandas_columns.h5"), options)).c,
+                                  demo_.d),
+                 0.0);
+        options.variables = {"/df/table/values_block_0"};
+        const Recording vectors = opened(folder_.file("pandas.h5"), options);
+        QCOMPARE(worst_difference(read_all(vectors).d, demo_.d), 0.0);
+        QVERIFY(same_however_cut(*vectors.source, 20000));
+        QCOMPARE(opened(folder_.file("counted_records.h5")).rate_hz, 33333.0);  // of /set/fs
+    }
+
+    void units_are_those_of_the_attributes() {
+        const Recording recording = opened(folder_.file("groups.h5"));
+        QCOMPARE(recording.channels,
+                 (std::vector<Channel>{{"/2024/run 7/C", "V"}, {"/2024/run 7/D", "V"}}));
+        QCOMPARE(recording.rate_hz, 33333.0);  // of the group itself, before the one around it
+        QVERIFY(recording.diagnostics.empty());
+    }
+
+    void times_that_count_in_another_unit_are_converted() {
+        const Recording recording = opened(folder_.file("microseconds.h5"));
+        QCOMPARE(recording.rate_from, RateOrigin::time_column);
+        VYBEG_CLOSE(recording.rate_hz, 1e6 / 30, 1e-6);
+    }
+
+    void a_gap_in_the_times_is_a_gap_in_the_recording() {
+        const Recording recording = opened(folder_.file("gap.h5"));
+        QCOMPARE(recording.frames(), 33333);
+        const Samples read = read_all(recording);
+        QCOMPARE(missing_ranges(read.c), QString("1000-1010"));
+        QCOMPARE(read.c[1010], demo_.c[1010]);
+        QCOMPARE(read.d[33332], demo_.d[33332]);
+        QVERIFY(find(recording, DiagnosticKind::time_gap));
+    }
+
+    void named_datasets_are_the_ones_that_are_read() {
+        OpenOptions options;
+        options.variables = {"/b/C", "b/D"};  // the first stroke may be left out
+        const Recording recording = opened(folder_.file("several.h5"), options);
+        QCOMPARE(recording.rate_hz, 33333.0);  // of the same group, not the first of the file
+        QCOMPARE(worst_difference(read_all(recording).c, demo_.d), 0.0);
+        QCOMPARE(worst_difference(read_all(recording).d, demo_.c), 0.0);
+
+        options.variables = {"/b/C", "short"};
+        const auto unequal = open(folder_.file("several.h5"), options);
+        QVERIFY(!unequal);
+        QCOMPARE(unequal.error().code, ErrorCode::setting_invalid);
+        QCOMPARE(unequal.error().args,
+                 (std::vector<MessageArg>{"--variables", "/b/C,short",
+                                          "they have 33333 and 100 samples"}));
+    }
+
+    void other_channels_are_chosen_by_number() {
+        OpenOptions options{.channel_c = 3, .channel_d = 2};
+        const Recording recording = opened(folder_.file("several.h5"), options);
+        QCOMPARE(recording.channels.size(), 4u);
+        QCOMPARE(recording.channels[2].name, "/b/C");
+        QCOMPARE(worst_difference(read_all(recording).c, demo_.d), 0.0);
+        options.channel_d = 5;
+        QCOMPARE(open(folder_.file("several.h5"), options).error().code,
+                 ErrorCode::channel_out_of_range);
+    }
+
+    void any_part_of_a_file_is_the_same_part_of_its_samples_data() {
+        QTest::addColumn<QString>("file");
+        for (const char* file : {"plain.h5", "chunked.h5", "rows.h5", "float32_be.h5"}) {
+            QTest::newRow(file) << file;
+        }
+    }
+
+    void any_part_of_a_file_is_the_same_part_of_its_samples() {
+        QFETCH(QString, file);
+        const Recording recording = opened(folder_.file(file.toStdString()));
+        QVERIFY(same_however_cut(*recording.source, 20000));
+    }
+
+    void times_that_were_rounded_are_even_data() {
+        QTest::addColumn<double>("last_digit_s");
+        QTest::newRow("singles.h5") << 1e-6;  // of 32 bits at 14 s
+        QTest::newRow("doubles.h5") << 1e-6;  // of 32 bits, stored in 64
+        QTest::newRow("ticks.h5") << 1e-6;    // whole microseconds
+    }
+
+    void times_that_were_rounded_are_even() {
+        QFETCH(double, last_digit_s);
+        const Recording recording = opened(folder_.file(QTest::currentDataTag()));
+        QVERIFY(recording.diagnostics.empty());
+        VYBEG_WITHIN(recording.rate_hz / 33333, 1, 2.001 * recording.rate_relative_sd + 1e-12);
+        const double seconds = static_cast<double>(recording.frames()) / 33333;
+        VYBEG_LESS(recording.rate_relative_sd, last_digit_s / seconds);
+    }
+
+    void a_dataset_in_one_packed_piece_is_read() {
+        const Recording recording = opened(folder_.file("one_piece.h5"));
+        const OpenOptions at_rate{.rate_hz = 33333};
+        const Recording plain = opened(folder_.file("one_piece.npy"), at_rate);
+        QVERIFY(read_all(recording) == read_all(plain));
+    }
+
+    void infinite_samples_are_missing() {
+        QCOMPARE(missing_ranges(read_all(opened(folder_.file("missing.h5"))).c), QString("5-6"));
+    }
+
+    void what_cannot_be_read_is_refused_by_name_data() {
+        QTest::addColumn<QString>("code");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("external.h5") << "format-unsupported"
+                                     << "samples in other files (/C)";
+        QTest::newRow("virtual.h5") << "format-unsupported"
+                                    << "samples in other files (/C)";
+        QTest::newRow("complex.h5") << "format-unsupported"
+                                    << "complex numbers (/z)";
+        QTest::newRow("deep.h5") << "format-limit"
+                                 << "its groups lie more than 32 deep";
+        QTest::newRow("many.h5") << "format-limit"
+                                 << "it has more than 10000 objects";
+        QTest::newRow("pieces.h5")
+            << "format-unsupported"
+            << "samples packed in pieces of 160 MiB (a limit of this program is "
+               "128 MiB) (/C)";
+        QTest::newRow("hollow.h5") << "format-damaged"
+                                   << "/C promises more samples than the file can hold";
+        QTest::newRow("cubes.h5") << "format-unsupported"
+                                  << "an array of 3 dimensions (/cube)";
+        QTest::newRow("lzf.h5") << "format-unsupported"
+                                << "samples packed by the filter lzf, number 32000 (/C)";
+        QTest::newRow("cut.h5") << "format-damaged"
+                                << "it is shorter than its header says: cut off, or never closed";
+        QTest::newRow("empty.h5") << "too-few-channels"
+                                  << "FILE";
+    }
+
+    void what_cannot_be_read_is_refused_by_name() {
+        QFETCH(QString, code);
+        QFETCH(QString, reason);
+        const auto recording = open(folder_.file(QTest::currentDataTag()));
+        QVERIFY(!recording);
+        QCOMPARE(QString::fromStdString(code_name(recording.error().code)), code);
+        const std::vector<MessageArg>& args = recording.error().args;
+        QCOMPARE(
+            QString::fromStdString(english(args.at(code == "format-limit" ? 1 : args.size() - 1))),
+            reason);
+    }
 
 private:
     Folder folder_;
     Samples demo_;
 };
-
-void TestHdf5Reader::initTestCase() {
-    demo_ = demo_second();
-    write_with_python(folder_, demo_, script);
-}
-
-void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout_data() {
-    QTest::addColumn<QString>("format");
-    QTest::addColumn<Rounding>("rounding");
-    const auto add = [](const char* file, const QString& type, Rounding rounding = Rounding::none) {
-        QTest::newRow(file) << "HDF5, " + type + ", 2 channels" << rounding;
-    };
-    for (const char* file : {"plain.h5", "latest.h5", "userblock.h5", "groups.h5", "chunked.h5",
-                             "rows.h5", "big_endian.h5", "time.h5", "ring.h5", "hollows.h5",
-                             "pytables.h5", "pandas.h5", "pandas_columns.h5"}) {
-        add(file, "64 bit float");
-    }
-    add("float32.h5", "32 bit float", Rounding::to_float);
-    add("float32_be.h5", "32 bit float", Rounding::to_float);
-    add("int16.h5", "16 bit integer", Rounding::to_counts);
-    add("int16_be.h5", "16 bit integer", Rounding::to_counts);
-    add("int32_be.h5", "32 bit integer", Rounding::to_counts);
-    add("counted_records.h5", "16 bit integer", Rounding::to_counts);
-}
-
-void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout() {
-    QFETCH(QString, format);
-    QFETCH(Rounding, rounding);
-    const Recording recording = opened(folder_.file(QTest::currentDataTag()));
-    QCOMPARE(QString::fromStdString(english(recording.format)), format);
-    const QString file = QTest::currentDataTag();
-    const bool by_time = file == "time.h5" || file == "pytables.h5";
-    QCOMPARE(recording.rate_from, by_time ? RateOrigin::time_column : RateOrigin::file);
-    VYBEG_CLOSE_RATIO(recording.rate_hz, 33333, 1e-12);  // 1/dt is rounded
-    const Samples read = read_all(recording);
-    const auto kept = [&](const std::vector<double>& x) {
-        return rounding == Rounding::none       ? x
-               : rounding == Rounding::to_float ? as_float(x)
-                                                : as_counts(x);
-    };
-    QCOMPARE(worst_difference(read.c, kept(demo_.c)), 0.0);
-    QCOMPARE(worst_difference(read.d, kept(demo_.d)), 0.0);
-    QVERIFY(recording.diagnostics.empty());
-}
-
-void TestHdf5Reader::a_file_that_is_still_written_or_was_never_closed_says_so_data() {
-    QTest::addColumn<QString>("file");
-    QTest::newRow("another program writes it (SWMR)") << "swmr.h5";
-    QTest::newRow("its writer died") << "never_closed.h5";
-}
-
-void TestHdf5Reader::a_file_that_is_still_written_or_was_never_closed_says_so() {
-    QFETCH(QString, file);
-    const std::string before = bytes_of(folder_.file(file.toStdString()));
-    const Recording recording = opened(folder_.file(file.toStdString()));
-    QCOMPARE(worst_difference(read_all(recording).c, demo_.c), 0.0);
-    QCOMPARE(worst_difference(read_all(recording).d, demo_.d), 0.0);
-    QCOMPARE(recording.diagnostics.size(), 1u);
-    QVERIFY(recording.diagnostics[0].kind == DiagnosticKind::file_not_closed);
-    QCOMPARE(recording.diagnostics[0].args, std::vector<MessageArg>{"33333"});
-    QVERIFY(bytes_of(folder_.file(file.toStdString())) == before);
-}
-
-void TestHdf5Reader::fields_of_records_are_named_and_chosen() {
-    const Recording recording = opened(folder_.file("pandas_columns.h5"));
-    QCOMPARE(recording.channels, (std::vector<Channel>{{"/df/table/C", ""}, {"/df/table/D", ""}}));
-    QVERIFY(same_however_cut(*recording.source, 20000));
-    OpenOptions options;
-    options.variables = {"/df/table/D", "df/table/C"};
-    QCOMPARE(
-        worst_difference(read_all(opened(folder_.file("pandas_columns.h5"), options)).c, demo_.d),
-        0.0);
-    options.variables = {"/df/table/values_block_0"};
-    const Recording vectors = opened(folder_.file("pandas.h5"), options);
-    QCOMPARE(worst_difference(read_all(vectors).d, demo_.d), 0.0);
-    QVERIFY(same_however_cut(*vectors.source, 20000));
-    QCOMPARE(opened(folder_.file("counted_records.h5")).rate_hz, 33333.0);  // of /set/fs
-}
-
-void TestHdf5Reader::units_are_those_of_the_attributes() {
-    const Recording recording = opened(folder_.file("groups.h5"));
-    QCOMPARE(recording.channels,
-             (std::vector<Channel>{{"/2024/run 7/C", "V"}, {"/2024/run 7/D", "V"}}));
-    QCOMPARE(recording.rate_hz, 33333.0);  // of the group itself, before the one around it
-    QVERIFY(recording.diagnostics.empty());
-}
-
-void TestHdf5Reader::times_that_count_in_another_unit_are_converted() {
-    const Recording recording = opened(folder_.file("microseconds.h5"));
-    QCOMPARE(recording.rate_from, RateOrigin::time_column);
-    VYBEG_CLOSE(recording.rate_hz, 1e6 / 30, 1e-6);
-}
-
-void TestHdf5Reader::a_gap_in_the_times_is_a_gap_in_the_recording() {
-    const Recording recording = opened(folder_.file("gap.h5"));
-    QCOMPARE(recording.frames(), 33333);
-    const Samples read = read_all(recording);
-    QCOMPARE(missing_ranges(read.c), QString("1000-1010"));
-    QCOMPARE(read.c[1010], demo_.c[1010]);
-    QCOMPARE(read.d[33332], demo_.d[33332]);
-    QVERIFY(find(recording, DiagnosticKind::time_gap));
-}
-
-void TestHdf5Reader::named_datasets_are_the_ones_that_are_read() {
-    OpenOptions options;
-    options.variables = {"/b/C", "b/D"};  // the first stroke may be left out
-    const Recording recording = opened(folder_.file("several.h5"), options);
-    QCOMPARE(recording.rate_hz, 33333.0);  // of the same group, not the first of the file
-    QCOMPARE(worst_difference(read_all(recording).c, demo_.d), 0.0);
-    QCOMPARE(worst_difference(read_all(recording).d, demo_.c), 0.0);
-
-    options.variables = {"/b/C", "short"};
-    const auto unequal = open(folder_.file("several.h5"), options);
-    QVERIFY(!unequal);
-    QCOMPARE(unequal.error().code, ErrorCode::setting_invalid);
-    QCOMPARE(unequal.error().args, (std::vector<MessageArg>{"--variables", "/b/C,short",
-                                                            "they have 33333 and 100 samples"}));
-}
-
-void TestHdf5Reader::other_channels_are_chosen_by_number() {
-    OpenOptions options;
-    options.channel_c = 3;
-    options.channel_d = 2;
-    const Recording recording = opened(folder_.file("several.h5"), options);
-    QCOMPARE(recording.channels.size(), 4u);
-    QCOMPARE(recording.channels[2].name, "/b/C");
-    QCOMPARE(worst_difference(read_all(recording).c, demo_.d), 0.0);
-    options.channel_d = 5;
-    QCOMPARE(open(folder_.file("several.h5"), options).error().code,
-             ErrorCode::channel_out_of_range);
-}
-
-void TestHdf5Reader::any_part_of_a_file_is_the_same_part_of_its_samples_data() {
-    QTest::addColumn<QString>("file");
-    for (const char* file : {"plain.h5", "chunked.h5", "rows.h5", "float32_be.h5"}) {
-        QTest::newRow(file) << file;
-    }
-}
-
-void TestHdf5Reader::any_part_of_a_file_is_the_same_part_of_its_samples() {
-    QFETCH(QString, file);
-    const Recording recording = opened(folder_.file(file.toStdString()));
-    QVERIFY(same_however_cut(*recording.source, 20000));
-}
-
-void TestHdf5Reader::times_that_were_rounded_are_even_data() {
-    QTest::addColumn<double>("last_digit_s");
-    QTest::newRow("singles.h5") << 1e-6;  // of 32 bits at 14 s
-    QTest::newRow("doubles.h5") << 1e-6;  // of 32 bits, stored in 64
-    QTest::newRow("ticks.h5") << 1e-6;    // whole microseconds
-}
-
-void TestHdf5Reader::times_that_were_rounded_are_even() {
-    QFETCH(double, last_digit_s);
-    const Recording recording = opened(folder_.file(QTest::currentDataTag()));
-    QVERIFY(recording.diagnostics.empty());
-    VYBEG_WITHIN(recording.rate_hz / 33333, 1, 2.001 * recording.rate_relative_sd + 1e-12);
-    const double seconds = static_cast<double>(recording.frames()) / 33333;
-    VYBEG_LESS(recording.rate_relative_sd, last_digit_s / seconds);
-}
-
-void TestHdf5Reader::a_dataset_in_one_packed_piece_is_read() {
-    const Recording recording = opened(folder_.file("one_piece.h5"));
-    OpenOptions at_rate;
-    at_rate.rate_hz = 33333;
-    const Recording plain = opened(folder_.file("one_piece.npy"), at_rate);
-    QVERIFY(read_all(recording).c == read_all(plain).c);
-    QVERIFY(read_all(recording).d == read_all(plain).d);
-}
-
-void TestHdf5Reader::infinite_samples_are_missing() {
-    QCOMPARE(missing_ranges(read_all(opened(folder_.file("missing.h5"))).c), QString("5-6"));
-}
-
-void TestHdf5Reader::what_cannot_be_read_is_refused_by_name_data() {
-    QTest::addColumn<QString>("code");
-    QTest::addColumn<QString>("reason");
-    QTest::newRow("external.h5") << "format-unsupported"
-                                 << "samples in other files (/C)";
-    QTest::newRow("virtual.h5") << "format-unsupported"
-                                << "samples in other files (/C)";
-    QTest::newRow("complex.h5") << "format-unsupported"
-                                << "complex numbers (/z)";
-    QTest::newRow("deep.h5") << "format-limit"
-                             << "its groups lie more than 32 deep";
-    QTest::newRow("many.h5") << "format-limit"
-                             << "it has more than 10000 objects";
-    QTest::newRow("pieces.h5") << "format-unsupported"
-                               << "samples packed in pieces of 160 MiB (a limit of this program is "
-                                  "128 MiB) (/C)";
-    QTest::newRow("hollow.h5") << "format-damaged"
-                               << "/C promises more samples than the file can hold";
-    QTest::newRow("cubes.h5") << "format-unsupported"
-                              << "an array of 3 dimensions (/cube)";
-    QTest::newRow("lzf.h5") << "format-unsupported"
-                            << "samples packed by the filter lzf, number 32000 (/C)";
-    QTest::newRow("cut.h5") << "format-damaged"
-                            << "it is shorter than its header says: cut off, or never closed";
-    QTest::newRow("empty.h5") << "too-few-channels"
-                              << "FILE";
-}
-
-void TestHdf5Reader::what_cannot_be_read_is_refused_by_name() {
-    QFETCH(QString, code);
-    QFETCH(QString, reason);
-    const auto recording = open(folder_.file(QTest::currentDataTag()));
-    QVERIFY(!recording);
-    QCOMPARE(QString::fromStdString(code_name(recording.error().code)), code);
-    const std::vector<MessageArg>& args = recording.error().args;
-    QCOMPARE(QString::fromStdString(english(args.at(code == "format-limit" ? 1 : args.size() - 1))),
-             reason);
-}
 
 VYBEG_TEST(TestHdf5Reader)
 

@@ -50,63 +50,56 @@ class TestHdf5Units : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void d_comes_in_the_unit_of_c();
-    void a_rate_may_have_a_unit_data();
-    void a_rate_may_have_a_unit();
-    void what_contradicts_itself_or_is_scaled_is_refused_data();
-    void what_contradicts_itself_or_is_scaled_is_refused();
+    void initTestCase() {
+        demo_ = demo_second();
+        write_with_python(folder_, demo_, script);
+    }
+
+    void d_comes_in_the_unit_of_c() {
+        const Recording recording = opened(folder_.file("millivolts.h5"));
+        VYBEG_CLOSE(recording.rate_hz, 33333, 1e-9);
+        const Diagnostic* converted = find(recording, DiagnosticKind::unit_converted);
+        QVERIFY(converted);
+        QCOMPARE(converted->args, (std::vector<MessageArg>{"D", "mV", "V"}));
+        const Samples samples = read_all(recording);
+        for (std::size_t i = 0; i < demo_.d.size(); ++i) {
+            VYBEG_WITHIN(samples.d[i], demo_.d[i], 1e-15);
+        }
+        QCOMPARE(samples.c, demo_.c);
+        QVERIFY(find(opened(folder_.file("accelerations.h5")), DiagnosticKind::units_differ));
+    }
+
+    void a_rate_may_have_a_unit_data() {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("a step in ms") << "step_in_ms.h5";
+        QTest::newRow("a rate in kHz") << "rate_in_khz.h5";
+    }
+
+    void a_rate_may_have_a_unit() {
+        QFETCH(QString, file);
+        const Recording recording = opened(folder_.file(file.toStdString()));
+        VYBEG_CLOSE(recording.rate_hz, 33333, 1e-8);
+    }
+
+    void what_contradicts_itself_or_is_scaled_is_refused_data() {
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("two_rates.h5")
+            << "two sample rates, 33333 and 33000 Hz (--variables C,D,RATE tells which holds)";
+        QTest::newRow("netcdf.h5") << "values for scale_factor and add_offset (/C)";
+    }
+
+    void what_contradicts_itself_or_is_scaled_is_refused() {
+        QFETCH(QString, reason);
+        const auto refused = open(folder_.file(QTest::currentDataTag()));
+        QVERIFY(!refused);
+        QVERIFY(refused.error().code == ErrorCode::format_unsupported);
+        QCOMPARE(QString::fromStdString(english(refused.error().args[1])), reason);
+    }
 
 private:
     Folder folder_;
     Samples demo_;
 };
-
-void TestHdf5Units::initTestCase() {
-    demo_ = demo_second();
-    write_with_python(folder_, demo_, script);
-}
-
-void TestHdf5Units::d_comes_in_the_unit_of_c() {
-    const Recording recording = opened(folder_.file("millivolts.h5"));
-    VYBEG_CLOSE(recording.rate_hz, 33333, 1e-9);
-    const Diagnostic* converted = find(recording, DiagnosticKind::unit_converted);
-    QVERIFY(converted);
-    QCOMPARE(converted->args, (std::vector<MessageArg>{"D", "mV", "V"}));
-    const Samples samples = read_all(recording);
-    for (std::size_t i = 0; i < demo_.d.size(); ++i) {
-        VYBEG_WITHIN(samples.d[i], demo_.d[i], 1e-15);
-    }
-    QCOMPARE(samples.c, demo_.c);
-    QVERIFY(find(opened(folder_.file("accelerations.h5")), DiagnosticKind::units_differ));
-}
-
-void TestHdf5Units::a_rate_may_have_a_unit_data() {
-    QTest::addColumn<QString>("file");
-    QTest::newRow("a step in ms") << "step_in_ms.h5";
-    QTest::newRow("a rate in kHz") << "rate_in_khz.h5";
-}
-
-void TestHdf5Units::a_rate_may_have_a_unit() {
-    QFETCH(QString, file);
-    const Recording recording = opened(folder_.file(file.toStdString()));
-    VYBEG_CLOSE(recording.rate_hz, 33333, 1e-8);
-}
-
-void TestHdf5Units::what_contradicts_itself_or_is_scaled_is_refused_data() {
-    QTest::addColumn<QString>("reason");
-    QTest::newRow("two_rates.h5")
-        << "two sample rates, 33333 and 33000 Hz (--variables C,D,RATE tells which holds)";
-    QTest::newRow("netcdf.h5") << "values for scale_factor and add_offset (/C)";
-}
-
-void TestHdf5Units::what_contradicts_itself_or_is_scaled_is_refused() {
-    QFETCH(QString, reason);
-    const auto refused = open(folder_.file(QTest::currentDataTag()));
-    QVERIFY(!refused);
-    QVERIFY(refused.error().code == ErrorCode::format_unsupported);
-    QCOMPARE(QString::fromStdString(english(refused.error().args[1])), reason);
-}
 
 VYBEG_TEST(TestHdf5Units)
 

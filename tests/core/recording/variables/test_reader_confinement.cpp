@@ -21,22 +21,6 @@ using namespace vybeg::test;
 
 namespace {
 
-const char* const script = R"(
-import h5py
-with h5py.File('run.h5', 'w') as plain, h5py.File('packed.h5', 'w') as packed:
-    for name, x in (('C', c), ('D', d)):
-        plain.create_dataset(name, data=x)
-        packed.create_dataset(name, data=x, chunks=(1000,), compression='gzip')
-)";
-
-std::shared_ptr<const FileBytes> file_at(const std::filesystem::path& path) {
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        qFatal("%s", english(file.error()).c_str());
-    }
-    return *file;
-}
-
 std::string proc_text(pid_t id, const char* name) {
     return bytes_of("/proc/" + std::to_string(id) + "/" + name);
 }
@@ -89,151 +73,142 @@ class TestReaderConfinement : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void a_helper_has_no_privileges_environment_or_resources_data();
-    void a_helper_has_no_privileges_environment_or_resources();
-    void a_helper_that_does_more_than_read_is_stopped_data();
-    void a_helper_that_does_more_than_read_is_stopped();
-    void without_a_list_nothing_is_read();
-    void a_helper_may_use_five_seconds_of_processor_time();
-    void a_helper_that_has_to_wait_is_waited_for();
+    void initTestCase() {
+        demo_ = demo_second();
+        write_with_python(folder_, demo_, plain_and_packed);
+        write_audio(folder_.file("run.caf"), demo_, SF_FORMAT_CAF | SF_FORMAT_DOUBLE);
+    }
+
+    void a_helper_has_no_privileges_environment_or_resources_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("kind");
+        QTest::newRow("HDF5") << "run.h5"
+                              << "hdf5";
+        QTest::newRow("HDF5, packed") << "packed.h5"
+                                      << "hdf5";
+        QTest::newRow("MAT 7.3") << "packed.h5"
+                                 << "mat73";
+        QTest::newRow("audio") << "run.caf"
+                               << "audio";
+    }
+
+    void a_helper_has_no_privileges_environment_or_resources() {
+        QFETCH(QString, file);
+        QFETCH(QString, kind);
+        const auto process = ReaderProcess::start(file_at(folder_.file(file.toStdString())),
+                                                  kind.toStdString(), "X");
+        QVERIFY(process);
+        // It works: the first sample to be read opens nothing more.
+        std::vector<double> samples(33333);
+        QVERIFY((*process)->read({0, 0, 0, 33333}, samples));
+        QCOMPARE(worst_difference(samples, demo_.c), 0.0);
+        const SampleRequest d =
+            kind == "audio" ? SampleRequest{0, 1, 0, 33333} : SampleRequest{1, 0, 0, 33333};
+        QVERIFY((*process)->read(d, samples));
+        QCOMPARE(worst_difference(samples, demo_.d), 0.0);
+
+        const pid_t id = (*process)->id();
+        const auto status = status_of(id);
+        QCOMPARE(status.at("NoNewPrivs"), std::string("1"));
+        QCOMPARE(hard_limit(id, "Max file size"), std::string("0"));
+        QCOMPARE(hard_limit(id, "Max processes"), std::string("0"));
+        QCOMPARE(hard_limit(id, "Max core file size"), std::string("0"));
+        QCOMPARE(hard_limit(id, "Max cpu time"), std::string("36000"));
+        if (*no_list() != 0) {
+            QSKIP(no_list());
+        }
+        QCOMPARE(proc_text(id, "environ"), std::string());
+        QCOMPARE(hard_limit(id, "Max open files"), std::string("8"));
+        QCOMPARE(status.at("Seccomp"), std::string("2"));
+    }
+
+    void a_helper_that_does_more_than_read_is_stopped_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("deed");
+        for (const char* deed :
+             {"open", "write", "pipe", "fork", "connect", "run", "remove", "kill", "code"}) {
+            QTest::newRow(deed) << "hdf5" << deed;
+        }
+        QTest::newRow("audio, open") << "audio"
+                                     << "open";
+        QTest::newRow("audio, run") << "audio"
+                                    << "run";
+    }
+
+    void a_helper_that_does_more_than_read_is_stopped() {
+        QFETCH(QString, kind);
+        QFETCH(QString, deed);
+        // The deed itself can be done: only the confinement is in its way.
+        QProcess unbound;
+        unbound.start(QCoreApplication::applicationDirPath() + "/vybeg-reader-misbehaving", {deed});
+        QVERIFY(unbound.waitForFinished(30000));
+        QCOMPARE(unbound.exitCode(), 40);
+
+        // Of a file that no library can read, its words about it do not come: it is stopped before.
+        const auto file = file_at(folder_.write("hostile", "no recording"));
+        const auto start = [&](const QString& what) {
+            return ReaderProcess::start(file, (kind + ":" + what).toStdString(), "X",
+                                        "vybeg-reader-misbehaving");
+        };
+        const std::vector<MessageArg> stopped{
+            "X", "its library was stopped when it tried to do more than read"};
+        const auto harmless = start("nothing");
+        QVERIFY(!harmless);
+        QVERIFY(harmless.error().args != stopped);
+        const auto process = start(deed);
+        if (*no_list() != 0) {
+            QSKIP(no_list());
+        }
+        QVERIFY(!process);
+        QCOMPARE(process.error().code, ErrorCode::format_damaged);
+        QCOMPARE(process.error().args, stopped);
+    }
+
+    void without_a_list_nothing_is_read() {
+        if (*no_list() != 0) {
+            QSKIP(no_list());
+        }
+        const auto process = ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5:unlisted",
+                                                  "HDF5", "vybeg-reader-misbehaving");
+        QVERIFY(!process);
+        QCOMPARE(process.error().code, ErrorCode::file_read_failed);
+        QCOMPARE(exit_status(process.error().code), 3);
+        QVERIFY(english(process.error()).find("seccomp") != std::string::npos);
+    }
+
+    void a_helper_may_use_five_seconds_of_processor_time() {
+        const auto process = ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5:spin",
+                                                  "HDF5", "vybeg-reader-misbehaving");
+        QVERIFY(!process);
+        QCOMPARE(process.error().args,
+                 (std::vector<MessageArg>{
+                     "HDF5", "its library did not come to an end within 5 s of processor time"}));
+    }
+
+    void a_helper_that_has_to_wait_is_waited_for() {
+        const auto process = ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5", "HDF5");
+        QVERIFY(process);
+        const pid_t id = (*process)->id();
+        QCOMPARE(::kill(id, SIGSTOP), 0);
+        std::thread later([id] {
+            // Longer than the processor time that a helper may use.
+            std::this_thread::sleep_for(std::chrono::seconds(4));
+            ::kill(id, SIGCONT);
+        });
+        QElapsedTimer timer;
+        timer.start();
+        std::vector<double> samples(100);
+        const Status status = (*process)->read({0, 0, 0, 100}, samples);
+        later.join();
+        QVERIFY2(status, status ? "" : english(status.error()).c_str());
+        VYBEG_AT_LEAST(timer.elapsed(), 3900);
+        QCOMPARE(samples[99], demo_.c[99]);
+    }
 
 private:
     Folder folder_;
     Samples demo_;
 };
-
-void TestReaderConfinement::initTestCase() {
-    demo_ = demo_second();
-    write_with_python(folder_, demo_, script);
-    write_audio(folder_.file("run.caf"), demo_, SF_FORMAT_CAF | SF_FORMAT_DOUBLE);
-}
-
-void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources_data() {
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<QString>("kind");
-    QTest::newRow("HDF5") << "run.h5"
-                          << "hdf5";
-    QTest::newRow("HDF5, packed") << "packed.h5"
-                                  << "hdf5";
-    QTest::newRow("MAT 7.3") << "packed.h5"
-                             << "mat73";
-    QTest::newRow("audio") << "run.caf"
-                           << "audio";
-}
-
-void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources() {
-    QFETCH(QString, file);
-    QFETCH(QString, kind);
-    const auto process =
-        ReaderProcess::start(file_at(folder_.file(file.toStdString())), kind.toStdString(), "X");
-    QVERIFY(process);
-    // It works: the first sample to be read opens nothing more.
-    std::vector<double> samples(33333);
-    QVERIFY((*process)->read({0, 0, 0, 33333}, samples));
-    QCOMPARE(worst_difference(samples, demo_.c), 0.0);
-    const SampleRequest d =
-        kind == "audio" ? SampleRequest{0, 1, 0, 33333} : SampleRequest{1, 0, 0, 33333};
-    QVERIFY((*process)->read(d, samples));
-    QCOMPARE(worst_difference(samples, demo_.d), 0.0);
-
-    const pid_t id = (*process)->id();
-    const auto status = status_of(id);
-    QCOMPARE(status.at("NoNewPrivs"), std::string("1"));
-    QCOMPARE(hard_limit(id, "Max file size"), std::string("0"));
-    QCOMPARE(hard_limit(id, "Max processes"), std::string("0"));
-    QCOMPARE(hard_limit(id, "Max core file size"), std::string("0"));
-    QCOMPARE(hard_limit(id, "Max cpu time"), std::string("36000"));
-    if (*no_list() != 0) {
-        QSKIP(no_list());
-    }
-    QCOMPARE(proc_text(id, "environ"), std::string());
-    QCOMPARE(hard_limit(id, "Max open files"), std::string("8"));
-    QCOMPARE(status.at("Seccomp"), std::string("2"));
-}
-
-void TestReaderConfinement::a_helper_that_does_more_than_read_is_stopped_data() {
-    QTest::addColumn<QString>("kind");
-    QTest::addColumn<QString>("deed");
-    for (const char* deed :
-         {"open", "write", "pipe", "fork", "connect", "run", "remove", "kill", "code"}) {
-        QTest::newRow(deed) << "hdf5" << deed;
-    }
-    QTest::newRow("audio, open") << "audio"
-                                 << "open";
-    QTest::newRow("audio, run") << "audio"
-                                << "run";
-}
-
-void TestReaderConfinement::a_helper_that_does_more_than_read_is_stopped() {
-    QFETCH(QString, kind);
-    QFETCH(QString, deed);
-    // The deed itself can be done: only the confinement is in its way.
-    QProcess unbound;
-    unbound.start(QCoreApplication::applicationDirPath() + "/vybeg-reader-misbehaving", {deed});
-    QVERIFY(unbound.waitForFinished(30000));
-    QCOMPARE(unbound.exitCode(), 40);
-
-    // Of a file that no library can read, its words about it do not come: it is stopped before.
-    const auto file = file_at(folder_.write("hostile", "no recording"));
-    const auto start = [&](const QString& what) {
-        return ReaderProcess::start(file, (kind + ":" + what).toStdString(), "X",
-                                    "vybeg-reader-misbehaving");
-    };
-    const std::vector<MessageArg> stopped{
-        "X", "its library was stopped when it tried to do more than read"};
-    const auto harmless = start("nothing");
-    QVERIFY(!harmless);
-    QVERIFY(harmless.error().args != stopped);
-    const auto process = start(deed);
-    if (*no_list() != 0) {
-        QSKIP(no_list());
-    }
-    QVERIFY(!process);
-    QCOMPARE(process.error().code, ErrorCode::format_damaged);
-    QCOMPARE(process.error().args, stopped);
-}
-
-void TestReaderConfinement::without_a_list_nothing_is_read() {
-    if (*no_list() != 0) {
-        QSKIP(no_list());
-    }
-    const auto process = ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5:unlisted",
-                                              "HDF5", "vybeg-reader-misbehaving");
-    QVERIFY(!process);
-    QCOMPARE(process.error().code, ErrorCode::file_read_failed);
-    QCOMPARE(exit_status(process.error().code), 3);
-    QVERIFY(english(process.error()).find("seccomp") != std::string::npos);
-}
-
-void TestReaderConfinement::a_helper_may_use_five_seconds_of_processor_time() {
-    const auto process = ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5:spin", "HDF5",
-                                              "vybeg-reader-misbehaving");
-    QVERIFY(!process);
-    QCOMPARE(process.error().args,
-             (std::vector<MessageArg>{
-                 "HDF5", "its library did not come to an end within 5 s of processor time"}));
-}
-
-void TestReaderConfinement::a_helper_that_has_to_wait_is_waited_for() {
-    const auto process = ReaderProcess::start(file_at(folder_.file("run.h5")), "hdf5", "HDF5");
-    QVERIFY(process);
-    const pid_t id = (*process)->id();
-    QCOMPARE(::kill(id, SIGSTOP), 0);
-    std::thread later([id] {
-        // Longer than the processor time that a helper may use.
-        std::this_thread::sleep_for(std::chrono::seconds(4));
-        ::kill(id, SIGCONT);
-    });
-    QElapsedTimer timer;
-    timer.start();
-    std::vector<double> samples(100);
-    const Status status = (*process)->read({0, 0, 0, 100}, samples);
-    later.join();
-    QVERIFY2(status, status ? "" : english(status.error()).c_str());
-    VYBEG_AT_LEAST(timer.elapsed(), 3900);
-    QCOMPARE(samples[99], demo_.c[99]);
-}
 
 VYBEG_TEST(TestReaderConfinement)
 

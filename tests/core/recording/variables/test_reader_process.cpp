@@ -20,23 +20,6 @@ using namespace vybeg::test;
 
 namespace {
 
-const char* const script = R"(
-import h5py
-with h5py.File('run.h5', 'w') as plain, h5py.File('packed.h5', 'w') as packed:
-    for name, x in (('C', c), ('D', d)):
-        plain.create_dataset(name, data=x)
-        packed.create_dataset(name, data=x, chunks=(1000,), compression='gzip')
-    plain.attrs['fs'] = packed.attrs['fs'] = fs
-)";
-
-std::shared_ptr<const FileBytes> file_at(const std::filesystem::path& path) {
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        qFatal("%s", english(file.error()).c_str());
-    }
-    return *file;
-}
-
 // The processes that this one has started and not yet taken leave of.
 std::vector<pid_t> helpers() {
     std::vector<pid_t> found;
@@ -55,164 +38,155 @@ class TestReaderProcess : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void a_catalogue_and_an_error_survive_the_wire();
-    void a_message_cut_anywhere_is_no_message();
-    void only_requests_for_what_is_there_fit();
-    void a_helper_that_dies_is_damage_and_nothing_more();
-    void a_helper_that_stops_working_is_given_up_after_twenty_seconds();
-    void a_recording_outlives_its_helper();
-    void no_helper_outlives_its_recording();
-    void a_recording_is_read_from_several_threads();
-    void the_helper_alone_does_nothing();
+    void initTestCase() {
+        demo_ = demo_second();
+        write_with_python(folder_, demo_, plain_and_packed);
+    }
+
+    void a_catalogue_and_an_error_survive_the_wire() {
+        const Catalogue catalogue{"HDF5",
+                                  "2020-09-01",
+                                  {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0},
+                                   {"/fs", 1, 1, "16 bit integer", "", "", 5.0, {}},
+                                   {"/z", 7, 1, "", "complex numbers", "", {}, {}}},
+                                  true};
+        const auto decoded = decode_catalogue(encode(catalogue));
+        QVERIFY(decoded);
+        QVERIFY(*decoded == catalogue);
+
+        const Error error{ErrorCode::format_damaged, "", {"HDF5", "a reason"}};
+        QVERIFY(decode_error(encode(error)) == error);
+        // The helper has no say in what else is wrong with the program.
+        QVERIFY(!decode_error(encode(Error{ErrorCode::interrupted, "", {}})));
+        QVERIFY(!decode_error(encode(Error{ErrorCode::format_damaged, "", {"HDF5"}})));
+    }
+
+    void a_message_cut_anywhere_is_no_message() {
+        const Catalogue catalogue{
+            "HDF5", "", {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0}}};
+        const std::string bytes = encode(catalogue);
+        const std::size_t before_variables =
+            2 * sizeof(std::uint64_t) + catalogue.format.size() + 1;
+        for (std::size_t length = 0; length < bytes.size(); ++length) {
+            const auto decoded = decode_catalogue(std::string_view(bytes).substr(0, length));
+            QCOMPARE(decoded.has_value(), length == before_variables);
+        }
+        std::string huge = bytes;
+        huge.replace(0, 8, 8, '\xFF');
+        QVERIFY(!decode_catalogue(huge));
+        Catalogue negative = catalogue;
+        negative.variables[0].frames = -1;
+        QVERIFY(!decode_catalogue(encode(negative)));
+    }
+
+    void only_requests_for_what_is_there_fit() {
+        Catalogue catalogue{"HDF5", "", {{"/C", 100, 2, "", "", "", {}, {}}}};
+        constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+        QVERIFY(fits({0, 1, 90, 10}, catalogue));
+        QVERIFY(!fits({0, 1, 90, 11}, catalogue));
+        QVERIFY(!fits({0, 1, 90, most}, catalogue));
+        QVERIFY(!fits({0, 1, -1, 5}, catalogue));
+        QVERIFY(!fits({0, 1, 0, -1}, catalogue));
+        QVERIFY(!fits({0, 2, 0, 10}, catalogue));
+        QVERIFY(!fits({1, 0, 0, 10}, catalogue));
+        QVERIFY(!fits({-1, 0, 0, 10}, catalogue));
+        catalogue.variables[0].unsupported = "complex numbers";
+        QVERIFY(!fits({0, 1, 90, 10}, catalogue));
+    }
+
+    void a_helper_that_dies_is_damage_and_nothing_more() {
+        const auto file = file_at(folder_.file("run.h5"));
+        auto process = ReaderProcess::start(file, "hdf5", "HDF5");
+        QVERIFY(process);
+        std::vector<double> samples(100);
+        QVERIFY((*process)->read({0, 0, 0, 100}, samples));
+        QCOMPARE(samples[99], demo_.c[99]);
+        // As a library's crash ends it; the place in its conversation does not matter.
+        QCOMPARE(::kill((*process)->id(), SIGSEGV), 0);
+        const Status status = (*process)->read({0, 0, 0, 100}, samples);
+        QVERIFY(!status);
+        QCOMPARE(status.error().code, ErrorCode::format_damaged);
+        QCOMPARE(status.error().args,
+                 (std::vector<MessageArg>{"HDF5", "its library failed on it"}));
+        QCOMPARE(exit_status(status.error().code), 3);
+    }
+
+    void a_helper_that_stops_working_is_given_up_after_twenty_seconds() {
+        const auto file = file_at(folder_.file("run.h5"));
+        auto process = ReaderProcess::start(file, "hdf5", "HDF5");
+        QVERIFY(process);
+        const pid_t id = (*process)->id();
+        QCOMPARE(::kill(id, SIGSTOP), 0);
+        QElapsedTimer timer;
+        timer.start();
+        std::vector<double> samples(100);
+        const Status status = (*process)->read({0, 0, 0, 100}, samples);
+        QVERIFY(!status);
+        VYBEG_AT_LEAST(timer.elapsed(), 19000);
+        VYBEG_LESS(timer.elapsed(), 60000);
+        QCOMPARE(status.error().args,
+                 (std::vector<MessageArg>{"HDF5", "its library stopped working on it for 20 s"}));
+        QCOMPARE(::kill(id, 0), -1);  // a stopped one is ended, too
+    }
+
+    void a_recording_outlives_its_helper() {
+        const Recording recording = opened(folder_.file("packed.h5"));
+        QCOMPARE(helpers().size(), 1u);
+        QCOMPARE(::kill(helpers()[0], SIGKILL), 0);
+        std::vector<double> c(10), d(10);
+        const Status status = recording.source->read(5000, c, d);
+        QVERIFY(!status);
+        QCOMPARE(status.error().code, ErrorCode::format_damaged);
+        QVERIFY(recording.source->read(5000, c, d));
+        QCOMPARE(d[0], demo_.d[5000]);
+    }
+
+    void no_helper_outlives_its_recording() {
+        {
+            const Recording first = opened(folder_.file("run.h5"));
+            const Recording second = opened(folder_.file("packed.h5"));
+            QCOMPARE(helpers().size(), 2u);
+        }
+        QVERIFY(helpers().empty());
+        const OpenOptions options{.variables = {"none"}};
+        QVERIFY(!open(folder_.file("run.h5"), options));
+        QVERIFY(helpers().empty());
+    }
+
+    void a_recording_is_read_from_several_threads() {
+        const Recording recording = opened(folder_.file("packed.h5"));
+        std::atomic<int> wrong = 0;
+        std::vector<std::thread> threads;
+        for (int thread = 0; thread < 4; ++thread) {
+            threads.emplace_back([&, thread] {
+                std::vector<double> c(50), d(50);
+                for (std::size_t i = 0; i < 100; ++i) {
+                    const std::size_t first =
+                        (i * 331 + static_cast<std::size_t>(thread) * 7919) % 33000;
+                    const bool read = static_cast<bool>(
+                        recording.source->read(static_cast<std::int64_t>(first), c, d));
+                    wrong += !read || c[49] != demo_.c[first + 49] || d[0] != demo_.d[first];
+                }
+            });
+        }
+        for (std::thread& thread : threads) {
+            thread.join();
+        }
+        QCOMPARE(wrong.load(), 0);
+    }
+
+    void the_helper_alone_does_nothing() {
+        QProcess helper;
+        helper.start(QCoreApplication::applicationDirPath() + "/vybeg-reader", QStringList());
+        QVERIFY(helper.waitForFinished(10000));
+        QCOMPARE(helper.exitCode(), 2);
+        QVERIFY(helper.readAllStandardError().contains("started by vybeg"));
+    }
 
 private:
     Folder folder_;
     Samples demo_;
 };
-
-void TestReaderProcess::initTestCase() {
-    demo_ = demo_second();
-    write_with_python(folder_, demo_, script);
-}
-
-void TestReaderProcess::a_catalogue_and_an_error_survive_the_wire() {
-    const Catalogue catalogue{"HDF5",
-                              "2020-09-01",
-                              {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0},
-                               {"/fs", 1, 1, "16 bit integer", "", "", 5.0, {}},
-                               {"/z", 7, 1, "", "complex numbers", "", {}, {}}},
-                              true};
-    const auto decoded = decode_catalogue(encode(catalogue));
-    QVERIFY(decoded);
-    QVERIFY(*decoded == catalogue);
-
-    const Error error{ErrorCode::format_damaged, "", {"HDF5", "a reason"}};
-    QVERIFY(decode_error(encode(error)) == error);
-    // The helper has no say in what else is wrong with the program.
-    QVERIFY(!decode_error(encode(Error{ErrorCode::interrupted, "", {}})));
-    QVERIFY(!decode_error(encode(Error{ErrorCode::format_damaged, "", {"HDF5"}})));
-}
-
-void TestReaderProcess::a_message_cut_anywhere_is_no_message() {
-    const Catalogue catalogue{"HDF5", "", {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0}}};
-    const std::string bytes = encode(catalogue);
-    const std::size_t before_variables = 2 * sizeof(std::uint64_t) + catalogue.format.size() + 1;
-    for (std::size_t length = 0; length < bytes.size(); ++length) {
-        const auto decoded = decode_catalogue(std::string_view(bytes).substr(0, length));
-        QCOMPARE(decoded.has_value(), length == before_variables);
-    }
-    std::string huge = bytes;
-    huge.replace(0, 8, 8, '\xFF');
-    QVERIFY(!decode_catalogue(huge));
-    Catalogue negative = catalogue;
-    negative.variables[0].frames = -1;
-    QVERIFY(!decode_catalogue(encode(negative)));
-}
-
-void TestReaderProcess::only_requests_for_what_is_there_fit() {
-    Catalogue catalogue{"HDF5", "", {{"/C", 100, 2, "", "", "", {}, {}}}};
-    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-    QVERIFY(fits({0, 1, 90, 10}, catalogue));
-    QVERIFY(!fits({0, 1, 90, 11}, catalogue));
-    QVERIFY(!fits({0, 1, 90, most}, catalogue));
-    QVERIFY(!fits({0, 1, -1, 5}, catalogue));
-    QVERIFY(!fits({0, 1, 0, -1}, catalogue));
-    QVERIFY(!fits({0, 2, 0, 10}, catalogue));
-    QVERIFY(!fits({1, 0, 0, 10}, catalogue));
-    QVERIFY(!fits({-1, 0, 0, 10}, catalogue));
-    catalogue.variables[0].unsupported = "complex numbers";
-    QVERIFY(!fits({0, 1, 90, 10}, catalogue));
-}
-
-void TestReaderProcess::a_helper_that_dies_is_damage_and_nothing_more() {
-    const auto file = file_at(folder_.file("run.h5"));
-    auto process = ReaderProcess::start(file, "hdf5", "HDF5");
-    QVERIFY(process);
-    std::vector<double> samples(100);
-    QVERIFY((*process)->read({0, 0, 0, 100}, samples));
-    QCOMPARE(samples[99], demo_.c[99]);
-    // As a library's crash ends it; the place in its conversation does not matter.
-    QCOMPARE(::kill((*process)->id(), SIGSEGV), 0);
-    const Status status = (*process)->read({0, 0, 0, 100}, samples);
-    QVERIFY(!status);
-    QCOMPARE(status.error().code, ErrorCode::format_damaged);
-    QCOMPARE(status.error().args, (std::vector<MessageArg>{"HDF5", "its library failed on it"}));
-    QCOMPARE(exit_status(status.error().code), 3);
-}
-
-void TestReaderProcess::a_helper_that_stops_working_is_given_up_after_twenty_seconds() {
-    const auto file = file_at(folder_.file("run.h5"));
-    auto process = ReaderProcess::start(file, "hdf5", "HDF5");
-    QVERIFY(process);
-    const pid_t id = (*process)->id();
-    QCOMPARE(::kill(id, SIGSTOP), 0);
-    QElapsedTimer timer;
-    timer.start();
-    std::vector<double> samples(100);
-    const Status status = (*process)->read({0, 0, 0, 100}, samples);
-    QVERIFY(!status);
-    VYBEG_AT_LEAST(timer.elapsed(), 19000);
-    VYBEG_LESS(timer.elapsed(), 60000);
-    QCOMPARE(status.error().args,
-             (std::vector<MessageArg>{"HDF5", "its library stopped working on it for 20 s"}));
-    QCOMPARE(::kill(id, 0), -1);  // a stopped one is ended, too
-}
-
-void TestReaderProcess::a_recording_outlives_its_helper() {
-    const Recording recording = opened(folder_.file("packed.h5"));
-    QCOMPARE(helpers().size(), 1u);
-    QCOMPARE(::kill(helpers()[0], SIGKILL), 0);
-    std::vector<double> c(10), d(10);
-    const Status status = recording.source->read(5000, c, d);
-    QVERIFY(!status);
-    QCOMPARE(status.error().code, ErrorCode::format_damaged);
-    QVERIFY(recording.source->read(5000, c, d));
-    QCOMPARE(d[0], demo_.d[5000]);
-}
-
-void TestReaderProcess::no_helper_outlives_its_recording() {
-    {
-        const Recording first = opened(folder_.file("run.h5"));
-        const Recording second = opened(folder_.file("packed.h5"));
-        QCOMPARE(helpers().size(), 2u);
-    }
-    QVERIFY(helpers().empty());
-    OpenOptions options;
-    options.variables = {"none"};
-    QVERIFY(!open(folder_.file("run.h5"), options));
-    QVERIFY(helpers().empty());
-}
-
-void TestReaderProcess::a_recording_is_read_from_several_threads() {
-    const Recording recording = opened(folder_.file("packed.h5"));
-    std::atomic<int> wrong = 0;
-    std::vector<std::thread> threads;
-    for (int thread = 0; thread < 4; ++thread) {
-        threads.emplace_back([&, thread] {
-            std::vector<double> c(50), d(50);
-            for (std::size_t i = 0; i < 100; ++i) {
-                const std::size_t first =
-                    (i * 331 + static_cast<std::size_t>(thread) * 7919) % 33000;
-                const bool read = static_cast<bool>(
-                    recording.source->read(static_cast<std::int64_t>(first), c, d));
-                wrong += !read || c[49] != demo_.c[first + 49] || d[0] != demo_.d[first];
-            }
-        });
-    }
-    for (std::thread& thread : threads) {
-        thread.join();
-    }
-    QCOMPARE(wrong.load(), 0);
-}
-
-void TestReaderProcess::the_helper_alone_does_nothing() {
-    QProcess helper;
-    helper.start(QCoreApplication::applicationDirPath() + "/vybeg-reader", QStringList());
-    QVERIFY(helper.waitForFinished(10000));
-    QCOMPARE(helper.exitCode(), 2);
-    QVERIFY(helper.readAllStandardError().contains("started by vybeg"));
-}
 
 VYBEG_TEST(TestReaderProcess)
 
