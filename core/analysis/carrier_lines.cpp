@@ -4,6 +4,7 @@
 #include "core/numerics/kaiser.h"
 #include "core/numerics/median.h"
 #include "core/recording/checks/start_check.h"
+#include "core/windows/carrier_search.h"
 
 #include <algorithm>
 #include <array>
@@ -142,11 +143,7 @@ std::vector<Line> lines_of(const Spectrum& spectrum) {
             !stands_alone(mean, k)) {
             continue;
         }
-        const double left = std::log(mean[at - 1]);
-        const double right = std::log(mean[at + 1]);
-        const double curvature = left - 2 * std::log(mean[at]) + right;
-        const double shift =
-            curvature < 0 ? std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5) : 0;
+        const double shift = peak_shift(mean[at - 1], mean[at], mean[at + 1]);
         lines.push_back({k, spectrum.hz(k) + shift * spectrum.bin_hz, mean[at]});
     }
     return lines;

@@ -8,7 +8,6 @@
 #include "core/recording/conditioning/filtered_source.h"
 #include "core/recording/conditioning/gapped_source.h"
 #include "core/windows/carrier_search.h"
-#include "core/windows/carrier_zoom.h"
 
 #include <algorithm>
 #include <cmath>

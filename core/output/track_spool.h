@@ -2,7 +2,7 @@
 
 #include "core/output/spool.h"
 #include "core/output/track_columns.h"
-#include "core/track/flagged_rows.h"
+#include "core/track/track.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,5 @@
 #include "core/simulation/slow_motion.h"
 
-#include "core/simulation/turns.h"
-
 #include <Eigen/Geometry>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "core/track/track.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace vybeg {
@@ -29,6 +30,15 @@ void Track::append(const Track& rows) {
     for (std::size_t i = 0; i < slow_variable_count; ++i) {
         append_all(values_[i], rows.values_[i]);
         append_all(sds_[i], rows.sds_[i]);
+    }
+}
+
+void set_flags(std::span<Flags> part, std::size_t first, std::span<const FlaggedRows> flagged) {
+    for (const FlaggedRows& rows : flagged) {
+        const std::size_t end = std::min(rows.first + rows.count, first + part.size());
+        for (std::size_t row = std::max(rows.first, first); row < end; ++row) {
+            set(part[row - first], rows.flag);
+        }
     }
 }
 
