@@ -3,7 +3,7 @@
 #include "app/cli_simulate_options.h"
 #include "app/cli_support.h"
 #include "core/analysis/analyse.h"
-#include "core/analysis/analyse_log.h"
+#include "core/analysis/analyse_logs.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/inspect.h"

@@ -1,7 +1,6 @@
 #include "core/analysis/estimate_track.h"
 
-#include "core/analysis/band_noise.h"
-#include "core/analysis/noise_level.h"
+#include "core/analysis/window_noise.h"
 #include "core/track/motion.h"
 #include "core/track/unwrap.h"
 
@@ -288,10 +287,6 @@ private:
     std::optional<Error> error_;
 };
 
-std::int64_t count_with(Flag flag, const Track& rows) {
-    return std::ranges::count_if(rows.flags(), [flag](Flags f) { return has(f, flag); });
-}
-
 }  // namespace
 
 Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
@@ -343,8 +338,8 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
         angle.unwrap(chunk->rows);
         motion.take(chunk->rows, chunk->no_wave, chunk->excess);
         tracks.take(chunk->rows);
-        summary.not_converged += count_with(Flag::not_converged, chunk->rows);
-        summary.leaking += count_with(Flag::leakage, chunk->rows);
+        summary.not_converged += std::ranges::count_if(
+            chunk->rows.flags(), [](Flags flags) { return has(flags, Flag::not_converged); });
         if (error.take(sink(chunk->rows))) {
             job.report(static_cast<double>(chunk->first_window + chunk->windows) /
                        static_cast<double>(plan.count));

@@ -1,7 +1,7 @@
 #include "core/analysis/prepare.h"
 
-#include "core/analysis/band_noise.h"
 #include "core/analysis/setting_table.h"
+#include "core/analysis/window_noise.h"
 #include "core/base/number_text.h"
 #include "core/recording/conditioning/calibrated_source.h"
 #include "core/recording/conditioning/checked_source.h"

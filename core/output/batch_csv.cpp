@@ -1,6 +1,6 @@
 #include "core/output/batch_csv.h"
 
-#include "core/analysis/set_conditions.h"
+#include "core/analysis/measurement_list.h"
 #include "core/base/finding.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"

@@ -1,6 +1,6 @@
 #include "core/output/identify_json.h"
 
-#include "core/analysis/set_conditions.h"
+#include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"

@@ -1,39 +1,100 @@
 #include "core/sweep/sweep_windows.h"
 
 #include "core/analysis/analyse.h"
-#include "core/analysis/band_noise.h"
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/setting_table.h"
 #include "core/analysis/window_faults.h"
-#include "core/sweep/form_leakage.h"
+#include "core/analysis/window_noise.h"
+#include "core/estimators/wave/wave_state.h"
+#include "core/numerics/median.h"
 #include "core/sweep/neighbour_scatter.h"
-#include "core/sweep/window_advice.h"
+#include "core/sweep/window_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
+namespace {
 
-std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last, int steps) {
-    std::vector<std::int64_t> lengths;
-    const double ratio = static_cast<double>(last) / static_cast<double>(first);
-    for (int k = 0; k < steps; ++k) {
-        const double share = static_cast<double>(k) / (steps - 1);
-        const auto length = static_cast<std::int64_t>(
-            std::llround(static_cast<double>(first) * std::pow(ratio, share)));
-        if (lengths.empty() || length > lengths.back()) {
-            lengths.push_back(length);
-        }
+constexpr double pi = std::numbers::pi;
+constexpr int phases = 8;  // of alpha in half a turn: leakage has the period pi
+
+using Errors = std::array<double, sweep_variable_count>;
+
+// The samples of a wave about the middle of a window of n, with context on both sides.
+void sample(const WaveState& wave, double w, std::int64_t n, std::int64_t context,
+            std::vector<double>& c, std::vector<double>& d) {
+    const Phasors z = to_phasors(wave);
+    c.resize(static_cast<std::size_t>(n + 2 * context));
+    d.resize(c.size());
+    const double centre = static_cast<double>(context) + 0.5 * static_cast<double>(n - 1);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+        const std::complex<double> turn = std::polar(1.0, w * (static_cast<double>(k) - centre));
+        c[k] = (z.c * turn).real();
+        d[k] = (z.d * turn).real();
     }
-    return lengths;
 }
 
-namespace {
+Errors errors_of(const WaveEstimate& found, const WaveState& wave, double f0_hz) {
+    return {found.state.a_A - wave.a_A, found.state.a_B - wave.a_B,
+            std::remainder(found.state.two_theta_A - wave.two_theta_A, pi), found.f_hz - f0_hz,
+            std::remainder(found.delta_phi_CD - phase_difference(to_phasors(wave)), 2 * pi)};
+}
+
+// Errors of one closed form (algorithms 1 to 4) in windows of n samples without noise: its estimate
+// of a wave at f0 less that wave, root of the mean square over the phases of the carrier at the
+// window, median over the waves. Next to the leakage of windows that do not hold whole half-periods
+// they contain the quadrature that algorithm 1 leaves out. In the order of main_slow_variables; NaN
+// where the algorithm has no value.
+Errors form_leakage(Algorithm algorithm, std::span<const WaveState> waves, std::int64_t n,
+                    double f0_hz, double rate_hz) {
+    EstimatorOptions options;
+    options.length = n;
+    options.rate_hz = rate_hz;
+    options.f0_hz = f0_hz;
+    const auto estimator = make_estimator(algorithm, options);
+    const std::int64_t context = estimator->context();
+    const double w = 2 * pi * f0_hz / rate_hz;
+    std::array<std::vector<double>, sweep_variable_count> of_waves;
+    std::vector<double> c;
+    std::vector<double> d;
+    for (const WaveState& wave : waves) {
+        Errors squares{};
+        for (int phase = 0; phase < phases; ++phase) {
+            WaveState turned = wave;
+            turned.alpha = wave.alpha + pi * phase / phases;
+            sample(turned, w, n, context, c, d);
+            WaveEstimate found;
+            estimator->estimate({c, d, context, n, n}, 0, {&found, 1});
+            const Errors errors = errors_of(found, turned, f0_hz);
+            for (std::size_t v = 0; v < errors.size(); ++v) {
+                squares[v] += errors[v] * errors[v] / phases;
+            }
+        }
+        for (std::size_t v = 0; v < squares.size(); ++v) {
+            if (std::isfinite(squares[v])) {
+                of_waves[v].push_back(std::sqrt(squares[v]));
+            }
+        }
+    }
+    Errors typical;
+    typical.fill(SweepValue::none);
+    for (std::size_t v = 0; v < typical.size(); ++v) {
+        if (!of_waves[v].empty()) {
+            typical[v] = median(std::move(of_waves[v]));
+        }
+    }
+    return typical;
+}
 
 constexpr std::int64_t most_held = std::int64_t{1} << 24;
 constexpr std::int64_t block = std::int64_t{1} << 16;
@@ -177,6 +238,20 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last, int steps) {
+    std::vector<std::int64_t> lengths;
+    const double ratio = static_cast<double>(last) / static_cast<double>(first);
+    for (int k = 0; k < steps; ++k) {
+        const double share = static_cast<double>(k) / (steps - 1);
+        const auto length = static_cast<std::int64_t>(
+            std::llround(static_cast<double>(first) * std::pow(ratio, share)));
+        if (lengths.empty() || length > lengths.back()) {
+            lengths.push_back(length);
+        }
+    }
+    return lengths;
+}
 
 Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& settings,
                                   std::span<const std::int64_t> lengths, const JobControl& job) {

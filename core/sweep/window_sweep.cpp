@@ -1,4 +1,4 @@
-#include "core/sweep/window_advice.h"
+#include "core/sweep/window_sweep.h"
 
 #include <algorithm>
 #include <vector>
