@@ -163,12 +163,8 @@ private:
             double& alpha = settings.initial->state.alpha;
             alpha = wrap(alpha - 2 * std::numbers::pi * settings.initial->f_hz * later);
         }
-        Track& rows = rows_[segment.first];
-        const TrackSink collect = [&rows](const Track& more) {
-            rows.append(more);
-            return Status{};
-        };
-        TRY(estimate_track(prepared_, part, settings, rate_hz_, threads, collect, job_));
+        TRY(estimate_track(prepared_, part, settings, rate_hz_, threads,
+                           appended_to(rows_[segment.first]), job_));
         return {};
     }
 
@@ -245,11 +241,7 @@ Result<AnalysisSummary> analyse(const Recording& recording, const Settings& sett
 Result<Analysis> analyse(const Recording& recording, const Settings& settings,
                          const JobControl& job, const BeforeWindows& before) {
     Track track;
-    const TrackSink collect = [&track](const Track& rows) {
-        track.append(rows);
-        return Status{};
-    };
-    auto summary = TRY(analyse(recording, settings, collect, job, before));
+    auto summary = TRY(analyse(recording, settings, appended_to(track), job, before));
     set_flags(track.flags(), 0, summary.flagged);
     return Analysis{std::move(summary), std::move(track)};
 }

@@ -177,9 +177,8 @@ private:
         const std::int64_t length = level_->short_length();
         const auto estimate_into = [&](std::int64_t first, std::int64_t hop,
                                        std::span<WaveEstimate> into) {
-            const double centre_s = (static_cast<double>(chunk.first_frame + first) +
-                                     0.5 * static_cast<double>(length - 1)) /
-                                    rate_hz_;
+            const double centre_s =
+                WindowPlan{chunk.first_frame + first, length, hop, 1}.centre_s(0, rate_hz_);
             short_->estimate({chunk.c, chunk.d, first, length, hop}, centre_s, into);
             return centre_s;
         };
@@ -220,9 +219,7 @@ private:
         estimator.estimate({part(chunk.c), part(chunk.d), start - from, plan_.length, plan_.hop},
                            plan_.centre_s(first_window, rate_hz_), estimates);
         if (!options_.noise && plan_.length == level_->short_length()) {
-            pool_noise(
-                estimates, plan_.length,
-                std::min(1.0, static_cast<double>(plan_.hop) / static_cast<double>(plan_.length)));
+            pool_noise(estimates, plan_.length, plan_.independent());
         }
         for (std::size_t k = 0; k < estimates.size(); ++k) {
             const std::size_t row = static_cast<std::size_t>(first) + k;
@@ -296,14 +293,12 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
     AngleUnwrapper angle(prepared.calibration.two_theta_zero());
     EstimationSummary summary;
-    const double independent =
-        std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length));
     summary.f_correlation = settings.filter
                                 ? frequency_correlation(*settings.filter, prepared.f0_hz,
                                                         plan.length, plan.hop, rate_hz)
-                                : overlap_correlation(independent);
+                                : overlap_correlation(plan.independent());
     MotionMarker motion(plan.length, plan.hop, rate_hz, prepared.f0_hz, summary.f_correlation);
-    TrackSummariser tracks(static_cast<std::size_t>(plan.count), independent,
+    TrackSummariser tracks(static_cast<std::size_t>(plan.count), plan.independent(),
                            summary.f_correlation);
     summary.context = estimation.context();
     FirstError error;

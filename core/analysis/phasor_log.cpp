@@ -1,5 +1,6 @@
 #include "core/analysis/phasor_log.h"
 
+#include "core/analysis/power_log.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
 #include "core/numerics/median.h"
@@ -48,10 +49,7 @@ Result<LogTable> read_columns(const std::filesystem::path& path, const OpenOptio
                               const LogChoice& choice, const SignalSettings& signal,
                               const std::vector<ColumnRole>& roles, const JobControl& job) {
     const auto wishes = TRY(column_wishes(choice.names, roles));
-    auto table = TRY(read_log(path, options, wishes, job));
-    TRY(keep_times(path, signal.from_s.value_or(TimeRange{}.from_s),
-                   signal.to_s.value_or(TimeRange{}.to_s), table));
-    return table;
+    return read_log_columns(path, options, wishes, signal, job);
 }
 
 // Brings Y and both columns of D to the unit of X of C.

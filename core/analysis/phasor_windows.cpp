@@ -37,7 +37,7 @@ class WindowMean {
 public:
     // Windows of n samples, carrier w (rad per sample), lines of the mains (rad per sample; they
     // lie 4 pi / n or more from w). Precondition: n >= 16 and n w >= 4 pi.
-    WindowMean(std::int64_t n, double w, std::span<const double> lines = {});
+    WindowMean(std::int64_t n, double w, std::span<const double> lines);
 
     struct Estimate {
         Phasors mean;            // relative to the window's centre

@@ -1,6 +1,6 @@
 #include "core/output/stored_zip.h"
 
-#include "core/output/raw_bytes.h"
+#include "core/output/array_bytes.h"
 
 namespace vybeg {
 namespace {

@@ -16,8 +16,9 @@ enum class TrackFormat { csv, mat, hdf5, npz };
 // one but .npy, which has no room for several arrays. Errors: output_failed.
 Result<TrackFormat> track_format(const std::filesystem::path& target);
 
-// Writes a track; the same columns, numbers, flags and header lines in every format. Errors:
-// output_failed, interrupted. The caller calls commit().
+// Writes a track; the same columns, numbers, flags and header lines in every format, in CSV header
+// lines after "# ", one line of names, a row per window. Errors: output_failed, interrupted. The
+// caller calls commit().
 Status write_track(OutputFile& file, TrackFormat format, const Track& track,
                    std::span<const std::string> header, const JobControl& job);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 
 namespace vybeg {
 namespace {
@@ -16,6 +17,21 @@ constexpr double longest_delay_s = 0.1;
 
 double start_power(const FreeDecay& decay) {
     return decay.a_A * decay.a_A + decay.a_B * decay.a_B;
+}
+
+// What a decay must not be, and the words for it.
+struct Rule {
+    bool broken;
+    const char* words;
+};
+
+Status first_broken(std::initializer_list<Rule> rules) {
+    for (const Rule& rule : rules) {
+        if (rule.broken) {
+            return impossible(rule.words);
+        }
+    }
+    return {};
 }
 
 // Beyond these bounds the motion overflows or loses its digits.
@@ -45,13 +61,9 @@ Status check_sizes(const FreeDecay& decay) {
             " Hz the modes' frequencies are not between 0 and half the sample rate, " +
             short_text(decay.rate_hz / 2) + " Hz");
     }
-    if (decay.tau_s < 1e-9) {
-        return impossible("the decay time must be at least 1e-9 s");
-    }
-    if (decay.kappa < 1e-6 || decay.kappa > 1e6) {
-        return impossible("the gain ratio kappa must lie between 1e-6 and 1e6");
-    }
-    return {};
+    return first_broken({{decay.tau_s < 1e-9, "the decay time must be at least 1e-9 s"},
+                         {decay.kappa < 1e-6 || decay.kappa > 1e6,
+                          "the gain ratio kappa must lie between 1e-6 and 1e6"}});
 }
 
 Status check_motion(const FreeDecay& decay) {
@@ -84,40 +96,30 @@ Status check_motion(const FreeDecay& decay) {
 // Departures from a free decay. Their sizes bound the steps of AmplitudeFactor.
 Status check_drive(const FreeDecay& decay) {
     constexpr double most_growth = 100;  // of the logarithm
-    if (decay.dry_friction_per_s < 0 || decay.air_friction_per_s < 0) {
-        return impossible("a friction cannot be negative");
-    }
     const double driven_s = std::max(
         std::min(decay.drive_to_s, decay.seconds) - std::max(decay.drive_from_s, 0.0), 0.0);
-    if (std::abs(decay.drive_per_s) * driven_s > most_growth) {
-        return impossible("the drive changes the amplitude by more than e^100");
-    }
     const bool by_power = decay.frequency_per_power_hz != 0 || decay.damping_per_power_per_s != 0;
-    if (has_amplitude_factor(decay) && by_power) {
-        return impossible("friction or drive, and a dependence on the power, exclude each other");
-    }
-    return {};
+    return first_broken({{decay.dry_friction_per_s < 0 || decay.air_friction_per_s < 0,
+                          "a friction cannot be negative"},
+                         {std::abs(decay.drive_per_s) * driven_s > most_growth,
+                          "the drive changes the amplitude by more than e^100"},
+                         {has_amplitude_factor(decay) && by_power,
+                          "friction or drive, and a dependence on the power, exclude each other"}});
 }
 
 Status check_channels(const FreeDecay& decay) {
     const double growth =
         std::max(1 / decay.tau_s, std::abs(decay.damping_per_power_per_s) * start_power(decay));
-    if (std::abs(decay.delay_d_s) > longest_delay_s || std::abs(decay.delay_d_s) * growth > 0.1) {
-        return impossible("the delay of D is at most 0.1 s and a tenth of the decay time");
-    }
-    if (decay.gain_drift <= -1) {
-        return impossible("the gain drift must be above -1");
-    }
-    if (decay.hum != 0 && (decay.hum_hz < 0 || decay.hum_hz >= decay.rate_hz / 2)) {
-        return impossible("the hum's frequency must be between 0 and half the sample rate");
-    }
-    if (decay.carrier_noise < 0 || decay.modulation_noise < 0 || decay.phase_noise_rad < 0) {
-        return impossible("the noise about the carrier cannot be negative");
-    }
-    if (decay.carrier_noise_width_hz <= 0) {
-        return impossible("the width of the noise about the carrier must be above 0");
-    }
-    return {};
+    return first_broken(
+        {{std::abs(decay.delay_d_s) > longest_delay_s || std::abs(decay.delay_d_s) * growth > 0.1,
+          "the delay of D is at most 0.1 s and a tenth of the decay time"},
+         {decay.gain_drift <= -1, "the gain drift must be above -1"},
+         {decay.hum != 0 && (decay.hum_hz < 0 || decay.hum_hz >= decay.rate_hz / 2),
+          "the hum's frequency must be between 0 and half the sample rate"},
+         {decay.carrier_noise < 0 || decay.modulation_noise < 0 || decay.phase_noise_rad < 0,
+          "the noise about the carrier cannot be negative"},
+         {decay.carrier_noise_width_hz <= 0,
+          "the width of the noise about the carrier must be above 0"}});
 }
 
 Status check_modes_beside(const FreeDecay& decay) {
@@ -248,31 +250,19 @@ Status check(const FreeDecay& decay) {
         return impossible(short_text(decay.seconds * decay.rate_hz) +
                           " samples are too many; the most is " + integer_text(most_frames));
     }
-    if (motion_frame_count(decay) < 1) {
-        return impossible("the record is shorter than one sample");
-    }
-    if (decay.tau_s <= 0) {
-        return impossible("the decay time must be above 0");
-    }
-    if (decay.split_hz < 0 || decay.damping_anisotropy_per_s < 0) {
-        return impossible("frequency split and damping anisotropy cannot be negative");
-    }
+    TRY(first_broken({{motion_frame_count(decay) < 1, "the record is shorter than one sample"},
+                      {decay.tau_s <= 0, "the decay time must be above 0"},
+                      {decay.split_hz < 0 || decay.damping_anisotropy_per_s < 0,
+                       "frequency split and damping anisotropy cannot be negative"}}));
     if (decay.damping_anisotropy_per_s > 2 / decay.tau_s) {
         return impossible("a damping anisotropy above 2/tau = " + short_text(2 / decay.tau_s) +
                           " 1/s would let one mode grow");
     }
-    if (decay.noise < 0) {
-        return impossible("the noise cannot be negative");
-    }
-    if (decay.kappa <= 0) {
-        return impossible("the gain ratio kappa must be above 0");
-    }
-    if (decay.bits != 0 && (decay.bits < 2 || decay.bits > 32)) {
-        return impossible("the quantiser has 2 to 32 bits");
-    }
-    if (decay.full_scale < 0) {
-        return impossible("the full scale cannot be negative");
-    }
+    TRY(first_broken(
+        {{decay.noise < 0, "the noise cannot be negative"},
+         {decay.kappa <= 0, "the gain ratio kappa must be above 0"},
+         {decay.bits != 0 && (decay.bits < 2 || decay.bits > 32), "the quantiser has 2 to 32 bits"},
+         {decay.full_scale < 0, "the full scale cannot be negative"}}));
     for (const auto& part : {check_sizes, check_motion, check_drive, check_channels,
                              check_modes_beside, check_losses}) {
         TRY(part(decay));

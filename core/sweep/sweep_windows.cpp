@@ -174,18 +174,15 @@ Result<std::vector<WaveState>> waves_of(const ConditionedRecording& prepared,
     Settings likely = settings;
     likely.algorithm = Algorithm::maximum_likelihood;
     const double zero = prepared.calibration.two_theta_zero();
-    const auto collect = [&](const Track& rows) -> Status {
-        for (std::size_t k = 0; k < rows.rows(); ++k) {
-            const auto value = [&](SlowVariable v) { return rows.values(v)[k]; };
-            if (std::isfinite(value(SlowVariable::two_theta_A))) {
-                waves.push_back({value(SlowVariable::a_A), value(SlowVariable::a_B),
-                                 value(SlowVariable::two_theta_A) + zero,
-                                 value(SlowVariable::alpha)});
-            }
+    Track track;
+    TRY(estimate_track(prepared, plan, likely, rate_hz, 1, appended_to(track), job.silent()));
+    for (std::size_t k = 0; k < track.rows(); ++k) {
+        const auto value = [&](SlowVariable v) { return track.values(v)[k]; };
+        if (std::isfinite(value(SlowVariable::two_theta_A))) {
+            waves.push_back({value(SlowVariable::a_A), value(SlowVariable::a_B),
+                             value(SlowVariable::two_theta_A) + zero, value(SlowVariable::alpha)});
         }
-        return {};
-    };
-    TRY(estimate_track(prepared, plan, likely, rate_hz, 1, collect, job.silent()));
+    }
     return waves;
 }
 

@@ -33,6 +33,13 @@ void Track::append(const Track& rows) {
     }
 }
 
+TrackSink appended_to(Track& track) {
+    return [&track](const Track& rows) {
+        track.append(rows);
+        return Status{};
+    };
+}
+
 void set_flags(std::span<Flags> part, std::size_t first, std::span<const FlaggedRows> flagged) {
     for (const FlaggedRows& rows : flagged) {
         const std::size_t end = std::min(rows.first + rows.count, first + part.size());

@@ -64,6 +64,9 @@ inline constexpr bool is_sound_window(Flags flags) {
 // thread but never from two at once. An error ends the computation.
 using TrackSink = std::function<Status(const Track& rows)>;
 
+// One that appends them to a track, which must outlive it.
+TrackSink appended_to(Track& track);
+
 // Consecutive rows of a track that get a flag after their estimation, because the reason is known
 // only at the end of the recording.
 struct FlaggedRows {

@@ -49,7 +49,7 @@ void TrackSummariser::take(const Track& rows) {
         counts_.leaking += has(flags[k], Flag::leakage) ? 1 : 0;
         counts_.moving += has(flags[k], Flag::moving) ? 1 : 0;
         if (std::isfinite(noise[k])) {
-            (is_sound_window(flags[k]) ? noise_ : noise_of_invalid_).take(noise[k]);
+            (is_sound_window(flags[k]) ? noise_ : noise_of_invalid_).take(noise[k] * noise[k]);
         }
         if (!std::isfinite(f[k])) {
             continue;
@@ -57,9 +57,7 @@ void TrackSummariser::take(const Track& rows) {
         if (is_sound_window(flags[k])) {
             take_frequency(rows.time_s()[k], f[k], sd[k], rows.leakage_f_hz()[k]);
         } else if (has(flags[k], Flag::at_bound) && !has(flags[k], Flag::gap)) {
-            Beyond& side = f[k] < mean_ ? below_ : above_;
-            side.count += 1;
-            side.sum += f[k];
+            (f[k] < mean_ ? below_ : above_).take(f[k]);
         }
     }
 }
@@ -134,7 +132,8 @@ double TrackSummariser::excess(std::span<const double> variances,
 TrackSummary TrackSummariser::summary() const {
     TrackSummary summary = counts_;
     summary.mean_f_hz = summary.sd_mean_f_hz = summary.scatter_f_hz = summary.mean_at_s = nan;
-    summary.noise = noise_.count > 0 ? noise_.root() : noise_of_invalid_.root();
+    const Sum& noise = noise_.count > 0 ? noise_ : noise_of_invalid_;
+    summary.noise = std::sqrt(noise.sum / noise.count);  // NaN for none
     if (count_ == 0) {
         return summary;
     }

@@ -1,6 +1,5 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
-#include "core/output/track_csv.h"
 #include "core/output/track_file.h"
 #include "core/output/track_header.h"
 #include "tests/closeness.h"
@@ -28,7 +27,7 @@ QList<QByteArray> written(const Track& track, const std::vector<std::string>& he
     const QTemporaryDir folder;
     const QString path = folder.filePath("track.csv");
     auto file = OutputFile::create(path.toStdString(), {});
-    if (!file || !write_track_csv(*file, track, header, {}) || !file->commit()) {
+    if (!file || !write_track(*file, TrackFormat::csv, track, header, {}) || !file->commit()) {
         return {};
     }
     QFile read(path);
@@ -226,7 +225,7 @@ private slots:
         };
         const double whole = least_of_three([&] {
             auto file = OutputFile::create("/dev/null", {});
-            QVERIFY(file && write_track_csv(*file, track, {}, {}) && file->commit());
+            QVERIFY(file && write_track(*file, TrackFormat::csv, track, {}, {}) && file->commit());
         });
         std::size_t digits = 0;
         const double peer = least_of_three([&] {

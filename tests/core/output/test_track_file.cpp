@@ -1,8 +1,8 @@
 // Tracks in every format: read back by NumPy, h5py and SciPy they are those of the CSV, bit for
 // bit.
 #include "core/base/messages.h"
+#include "core/output/track_arrays.h"
 #include "core/output/track_file.h"
-#include "core/output/track_mat.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/closeness.h"
 #include "tests/core/output/full_disk.h"
