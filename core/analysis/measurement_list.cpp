@@ -17,7 +17,6 @@
 #include <set>
 #include <system_error>
 #include <type_traits>
-#include <utility>
 
 namespace vybeg {
 namespace {
@@ -91,11 +90,11 @@ public:
     Result<MeasurementList> read() {
         auto table = TRY(read_csv(path_, "file", column_name));
         table_ = std::move(table);
-        for (const auto step :
-             {&Reader::name_columns, &Reader::find_formulas, &Reader::make_numbers_usual,
-              &Reader::group_sets, &Reader::read_sets}) {
-            TRY((this->*step)());
-        }
+        TRY(name_columns());
+        find_formulas();
+        make_numbers_usual();
+        group_sets();
+        TRY(read_sets());
         return std::move(list_);
     }
 
@@ -141,7 +140,7 @@ private:
     }
 
     // They stand in the table of results as they are, where a table program runs them.
-    Status find_formulas() {
+    void find_formulas() {
         for (const CsvRow& row : table_.rows) {
             for (std::size_t k = 0; k < row.fields.size(); ++k) {
                 if (is_formula(row.fields[k])) {
@@ -151,7 +150,6 @@ private:
                 }
             }
         }
-        return {};
     }
 
     // An option of analyze alone.
@@ -160,7 +158,7 @@ private:
                row_named(identify_settings(), name) == nullptr;
     }
 
-    Status make_numbers_usual() {
+    void make_numbers_usual() {
         for (const auto& [name, column] : columns_) {
             std::optional<std::string> placeholder = placeholder_of(name);
             if (name == "bias_v" || name == "temperature_c") {
@@ -176,7 +174,6 @@ private:
                 }
             }
         }
-        return {};
     }
 
     const std::string& field(const CsvRow& row, const std::string& column) const {
@@ -186,7 +183,7 @@ private:
     }
 
     // Rows without the name of a set are sets of their own, named by the file.
-    Status group_sets() {
+    void group_sets() {
         std::map<std::string, std::size_t> places;
         std::set<std::string> taken;
         for (const CsvRow& row : table_.rows) {
@@ -207,7 +204,6 @@ private:
             }
             rows_[place->second].push_back(&row);
         }
-        return {};
     }
 
     Status read_sets() {

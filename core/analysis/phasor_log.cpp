@@ -4,7 +4,6 @@
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
 #include "core/numerics/median.h"
-#include "core/recording/open/log_columns.h"
 #include "core/recording/samples/channel_pair.h"
 
 #include <Eigen/Dense>
@@ -15,7 +14,6 @@
 #include <initializer_list>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -36,6 +34,16 @@ struct LogRows {
     std::vector<Complex> d;
     std::vector<Diagnostic> warnings;
 };
+
+// Multiplies the phasors of row k by factor(k).
+template <class Factor>
+void turn_rows(LogRows& rows, const Factor& factor) {
+    for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
+        const Complex turn = factor(k);
+        rows.c[k] *= turn;
+        rows.d[k] *= turn;
+    }
+}
 
 double step_of(const LogRows& rows) {
     std::vector<double> steps;
@@ -196,11 +204,7 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
-        for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
-            const Complex turn = std::polar(1.0, rad * phase->values[k]);
-            rows.c[k] *= turn;
-            rows.d[k] *= turn;
-        }
+        turn_rows(rows, [&](std::size_t k) { return std::polar(1.0, rad * phase->values[k]); });
         if (frequency != nullptr && rows.f_ref_hz == 0) {
             rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
         }
@@ -332,11 +336,8 @@ void centre(double step_s, LogRows& rows) {
         sum += rows.c[k] * std::conj(rows.c[k - 1]) + rows.d[k] * std::conj(rows.d[k - 1]);
     }
     const double offset_hz = std::arg(sum) / (2 * pi * step_s);
-    for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
-        const Complex turn = std::polar(1.0, -2 * pi * offset_hz * rows.time_s[k]);
-        rows.c[k] *= turn;
-        rows.d[k] *= turn;
-    }
+    turn_rows(rows,
+              [&](std::size_t k) { return std::polar(1.0, -2 * pi * offset_hz * rows.time_s[k]); });
     rows.f_ref_hz += offset_hz;
 }
 

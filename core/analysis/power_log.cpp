@@ -1,7 +1,6 @@
 #include "core/analysis/power_log.h"
 
 #include "core/base/read_value.h"
-#include "core/recording/open/log_columns.h"
 
 #include <cmath>
 #include <complex>
@@ -9,7 +8,6 @@
 #include <cstdint>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

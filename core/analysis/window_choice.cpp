@@ -14,7 +14,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 namespace vybeg {

@@ -13,7 +13,6 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 namespace vybeg {
 namespace {

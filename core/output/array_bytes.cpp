@@ -3,7 +3,6 @@
 #include "core/base/plain_text.h"
 #include "core/recording/variables/mat_format.h"
 
-#include <cstdint>
 
 namespace vybeg {
 namespace {

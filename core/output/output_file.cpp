@@ -9,15 +9,12 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <poll.h>
-#include <string>
-#include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>

@@ -4,9 +4,7 @@
 #include "core/base/plain_text.h"
 #include "core/hdf5/hdf5_layout.h"
 #include "core/output/array_bytes.h"
-#include "core/output/output_file.h"
 #include "core/output/stored_zip.h"
-#include "core/output/track_columns.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +14,6 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>

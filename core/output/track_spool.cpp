@@ -1,7 +1,6 @@
 #include "core/output/track_spool.h"
 
 #include "core/base/system_reason.h"
-#include "core/output/output_file.h"
 
 #include <algorithm>
 #include <cerrno>

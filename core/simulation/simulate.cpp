@@ -3,7 +3,6 @@
 #include "core/base/number_text.h"
 #include "core/simulation/carrier_noise.h"
 #include "core/simulation/decay_motion.h"
-#include "core/simulation/free_decay.h"
 #include "core/simulation/gaussian_noise.h"
 #include "core/simulation/slow_motion.h"
 

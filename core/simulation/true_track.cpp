@@ -3,7 +3,6 @@
 #include "core/base/number_text.h"
 #include "core/numerics/phase.h"
 #include "core/simulation/decay_motion.h"
-#include "core/simulation/free_decay.h"
 #include "core/windows/window_plan.h"
 
 #include <Eigen/LU>

@@ -8,19 +8,15 @@
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/median.h"
 #include "core/sweep/neighbour_scatter.h"
-#include "core/sweep/window_sweep.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <numbers>
 #include <set>
-#include <span>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -186,53 +182,37 @@ Result<std::vector<WaveState>> waves_of(const ConditionedRecording& prepared,
     return waves;
 }
 
-class Sweep {
-public:
-    Sweep(const ConditionedRecording& prepared, const SampleFaults& faults,
-          const Settings& settings, double rate_hz, double white, std::vector<WaveState> waves)
-        : prepared_(prepared),
-          faults_(faults),
-          settings_(settings),
-          rate_hz_(rate_hz),
-          white_(white),
-          waves_(std::move(waves)) {}
-
-    Result<SweepLength> of(const WindowPlan& plan, const JobControl& job) const {
-        EquivalentNoise noise{white_, white_};
-        if (prepared_.filter) {
-            noise =
-                equivalent_noise(white_, *prepared_.filter, prepared_.f0_hz, plan.length, rate_hz_);
-        }
-        NeighbourScatter scatter(plan, rate_hz_, prepared_.calibration.two_theta_zero(),
-                                 windows_over(faults_, plan), noise);
-        const TrackSink sink = [&](const Track& rows) -> Status {
-            scatter.take(rows);
-            return {};
-        };
-        TRY(estimate_track(prepared_, plan, settings_, rate_hz_, threads_of(settings_.threads),
-                           sink, job));
-        SweepLength found = scatter.finish();
-        for (std::size_t k = 0; k < closed_form_algorithms.size() && !waves_.empty(); ++k) {
-            const auto leakage = form_leakage(closed_form_algorithms[k], waves_, plan.length,
-                                              prepared_.f0_hz, rate_hz_);
-            for (std::size_t v = 0; v < leakage.size(); ++v) {
-                found.values[v].leakage[k] = leakage[v];
-                if (closed_form_algorithms[k] == settings_.algorithm) {
-                    found.values[v].leaking = leakage[v];
-                }
+// The sweep's algorithm in windows of one length. `waves`: for the leakage of the closed forms.
+Result<SweepLength> in_windows(const WindowPlan& plan, const WindowSweep& sweep,
+                               const ConditionedRecording& prepared, const SampleFaults& faults,
+                               std::span<const WaveState> waves, const JobControl& job) {
+    const double rate = sweep.rate_hz;
+    EquivalentNoise noise{sweep.white_noise, sweep.white_noise};
+    if (prepared.filter) {
+        noise = equivalent_noise(sweep.white_noise, *prepared.filter, prepared.f0_hz, plan.length,
+                                 rate);
+    }
+    NeighbourScatter scatter(plan, rate, prepared.calibration.two_theta_zero(),
+                             windows_over(faults, plan), noise);
+    const TrackSink sink = [&](const Track& rows) -> Status {
+        scatter.take(rows);
+        return {};
+    };
+    TRY(estimate_track(prepared, plan, sweep.settings, rate, threads_of(sweep.settings.threads),
+                       sink, job));
+    SweepLength found = scatter.finish();
+    for (std::size_t k = 0; k < closed_form_algorithms.size() && !waves.empty(); ++k) {
+        const auto leakage =
+            form_leakage(closed_form_algorithms[k], waves, plan.length, prepared.f0_hz, rate);
+        for (std::size_t v = 0; v < leakage.size(); ++v) {
+            found.values[v].leakage[k] = leakage[v];
+            if (closed_form_algorithms[k] == sweep.settings.algorithm) {
+                found.values[v].leaking = leakage[v];
             }
         }
-        return found;
     }
-
-private:
-    const ConditionedRecording& prepared_;
-    const SampleFaults& faults_;
-    const Settings& settings_;
-    double rate_hz_;
-    double white_;
-    std::vector<WaveState> waves_;
-};
+    return found;
+}
 
 }  // namespace
 
@@ -264,7 +244,7 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
     sweep.f0_hz = prepared.f0_hz;
     const auto white = TRY(white_noise(prepared, rate, job.silent()));
     sweep.white_noise = white;
-    auto waves = TRY(waves_of(prepared, sweep.settings, rate, job));
+    const auto waves = TRY(waves_of(prepared, sweep.settings, rate, job));
 
     std::map<std::int64_t, WindowPlan> plans;
     double all_work = 0;
@@ -285,13 +265,12 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
         return sweep.refused.front().error;
     }
     const SampleFaults faults = prepared.check->finish();
-    const Sweep each(prepared, faults, sweep.settings, rate, white, std::move(waves));
     double done = 0;
     for (const auto& [length, plan] : plans) {
         const double share = work(plan) / all_work;
         const JobControl part =
             job.with_progress([&](double fraction) { job.report(done + share * fraction); });
-        auto found = TRY(each.of(plan, part));
+        auto found = TRY(in_windows(plan, sweep, prepared, faults, waves, part));
         sweep.lengths.push_back(found);
         done += share;
     }

@@ -1,8 +1,5 @@
 #include "core/sweep/window_sweep.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace vybeg {
 namespace {
 

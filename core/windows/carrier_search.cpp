@@ -4,10 +4,8 @@
 #include "core/numerics/fft.h"
 #include "core/numerics/median.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <complex>
 #include <numbers>
 #include <numeric>
