@@ -26,11 +26,6 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-void put(Track& track, std::size_t row, SlowVariable variable, double value, double sd) {
-    track.values(variable)[row] = value;
-    track.sds(variable)[row] = sd;
-}
-
 double power_at(const PhasorRun& run, std::size_t k) {
     return std::norm(run.c[k]) + std::norm(run.d[k]);
 }
@@ -59,15 +54,15 @@ void put_frequency(const PhasorRun& run, std::size_t k, Track& track) {
     const double shared =
         lag < run.noise_correlation.size() ? run.noise_correlation[lag] * before * behind : 0;
     const double sd = std::sqrt(before * before + behind * behind - 2 * shared);
-    put(track, k, SlowVariable::f, run.f_ref_hz + turns / seconds, sd / (two_pi * seconds));
+    track.put(k, SlowVariable::f, run.f_ref_hz + turns / seconds, sd / (two_pi * seconds));
 }
 
 void put_wave(const PhasorRun& run, std::size_t k, Track& track) {
     const Phasors phasors{run.c[k], run.d[k]};
     const WaveState state = to_wave_state(phasors);
     const double sd = run.sd[k];
-    put(track, k, SlowVariable::a_A, state.a_A, sd);
-    put(track, k, SlowVariable::a_B, state.a_B, sd);
+    track.put(k, SlowVariable::a_A, state.a_A, sd);
+    track.put(k, SlowVariable::a_B, state.a_B, sd);
     track.values(SlowVariable::delta_phi_CD)[k] = phase_difference(phasors);
     // The smaller travelling wave has a deviation of sd sqrt(2) in modulus.
     const double smaller = state.a_A - std::abs(state.a_B);
@@ -77,11 +72,11 @@ void put_wave(const PhasorRun& run, std::size_t k, Track& track) {
     }
     const double difference = state.a_A * state.a_A - state.a_B * state.a_B;
     const double sd_angle = sd * std::sqrt(power_at(run, k)) / difference;
-    put(track, k, SlowVariable::two_theta_A, state.two_theta_A, sd_angle);
+    track.put(k, SlowVariable::two_theta_A, state.two_theta_A, sd_angle);
     if (!run.phase_lost) {
         // alpha is that of the carrier at the window's centre.
         const double turned = state.alpha - two_pi * std::fmod(run.f_ref_hz * run.time_s[k], 1.0);
-        put(track, k, SlowVariable::alpha, std::remainder(turned, two_pi), sd_angle);
+        track.put(k, SlowVariable::alpha, std::remainder(turned, two_pi), sd_angle);
     }
 }
 

@@ -46,26 +46,20 @@ std::int64_t windows_of_chunk(const WindowPlan& plan) {
 // `rate_relative_sd`: every frequency in Hz is wrong by as much as the sample rate is.
 void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& estimate,
               double rate_relative_sd) {
-    const auto value = [&](SlowVariable variable, double x) { track.values(variable)[row] = x; };
-    const auto sd = [&](SlowVariable variable, double x) { track.sds(variable)[row] = x; };
+    const WaveState& state = estimate.state;
+    const WaveState& sd = estimate.sd;
     track.time_s()[row] = time_s;
-    value(SlowVariable::a_A, estimate.state.a_A);
-    value(SlowVariable::a_B, estimate.state.a_B);
-    value(SlowVariable::two_theta_A, estimate.state.two_theta_A);
-    value(SlowVariable::alpha, estimate.state.alpha);
-    value(SlowVariable::f, estimate.f_hz);
-    value(SlowVariable::delta_phi_CD, estimate.delta_phi_CD);
-    value(SlowVariable::noise, estimate.noise);
-    value(SlowVariable::rms, estimate.rms);
-    value(SlowVariable::orthogonality, estimate.orthogonality);
-    sd(SlowVariable::a_A, estimate.sd.a_A);
-    sd(SlowVariable::a_B, estimate.sd.a_B);
-    sd(SlowVariable::two_theta_A, estimate.sd.two_theta_A);
-    sd(SlowVariable::alpha, estimate.sd.alpha);
-    sd(SlowVariable::f, rate_relative_sd > 0
-                            ? std::hypot(estimate.sd_f_hz, rate_relative_sd * estimate.f_hz)
-                            : estimate.sd_f_hz);
-    sd(SlowVariable::delta_phi_CD, estimate.sd_delta_phi_CD);
+    track.put(row, SlowVariable::a_A, state.a_A, sd.a_A);
+    track.put(row, SlowVariable::a_B, state.a_B, sd.a_B);
+    track.put(row, SlowVariable::two_theta_A, state.two_theta_A, sd.two_theta_A);
+    track.put(row, SlowVariable::alpha, state.alpha, sd.alpha);
+    track.put(row, SlowVariable::f, estimate.f_hz,
+              rate_relative_sd > 0 ? std::hypot(estimate.sd_f_hz, rate_relative_sd * estimate.f_hz)
+                                   : estimate.sd_f_hz);
+    track.put(row, SlowVariable::delta_phi_CD, estimate.delta_phi_CD, estimate.sd_delta_phi_CD);
+    track.values(SlowVariable::noise)[row] = estimate.noise;
+    track.values(SlowVariable::rms)[row] = estimate.rms;
+    track.values(SlowVariable::orthogonality)[row] = estimate.orthogonality;
     track.flags()[row] = estimate.flags;
     track.leakage_f_hz()[row] = estimate.leakage_f_hz;
 }

@@ -218,17 +218,11 @@ double estimate_chunk(const PhasorChunk& chunk, const WindowPlan& plan, const Wi
     return job.now() - begun;
 }
 
-struct Pass {
-    Estimates estimates;
-    double read_s = 0;
-    double estimate_s = 0;
-};
-
-// All windows of the plan: one thread reads, the others estimate.
-Result<Pass> estimate_all(const ConditionedRecording& prepared, const WindowPlan& plan,
-                          const WindowMean& mean, int threads, const JobControl& job) {
-    Pass pass;
-    pass.estimates.resize(static_cast<std::size_t>(plan.count));
+// All windows of the plan: one thread reads, the others estimate. `found` gets the seconds.
+Result<Estimates> estimate_all(const ConditionedRecording& prepared, const WindowPlan& plan,
+                               const WindowMean& mean, int threads, const JobControl& job,
+                               PhasorWindows& found) {
+    Estimates estimates(static_cast<std::size_t>(plan.count));
     const std::int64_t per_chunk = std::max<std::int64_t>(1, chunk_frames / plan.length);
     std::vector<double> seconds(static_cast<std::size_t>((plan.count + per_chunk - 1) / per_chunk));
     Status status;
@@ -250,13 +244,13 @@ Result<Pass> estimate_all(const ConditionedRecording& prepared, const WindowPlan
             return chunk;
         }
         next += chunk->windows;
-        pass.read_s += job.now() - begun;
+        found.read_s += job.now() - begun;
         job.report(static_cast<double>(next) / static_cast<double>(plan.count));
         return chunk;
     };
     const auto estimate = [&](const std::shared_ptr<PhasorChunk>& chunk) {
         seconds[static_cast<std::size_t>(chunk->first_window / per_chunk)] =
-            estimate_chunk(*chunk, plan, mean, pass.estimates, job);
+            estimate_chunk(*chunk, plan, mean, estimates, job);
     };
     using ChunkPointer = std::shared_ptr<PhasorChunk>;
     tbb::task_arena(threads).execute([&] {
@@ -269,8 +263,8 @@ Result<Pass> estimate_all(const ConditionedRecording& prepared, const WindowPlan
         return status.error();
     }
     TRY(job.go_on());
-    pass.estimate_s = std::accumulate(seconds.begin(), seconds.end(), 0.0) / threads;
-    return pass;
+    found.estimate_s = std::accumulate(seconds.begin(), seconds.end(), 0.0) / threads;
+    return estimates;
 }
 
 // Marks the windows over faults as missing.
@@ -504,28 +498,26 @@ Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz,
     const auto& [prepared, plan, lines] = choice;
     const WindowMean mean(plan.length, 2 * std::numbers::pi * prepared.f0_hz / rate_hz,
                           in_turns(lines.mains_hz, rate_hz));
-    auto pass = TRY(estimate_all(prepared, plan, mean, threads, job));
     PhasorWindows found;
     found.plan = plan;
-    found.read_s = pass.read_s;
-    found.estimate_s = pass.estimate_s;
+    auto estimates = TRY(estimate_all(prepared, plan, mean, threads, job, found));
     found.diagnostics = prepared.diagnostics;
     const SampleFaults faults = prepared.check->finish();
     add_findings(faults.findings, found.diagnostics);
     add_findings(prepared.check->offsets(), found.diagnostics);
     tell_of_lost_samples(faults.steps, found.diagnostics);
-    const bool any_sample = std::ranges::any_of(pass.estimates, counts);
-    leave_out(faults, plan, pass.estimates);
-    leave_out_strike(plan, rate_hz, prepared.filter_reach, pass.estimates, found.diagnostics);
+    const bool any_sample = std::ranges::any_of(estimates, counts);
+    leave_out(faults, plan, estimates);
+    leave_out_strike(plan, rate_hz, prepared.filter_reach, estimates, found.diagnostics);
     Noise noise;
     noise.freedom = noise_freedom(mean, prepared, static_cast<double>(plan.length) / rate_hz);
-    noise.residual = median_power(pass.estimates, noise.freedom);
+    noise.residual = median_power(estimates, noise.freedom);
     if (!std::isfinite(noise.residual)) {
         return any_sample ? nothing_left(faults) : Error{ErrorCode::no_valid_samples, "", {}};
     }
     noise.at_carrier = noise_at_carrier(noise.residual, lines, prepared);
     found.noise_sd = std::sqrt(noise.at_carrier);
-    found.run = collect(pass.estimates, prepared, plan, faults.steps, rate_hz, mean, noise);
+    found.run = collect(estimates, prepared, plan, faults.steps, rate_hz, mean, noise);
     return found;
 }
 

@@ -3,13 +3,11 @@
 #include "core/base/plain_text.h"
 #include "core/recording/variables/mat_format.h"
 
-
 namespace vybeg {
 namespace {
 
 void append_tag(std::string& bytes, mat5::ElementType type, std::size_t size) {
-    append_bytes(bytes, static_cast<std::uint32_t>(type));
-    append_bytes(bytes, static_cast<std::uint32_t>(size));
+    append_bytes(bytes, static_cast<std::uint32_t>(type), static_cast<std::uint32_t>(size));
 }
 
 void append_text(std::string& bytes, mat5::ElementType type, const std::string& text) {
@@ -23,11 +21,9 @@ std::string array_head(mat5::ArrayClass kind, const std::string& name, std::int6
                        std::int64_t columns, std::size_t content) {
     std::string head;
     append_tag(head, mat5::uint32, 8);
-    append_bytes(head, static_cast<std::uint32_t>(kind));
-    append_bytes(head, std::uint32_t{0});
+    append_bytes(head, static_cast<std::uint32_t>(kind), std::uint32_t{0});
     append_tag(head, mat5::int32, 8);
-    append_bytes(head, static_cast<std::int32_t>(rows));
-    append_bytes(head, static_cast<std::int32_t>(columns));
+    append_bytes(head, static_cast<std::int32_t>(rows), static_cast<std::int32_t>(columns));
     append_text(head, mat5::int8, name);
     std::string tag;
     append_tag(tag, mat5::matrix, head.size() + content);

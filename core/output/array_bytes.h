@@ -34,10 +34,13 @@ std::string mat_text_cell(const std::string& text);
 static_assert(std::endian::native == std::endian::little,
               "numbers go into NPY, NPZ, MAT and HDF5 files as they lie in memory");
 
-template <class Number>
-void append_bytes(std::string& bytes, Number number) {
-    const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-    bytes.append(raw.data(), raw.size());
+template <class... Numbers>
+void append_bytes(std::string& bytes, Numbers... numbers) {
+    const auto append = [&bytes](auto number) {
+        const auto raw = std::bit_cast<std::array<char, sizeof number>>(number);
+        bytes.append(raw.data(), raw.size());
+    };
+    (append(numbers), ...);
 }
 
 inline std::string_view bytes_of(std::span<const double> numbers) {

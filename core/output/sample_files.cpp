@@ -133,8 +133,7 @@ Status write_npy(OutputFile& file, const SampleStream& stream) {
     return stream.run([&](std::span<const double> c, std::span<const double> d) {
         bytes.clear();
         for (std::size_t k = 0; k < c.size(); ++k) {
-            append_bytes(bytes, c[k]);
-            append_bytes(bytes, d[k]);
+            append_bytes(bytes, c[k], d[k]);
         }
         return file.write(bytes);
     });

@@ -25,7 +25,7 @@ constexpr std::size_t blocks_at_once = 32;
 
 std::string head_text(std::span<const std::string> header) {
     std::string text;
-    for (const std::string& line : single_lines(header)) {
+    for (const std::string& line : header) {
         text += "# " + line + "\n";
     }
     for (std::size_t column = 0; column < track_number_columns; ++column) {
@@ -105,34 +105,30 @@ Status write_rows(const Track& track, Write write) {
     return {};
 }
 
-Status write_track_csv(OutputFile& file, const Track& track, std::span<const std::string> header,
-                       const JobControl& job) {
+Status write_track_csv(OutputFile& file, const TrackColumns& columns,
+                       std::span<const std::string> header, const JobControl& job) {
     TRY(file.write(head_text(header)));
-    return write_rows(track, [&](std::string_view text, std::size_t done) {
-        job.report(static_cast<double>(done) / static_cast<double>(track.rows()));
-        return file.write(text);
+    std::size_t before = 0;
+    return columns.whole_rows(rows_per_block * blocks_at_once, [&](const Track& track) {
+        const Status written = write_rows(track, [&](std::string_view text, std::size_t done) {
+            job.report(static_cast<double>(before + done) / static_cast<double>(columns.rows()));
+            return file.write(text);
+        });
+        before += track.rows();
+        return written;
     });
 }
 
-// The same from a spool, with its flagged rows.
-Status write_track_csv(OutputFile& file, const TrackSpool& rows,
-                       std::span<const std::string> header) {
-    TRY(file.write(head_text(header)));
-    return rows.whole_rows(rows_per_block * blocks_at_once, [&file](const Track& track) {
-        return write_rows(track,
-                          [&file](std::string_view text, std::size_t) { return file.write(text); });
-    });
-}
-
-// Every format but CSV.
-Status write_arrays(OutputFile& file, TrackFormat format, const TrackColumns& columns,
-                    std::span<const std::string> header) {
+Status write_columns(OutputFile& file, TrackFormat format, const TrackColumns& columns,
+                     std::span<const std::string> header, const JobControl& job) {
     const std::vector<std::string> lines = single_lines(header);
     switch (format) {
+        case TrackFormat::csv: return write_track_csv(file, columns, lines, job);
         case TrackFormat::mat: return write_track_mat(file, columns, lines);
         case TrackFormat::hdf5: return write_track_hdf5(file, columns, lines);
-        default: return write_track_npz(file, columns, lines);
+        case TrackFormat::npz: break;
     }
+    return write_track_npz(file, columns, lines);
 }
 
 }  // namespace
@@ -155,15 +151,13 @@ Result<TrackFormat> track_format(const std::filesystem::path& target) {
 
 Status write_track(OutputFile& file, TrackFormat format, const Track& track,
                    std::span<const std::string> header, const JobControl& job) {
-    return format == TrackFormat::csv ? write_track_csv(file, track, header, job)
-                                      : write_arrays(file, format, MemoryColumns(track), header);
+    return write_columns(file, format, MemoryColumns(track), header, job);
 }
 
 Status TrackWriter::finish(std::span<const std::string> header,
                            std::span<const FlaggedRows> flagged) {
     rows_.set_flagged(flagged);
-    return format_ == TrackFormat::csv ? write_track_csv(file_, rows_, header)
-                                       : write_arrays(file_, format_, rows_, header);
+    return write_columns(file_, format_, rows_, header, {});
 }
 
 }  // namespace vybeg

@@ -60,8 +60,7 @@ public:
     std::size_t rows() const override { return rows_; }
     Status numbers(std::size_t column, const NumberSink& sink) const override;
     Status flags(const FlagSink& sink) const override;
-    // Passes whole rows, about so many at a time.
-    Status whole_rows(std::size_t at_once, const TrackSink& sink) const;
+    Status whole_rows(std::size_t at_once, const TrackSink& sink) const override;
 
 private:
     struct Block {  // of one append()

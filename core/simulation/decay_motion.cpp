@@ -90,11 +90,7 @@ Eigen::Vector2cd PowerMotion::at(double t) {
 }
 
 AmplitudeFactor::AmplitudeFactor(const FreeDecay& decay, const SlowMotion& linear)
-    : dry_(decay.dry_friction_per_s),
-      air_(decay.air_friction_per_s),
-      drive_(decay.drive_per_s),
-      from_s_(decay.drive_from_s),
-      to_s_(decay.drive_to_s),
+    : decay_(decay),
       linear_(linear),
       slowest_(std::max(linear.matrix().norm(), 1 / decay.seconds)),
       least_(at_rest * linear.start().norm()) {}
@@ -106,15 +102,18 @@ double AmplitudeFactor::size_of_linear(double t) const {
 double AmplitudeFactor::slope(double t, double factor) const {
     const double size = size_of_linear(t);
     // Steps end at the drive's instants, so that their middle decides.
-    const double drive = time_s_ >= from_s_ && time_s_ < to_s_ ? drive_ : 0;
-    return drive * factor - (dry_ > 0 ? dry_ / size : 0) - air_ * factor * factor * size;
+    const bool driven = time_s_ >= decay_.drive_from_s && time_s_ < decay_.drive_to_s;
+    const double drive = driven ? decay_.drive_per_s : 0;
+    const double dry = decay_.dry_friction_per_s;
+    return drive * factor - (dry > 0 ? dry / size : 0) -
+           decay_.air_friction_per_s * factor * factor * size;
 }
 
 // The next instant at which the drive changes.
 double AmplitudeFactor::next_switch() const {
-    return time_s_ < from_s_ ? from_s_
-           : time_s_ < to_s_ ? to_s_
-                             : std::numeric_limits<double>::infinity();
+    return time_s_ < decay_.drive_from_s ? decay_.drive_from_s
+           : time_s_ < decay_.drive_to_s ? decay_.drive_to_s
+                                         : std::numeric_limits<double>::infinity();
 }
 
 // From time_s_ to the end of a step.
@@ -122,12 +121,14 @@ void AmplitudeFactor::advance() {
     time_s_ = end_.time_s;
     begin_ = end_;
     const double size = begin_.factor * size_of_linear(time_s_);
-    if (dry_ > 0 && size < least_) {
+    const double dry = decay_.dry_friction_per_s;
+    if (dry > 0 && size < least_) {
         begin_.factor = end_.factor = begin_.slope = end_.slope = 0;
         end_.time_s = std::numeric_limits<double>::infinity();
         return;
     }
-    const double rate = slowest_ + std::abs(drive_) + (dry_ > 0 ? dry_ / size : 0) + air_ * size;
+    const double rate = slowest_ + std::abs(decay_.drive_per_s) + (dry > 0 ? dry / size : 0) +
+                        decay_.air_friction_per_s * size;
     const double end = std::min(next_switch(), time_s_ + step_share / rate);
     const double h = end - time_s_;
     const double k1 = slope(time_s_, begin_.factor);

@@ -65,11 +65,7 @@ private:
     double next_switch() const;
     void advance();
 
-    double dry_;
-    double air_;
-    double drive_;
-    double from_s_;
-    double to_s_;
+    FreeDecay decay_;
     SlowMotion linear_;
     double slowest_;  // rate of change of the linear motion, 1/s
     double least_;    // amplitude of a wave at rest

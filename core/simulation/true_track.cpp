@@ -82,10 +82,7 @@ Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
         ellipse << phasors.real(), -phasors.imag();
         const Axes axes = axes_of(ellipse);
         const auto put = [&track, row](SlowVariable variable, double value) {
-            track.values(variable)[row] = value;
-            if (info(variable).has_sd) {
-                track.sds(variable)[row] = 0;
-            }
+            track.put(row, variable, value, 0);
         };
         track.time_s()[row] = plan.centre_s(static_cast<std::int64_t>(row), decay.rate_hz);
         put(SlowVariable::a_A, axes.long_axis);

@@ -23,6 +23,13 @@ Track::Track(std::size_t rows) : time_s_(rows), flags_(rows), leakage_f_hz_(rows
     }
 }
 
+void Track::put(std::size_t row, SlowVariable variable, double value, double sd) {
+    values_[index(variable)][row] = value;
+    if (info(variable).has_sd) {
+        sds_[index(variable)][row] = sd;
+    }
+}
+
 void Track::append(const Track& rows) {
     append_all(time_s_, rows.time_s_);
     append_all(flags_, rows.flags_);

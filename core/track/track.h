@@ -40,6 +40,8 @@ public:
     std::span<double> sds(SlowVariable variable) { return sds_[index(variable)]; }
     std::span<Flags> flags() { return flags_; }
     std::span<double> leakage_f_hz() { return leakage_f_hz_; }
+    // A value with its standard deviation, which is ignored where the variable has none.
+    void put(std::size_t row, SlowVariable variable, double value, double sd);
     void append(const Track& rows);
 
 private:

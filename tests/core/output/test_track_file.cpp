@@ -96,6 +96,7 @@ public:
         }
         return taken;
     }
+    Status whole_rows(std::size_t, const TrackSink&) const override { return {}; }
 };
 
 }  // namespace
