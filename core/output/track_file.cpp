@@ -119,18 +119,6 @@ Status write_track_csv(OutputFile& file, const TrackColumns& columns,
     });
 }
 
-Status write_columns(OutputFile& file, TrackFormat format, const TrackColumns& columns,
-                     std::span<const std::string> header, const JobControl& job) {
-    const std::vector<std::string> lines = single_lines(header);
-    switch (format) {
-        case TrackFormat::csv: return write_track_csv(file, columns, lines, job);
-        case TrackFormat::mat: return write_track_mat(file, columns, lines);
-        case TrackFormat::hdf5: return write_track_hdf5(file, columns, lines);
-        case TrackFormat::npz: break;
-    }
-    return write_track_npz(file, columns, lines);
-}
-
 }  // namespace
 
 Result<TrackFormat> track_format(const std::filesystem::path& target) {
@@ -149,15 +137,21 @@ Result<TrackFormat> track_format(const std::filesystem::path& target) {
                                                   : TrackFormat::csv;
 }
 
-Status write_track(OutputFile& file, TrackFormat format, const Track& track,
+Status write_track(OutputFile& file, TrackFormat format, const TrackColumns& columns,
                    std::span<const std::string> header, const JobControl& job) {
-    return write_columns(file, format, MemoryColumns(track), header, job);
+    const std::vector<std::string> lines = single_lines(header);
+    switch (format) {
+        case TrackFormat::csv: return write_track_csv(file, columns, lines, job);
+        case TrackFormat::mat: return write_track_mat(file, columns, lines);
+        case TrackFormat::hdf5: return write_track_hdf5(file, columns, lines);
+        case TrackFormat::npz: break;
+    }
+    return write_track_npz(file, columns, lines);
 }
 
-Status TrackWriter::finish(std::span<const std::string> header,
-                           std::span<const FlaggedRows> flagged) {
-    rows_.set_flagged(flagged);
-    return write_columns(file_, format_, rows_, header, {});
+Status write_track(OutputFile& file, TrackFormat format, const Track& track,
+                   std::span<const std::string> header, const JobControl& job) {
+    return write_track(file, format, MemoryColumns(track), header, job);
 }
 
 }  // namespace vybeg

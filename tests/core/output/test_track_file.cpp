@@ -261,15 +261,16 @@ private slots:
         const TrackFormat format = *track_format(path(name));
         auto file = OutputFile::create(path(name), {});
         QVERIFY(file);
-        TrackWriter writer(*file, format, {});
+        TrackSpool spool(*file, {});
         Track whole;
         for (std::size_t piece = 0; piece < 30; ++piece) {
             const Track rows = random_track(2000 + 100 * piece);
-            QVERIFY(writer.append(rows));
+            QVERIFY(spool.append(rows));
             whole.append(rows);
         }
         set_flags(whole.flags(), 0, flagged);
-        QVERIFY(writer.finish(header, flagged));
+        spool.set_flagged(flagged);
+        QVERIFY(write_track(*file, format, spool, header, {}));
         QVERIFY(file->commit());
         auto other = OutputFile::create(path("other-" + name), {});
         QVERIFY(other && write_track(*other, format, whole, header, {}) && other->commit());
