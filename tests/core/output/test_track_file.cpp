@@ -1,7 +1,6 @@
 // Tracks in every format: read back by NumPy, h5py and SciPy they are those of the CSV, bit for
 // bit.
 #include "core/base/messages.h"
-#include "core/output/track_arrays.h"
 #include "core/output/track_file.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/closeness.h"
@@ -334,7 +333,7 @@ private slots:
     void a_mat_file_refuses_more_than_its_lengths_can_count() {
         auto file = OutputFile::create(path("many.mat"), {});
         QVERIFY(file);
-        const Status written = write_track_mat(*file, ManyRows(), {});
+        const Status written = write_track(*file, TrackFormat::mat, ManyRows(), {}, {});
         QVERIFY(!written);
         QCOMPARE(written.error().code, ErrorCode::output_failed);
         QVERIFY(english(written.error()).find("100000000 windows") != std::string::npos);
