@@ -3,7 +3,7 @@
 #include "app/cli_simulate_options.h"
 #include "app/cli_support.h"
 #include "core/analysis/analyse.h"
-#include "core/analysis/analyse_log.h"
+#include "core/analysis/analyse_logs.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/inspect.h"
@@ -215,7 +215,7 @@ Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop
     HashBeside hash(recording, request.settings.threads, stop);
     const double opened = seconds_now();
     auto output = TRY(open_output(request.output, silent_job(stop)));
-    TrackWriter rows(output, format, silent_job(stop));
+    TrackSpool rows(output, silent_job(stop));
     double write_s = 0;
     const TrackSink sink = [&](const Track& next) {
         const double before = seconds_now();
@@ -239,8 +239,9 @@ Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop
     if (!sha256) {
         return output.as_it_stands(sha256.error());
     }
+    rows.set_flagged(analysis->flagged);
     Status written =
-        rows.finish(track_header(program, recording, *sha256, *analysis), analysis->flagged);
+        write_track(output, format, rows, track_header(program, recording, *sha256, *analysis), {});
     if (written) {
         written = output.commit();
     }

@@ -2,7 +2,6 @@
 
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
-#include "core/track/flagged_rows.h"
 #include "core/track/track.h"
 #include "core/track/track_summary.h"
 #include "core/windows/window_plan.h"

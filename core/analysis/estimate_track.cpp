@@ -1,7 +1,6 @@
 #include "core/analysis/estimate_track.h"
 
-#include "core/analysis/band_noise.h"
-#include "core/analysis/noise_level.h"
+#include "core/analysis/window_noise.h"
 #include "core/track/motion.h"
 #include "core/track/unwrap.h"
 
@@ -47,26 +46,20 @@ std::int64_t windows_of_chunk(const WindowPlan& plan) {
 // `rate_relative_sd`: every frequency in Hz is wrong by as much as the sample rate is.
 void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& estimate,
               double rate_relative_sd) {
-    const auto value = [&](SlowVariable variable, double x) { track.values(variable)[row] = x; };
-    const auto sd = [&](SlowVariable variable, double x) { track.sds(variable)[row] = x; };
+    const WaveState& state = estimate.state;
+    const WaveState& sd = estimate.sd;
     track.time_s()[row] = time_s;
-    value(SlowVariable::a_A, estimate.state.a_A);
-    value(SlowVariable::a_B, estimate.state.a_B);
-    value(SlowVariable::two_theta_A, estimate.state.two_theta_A);
-    value(SlowVariable::alpha, estimate.state.alpha);
-    value(SlowVariable::f, estimate.f_hz);
-    value(SlowVariable::delta_phi_CD, estimate.delta_phi_CD);
-    value(SlowVariable::noise, estimate.noise);
-    value(SlowVariable::rms, estimate.rms);
-    value(SlowVariable::orthogonality, estimate.orthogonality);
-    sd(SlowVariable::a_A, estimate.sd.a_A);
-    sd(SlowVariable::a_B, estimate.sd.a_B);
-    sd(SlowVariable::two_theta_A, estimate.sd.two_theta_A);
-    sd(SlowVariable::alpha, estimate.sd.alpha);
-    sd(SlowVariable::f, rate_relative_sd > 0
-                            ? std::hypot(estimate.sd_f_hz, rate_relative_sd * estimate.f_hz)
-                            : estimate.sd_f_hz);
-    sd(SlowVariable::delta_phi_CD, estimate.sd_delta_phi_CD);
+    track.put(row, SlowVariable::a_A, state.a_A, sd.a_A);
+    track.put(row, SlowVariable::a_B, state.a_B, sd.a_B);
+    track.put(row, SlowVariable::two_theta_A, state.two_theta_A, sd.two_theta_A);
+    track.put(row, SlowVariable::alpha, state.alpha, sd.alpha);
+    track.put(row, SlowVariable::f, estimate.f_hz,
+              rate_relative_sd > 0 ? std::hypot(estimate.sd_f_hz, rate_relative_sd * estimate.f_hz)
+                                   : estimate.sd_f_hz);
+    track.put(row, SlowVariable::delta_phi_CD, estimate.delta_phi_CD, estimate.sd_delta_phi_CD);
+    track.values(SlowVariable::noise)[row] = estimate.noise;
+    track.values(SlowVariable::rms)[row] = estimate.rms;
+    track.values(SlowVariable::orthogonality)[row] = estimate.orthogonality;
     track.flags()[row] = estimate.flags;
     track.leakage_f_hz()[row] = estimate.leakage_f_hz;
 }
@@ -178,9 +171,8 @@ private:
         const std::int64_t length = level_->short_length();
         const auto estimate_into = [&](std::int64_t first, std::int64_t hop,
                                        std::span<WaveEstimate> into) {
-            const double centre_s = (static_cast<double>(chunk.first_frame + first) +
-                                     0.5 * static_cast<double>(length - 1)) /
-                                    rate_hz_;
+            const double centre_s =
+                WindowPlan{chunk.first_frame + first, length, hop, 1}.centre_s(0, rate_hz_);
             short_->estimate({chunk.c, chunk.d, first, length, hop}, centre_s, into);
             return centre_s;
         };
@@ -221,9 +213,7 @@ private:
         estimator.estimate({part(chunk.c), part(chunk.d), start - from, plan_.length, plan_.hop},
                            plan_.centre_s(first_window, rate_hz_), estimates);
         if (!options_.noise && plan_.length == level_->short_length()) {
-            pool_noise(
-                estimates, plan_.length,
-                std::min(1.0, static_cast<double>(plan_.hop) / static_cast<double>(plan_.length)));
+            pool_noise(estimates, plan_.length, plan_.independent());
         }
         for (std::size_t k = 0; k < estimates.size(); ++k) {
             const std::size_t row = static_cast<std::size_t>(first) + k;
@@ -288,10 +278,6 @@ private:
     std::optional<Error> error_;
 };
 
-std::int64_t count_with(Flag flag, const Track& rows) {
-    return std::ranges::count_if(rows.flags(), [flag](Flags f) { return has(f, flag); });
-}
-
 }  // namespace
 
 Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
@@ -301,14 +287,12 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
     AngleUnwrapper angle(prepared.calibration.two_theta_zero());
     EstimationSummary summary;
-    const double independent =
-        std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length));
     summary.f_correlation = settings.filter
                                 ? frequency_correlation(*settings.filter, prepared.f0_hz,
                                                         plan.length, plan.hop, rate_hz)
-                                : overlap_correlation(independent);
+                                : overlap_correlation(plan.independent());
     MotionMarker motion(plan.length, plan.hop, rate_hz, prepared.f0_hz, summary.f_correlation);
-    TrackSummariser tracks(static_cast<std::size_t>(plan.count), independent,
+    TrackSummariser tracks(static_cast<std::size_t>(plan.count), plan.independent(),
                            summary.f_correlation);
     summary.context = estimation.context();
     FirstError error;
@@ -343,8 +327,8 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
         angle.unwrap(chunk->rows);
         motion.take(chunk->rows, chunk->no_wave, chunk->excess);
         tracks.take(chunk->rows);
-        summary.not_converged += count_with(Flag::not_converged, chunk->rows);
-        summary.leaking += count_with(Flag::leakage, chunk->rows);
+        summary.not_converged += std::ranges::count_if(
+            chunk->rows.flags(), [](Flags flags) { return has(flags, Flag::not_converged); });
         if (error.take(sink(chunk->rows))) {
             job.report(static_cast<double>(chunk->first_window + chunk->windows) /
                        static_cast<double>(plan.count));

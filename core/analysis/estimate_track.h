@@ -2,7 +2,6 @@
 
 #include "core/analysis/prepare.h"
 #include "core/analysis/settings.h"
-#include "core/track/flagged_rows.h"
 #include "core/track/track.h"
 #include "core/track/track_summary.h"
 #include "core/windows/window_plan.h"
@@ -14,7 +13,6 @@ namespace vybeg {
 struct EstimationSummary {
     std::int64_t context = 0;         // samples that the algorithm needs on both sides of a window
     std::int64_t not_converged = 0;   // windows
-    std::int64_t leaking = 0;         // windows with Flag::leakage
     std::vector<FlaggedRows> moving;  // rows that get Flag::moving: seen from their neighbours
     TrackSummary track;               // before those flags
     std::vector<double> f_correlation;  // of errors of f, by hops (TrackSummariser)

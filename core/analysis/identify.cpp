@@ -23,9 +23,6 @@
 namespace vybeg {
 namespace {
 
-// Points of a run's track: enough for a picture.
-constexpr std::size_t track_points = 200;
-
 // Progress of several recordings that are gone through at the same time.
 class SharedProgress {
 public:
@@ -44,18 +41,22 @@ private:
     std::vector<double> fractions_;
 };
 
-struct Windows {
-    PhasorWindows windows;
-    Calibration calibration;
-    double carrier_s = 0;
-};
-
 // From one recording to its phasors.
-Result<Windows> windows_of(const Recording& recording, const SignalSettings& signal,
+Result<RecordedRun> run_of(const Recording& recording, const SignalSettings& signal,
                            const PhasorWindowSettings& wished, int threads, const JobControl& job) {
     const auto choice = TRY(choose_windows(recording, signal, wished, job.silent()));
     auto windows = TRY(phasor_windows(choice, recording.rate_hz, threads, job));
-    return Windows{std::move(windows), choice.prepared.calibration, choice.prepared.carrier_s};
+    RecordedRun run{recording_name(recording), recording.rate_relative_sd, {}, {}};
+    run.told.f0_hz = windows.run.f_ref_hz;
+    run.told.window = windows.plan.length;
+    run.told.windows = windows.plan.count;
+    run.told.windows_used = static_cast<std::int64_t>(windows.run.time_s.size());
+    run.told.noise_sd = windows.noise_sd;
+    run.told.calibration = choice.prepared.calibration;
+    run.told.diagnostics = std::move(windows.diagnostics);
+    run.phasors = std::move(windows.run);
+    run.timing = {windows.read_s, choice.prepared.carrier_s, windows.estimate_s, threads};
+    return run;
 }
 
 // Tolerances of the channels: all, or those that the fit takes for its priors, which are the told
@@ -84,32 +85,18 @@ WaveMotion motion_of(const PhasorRun& run, const IdentifySettings& settings,
     return wave_motion(run, tolerance_of(settings, run.f_ref_hz, Taken::all), job);
 }
 
-RecordedRun run_of(const Recording& recording, Windows from) {
-    PhasorWindows& windows = from.windows;
-    RecordedRun run{recording_name(recording), recording.rate_relative_sd, {}, {}};
-    run.told.f0_hz = windows.run.f_ref_hz;
-    run.told.window = windows.plan.length;
-    run.told.windows = windows.plan.count;
-    run.told.windows_used = static_cast<std::int64_t>(windows.run.time_s.size());
-    run.told.noise_sd = windows.noise_sd;
-    run.told.calibration = from.calibration;
-    run.told.diagnostics = std::move(windows.diagnostics);
-    run.phasors = std::move(windows.run);
-    return run;
-}
-
 // The recordings' phasors, several recordings at a time.
-std::vector<Result<Windows>> all_windows(std::span<const Recording> recordings,
-                                         const IdentifySettings& settings, int threads,
-                                         const JobControl& job) {
+std::vector<Result<RecordedRun>> all_runs(std::span<const Recording> recordings,
+                                          const IdentifySettings& settings, int threads,
+                                          const JobControl& job) {
     const Error not_yet{ErrorCode::interrupted, "", {}};
-    std::vector<Result<Windows>> found(recordings.size(), Result<Windows>(not_yet));
+    std::vector<Result<RecordedRun>> found(recordings.size(), Result<RecordedRun>(not_yet));
     SharedProgress progress(job, recordings.size());
     tbb::task_arena(threads).execute([&] {
         tbb::parallel_for(std::size_t{0}, recordings.size(), [&](std::size_t k) {
             found[k] =
-                windows_of(recordings[k], settings.signal_of(k), settings.windows, threads,
-                           job.with_progress([&progress, k](double f) { progress.report(k, f); }));
+                run_of(recordings[k], settings.signal_of(k), settings.windows, threads,
+                       job.with_progress([&progress, k](double f) { progress.report(k, f); }));
         });
     });
     return found;
@@ -149,7 +136,7 @@ void take_breaks(std::span<const FittedBreak> breaks, const IdentifySettings& se
         PhasorRun& run = phasors[each.run];
         run = with_break(run, each);
         IdentifiedRun& identified = found.runs[each.run];
-        identified.track = run_track(run, track_points);
+        identified.track = run_track(run, run_track_points);
         identified.wave = motion_of(run, settings, job);
     }
 }
@@ -234,16 +221,16 @@ Result<Identification> identify(std::span<const Recording> recordings,
     found.settings = settings;
     found.timing.threads = threads;
     const double begun = job.now();
-    std::vector<Result<Windows>> windows = all_windows(recordings, settings, threads, job);
+    std::vector<Result<RecordedRun>> each = all_runs(recordings, settings, threads, job);
     std::vector<RecordedRun> runs;
-    for (std::size_t k = 0; k < windows.size(); ++k) {
-        if (!windows[k]) {
-            return about(recordings[k], windows[k].error());
+    for (std::size_t k = 0; k < each.size(); ++k) {
+        if (!each[k]) {
+            return about(recordings[k], each[k].error());
         }
-        found.timing.read_s += windows[k]->windows.read_s;
-        found.timing.carrier_s += windows[k]->carrier_s;
-        found.timing.estimate_s += windows[k]->windows.estimate_s;
-        runs.push_back(run_of(recordings[k], std::move(*windows[k])));
+        found.timing.read_s += each[k]->timing.read_s;
+        found.timing.carrier_s += each[k]->timing.carrier_s;
+        found.timing.estimate_s += each[k]->timing.estimate_s;
+        runs.push_back(std::move(*each[k]));
     }
     found.timing.windows_s = job.now() - begun;
     return identify_runs(std::move(runs), std::move(found), job);
@@ -273,7 +260,7 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
     std::vector<PhasorRun> phasors;
     for (RecordedRun& run : runs) {
         found.runs.push_back(std::move(run.told));
-        found.runs.back().track = run_track(run.phasors, track_points);
+        found.runs.back().track = run_track(run.phasors, run_track_points);
         found.runs.back().wave = motion_of(run.phasors, settings, job);
         phasors.push_back(std::move(run.phasors));
     }
@@ -294,7 +281,8 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
     if (found.fit.model == ResonatorModel::structured) {
         found.drift = drift_function(phasors, found.fit, job);
         for (std::size_t k = 0; k < phasors.size() && !job.cancelled(); ++k) {
-            found.balance.push_back(channel_balance(phasors[k], found.fit.motion, k, track_points));
+            found.balance.push_back(
+                channel_balance(phasors[k], found.fit.motion, k, run_track_points));
         }
     }
     found.timing.fit_s = job.now() - fitted_from;

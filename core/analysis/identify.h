@@ -18,6 +18,9 @@
 
 namespace vybeg {
 
+// Points of a run's track: enough for a picture.
+inline constexpr std::size_t run_track_points = 200;
+
 // What became of one recording.
 struct IdentifiedRun {
     double f0_hz = 0;
@@ -61,6 +64,7 @@ struct RecordedRun {
     double rate_relative_sd = 0;  // what the digits of its file leave open of its clock
     PhasorRun phasors;
     IdentifiedRun told;  // without track and wave
+    Timing timing = {};  // of recordings
 };
 
 // The same from phasors. `found`: settings and what is known so far of the timing. Errors: those of

@@ -2,7 +2,6 @@
 
 #include "core/analysis/identify.h"
 #include "core/analysis/prepare.h"
-#include "core/analysis/settings.h"
 
 #include <algorithm>
 #include <array>

@@ -47,10 +47,7 @@ public:
         if (!found_ && (!given || look_.choice.phasors.frame != PhasorFrame::none)) {
             TRY(look_for_phasors(names));
         }
-        if (!found_ && (given || !is_missing_column(*look_.problem))) {
-            return {};
-        }
-        if (!found_) {
+        if (!found_ && !given && is_missing_column(*look_.problem)) {
             look_.problem.reset();
         }
         return {};

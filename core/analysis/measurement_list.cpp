@@ -12,10 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <map>
 #include <set>
 #include <system_error>
-#include <utility>
+#include <type_traits>
 
 namespace vybeg {
 namespace {
@@ -89,11 +90,11 @@ public:
     Result<MeasurementList> read() {
         auto table = TRY(read_csv(path_, "file", column_name));
         table_ = std::move(table);
-        for (const auto step :
-             {&Reader::name_columns, &Reader::find_formulas, &Reader::make_numbers_usual,
-              &Reader::group_sets, &Reader::read_sets}) {
-            TRY((this->*step)());
-        }
+        TRY(name_columns());
+        find_formulas();
+        make_numbers_usual();
+        group_sets();
+        TRY(read_sets());
         return std::move(list_);
     }
 
@@ -139,7 +140,7 @@ private:
     }
 
     // They stand in the table of results as they are, where a table program runs them.
-    Status find_formulas() {
+    void find_formulas() {
         for (const CsvRow& row : table_.rows) {
             for (std::size_t k = 0; k < row.fields.size(); ++k) {
                 if (is_formula(row.fields[k])) {
@@ -149,7 +150,6 @@ private:
                 }
             }
         }
-        return {};
     }
 
     // An option of analyze alone.
@@ -158,7 +158,7 @@ private:
                row_named(identify_settings(), name) == nullptr;
     }
 
-    Status make_numbers_usual() {
+    void make_numbers_usual() {
         for (const auto& [name, column] : columns_) {
             std::optional<std::string> placeholder = placeholder_of(name);
             if (name == "bias_v" || name == "temperature_c") {
@@ -174,7 +174,6 @@ private:
                 }
             }
         }
-        return {};
     }
 
     const std::string& field(const CsvRow& row, const std::string& column) const {
@@ -184,7 +183,7 @@ private:
     }
 
     // Rows without the name of a set are sets of their own, named by the file.
-    Status group_sets() {
+    void group_sets() {
         std::map<std::string, std::size_t> places;
         std::set<std::string> taken;
         for (const CsvRow& row : table_.rows) {
@@ -205,7 +204,6 @@ private:
             }
             rows_[place->second].push_back(&row);
         }
-        return {};
     }
 
     Status read_sets() {
@@ -372,6 +370,30 @@ private:
     MeasurementList list_;
 };
 
+std::string first_told(const MeasurementSet& set, std::string Conditions::*member) {
+    for (const RecordingRef& recording : set.recordings) {
+        if (const std::string& text = recording.conditions.*member; !text.empty()) {
+            return text;
+        }
+    }
+    return {};
+}
+
+std::string side_by_side(const MeasurementSet& set, auto text_of) {
+    std::vector<std::string> texts;
+    for (const RecordingRef& recording : set.recordings) {
+        texts.push_back(text_of(recording));
+    }
+    const auto differs = [&texts](const std::string& text) { return text != texts.front(); };
+    std::string joined = texts.empty() ? "" : texts.front();
+    if (std::ranges::any_of(texts, differs)) {
+        for (std::size_t k = 1; k < texts.size(); ++k) {
+            joined += ";" + texts[k];
+        }
+    }
+    return joined;
+}
+
 }  // namespace
 
 Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
@@ -435,6 +457,51 @@ Status check_conditions(const MeasurementSet& set) {
         }
     }
     return {};
+}
+
+std::string gyro_of(const MeasurementSet& set) {
+    return first_told(set, &Conditions::gyro);
+}
+
+std::string list_date_of(const MeasurementSet& set) {
+    return first_told(set, &Conditions::date);
+}
+
+std::vector<std::pair<std::string, std::string>> fields_of(const Conditions& conditions) {
+    std::vector<std::pair<std::string, std::string>> fields;
+    describe(
+        [&fields](const char* name, const auto& value) {
+            using Value = std::remove_cvref_t<decltype(value)>;
+            std::string text;
+            if constexpr (std::same_as<Value, std::string>) {
+                text = value;
+            } else if constexpr (std::same_as<Value, bool>) {
+                text = value ? "yes" : "";
+            } else {
+                text = value ? round_trip_text(*value) : "";
+            }
+            fields.emplace_back(name, std::move(text));
+        },
+        conditions);
+    return fields;
+}
+
+std::vector<std::pair<std::string, std::string>> conditions_of(const MeasurementSet& set) {
+    constexpr std::size_t of_the_set = 2;  // gyro and date
+    auto columns = fields_of({});
+    columns.erase(columns.begin(), columns.begin() + of_the_set);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        columns[k].second = side_by_side(set, [k](const RecordingRef& recording) {
+            return fields_of(recording.conditions)[k + of_the_set].second;
+        });
+    }
+    return columns;
+}
+
+std::string other_of(const MeasurementSet& set, std::size_t k) {
+    return side_by_side(set, [k](const RecordingRef& recording) {
+        return k < recording.others.size() ? recording.others[k].second : std::string();
+    });
 }
 
 }  // namespace vybeg

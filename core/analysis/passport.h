@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/identify.h"
 #include "core/analysis/measurement_list.h"
 #include "core/base/diagnostic.h"
 #include "core/resonator/results/resonator_fit.h"
@@ -114,5 +115,13 @@ std::vector<Difference> compare(const Passport& passport, const ResonatorFit& no
 
 // The warning that a passport is another gyro's; nothing where either side names none.
 std::optional<Diagnostic> other_gyro(const Passport& passport, const std::string& gyro);
+
+// A set and the resonator found behind its recordings.
+struct SetResult {
+    std::string program;  // name and version of the one that identified it
+    MeasurementSet set;   // its recordings with what they contain, as identification.runs
+    Identification identification;
+    std::optional<PassportComparison> comparison;
+};
 
 }  // namespace vybeg

@@ -1,9 +1,9 @@
 #include "core/analysis/phasor_log.h"
 
+#include "core/analysis/power_log.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
 #include "core/numerics/median.h"
-#include "core/recording/open/log_columns.h"
 #include "core/recording/samples/channel_pair.h"
 
 #include <Eigen/Dense>
@@ -14,7 +14,6 @@
 #include <initializer_list>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -28,7 +27,7 @@ constexpr std::size_t least_windows = 100;
 constexpr double least_correlation = 1e-3;
 
 // Rows relative to f_ref_hz.
-struct Rows {
+struct LogRows {
     double f_ref_hz = 0;
     std::vector<double> time_s;
     std::vector<Complex> c;
@@ -36,7 +35,17 @@ struct Rows {
     std::vector<Diagnostic> warnings;
 };
 
-double step_of(const Rows& rows) {
+// Multiplies the phasors of row k by factor(k).
+template <class Factor>
+void turn_rows(LogRows& rows, const Factor& factor) {
+    for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
+        const Complex turn = factor(k);
+        rows.c[k] *= turn;
+        rows.d[k] *= turn;
+    }
+}
+
+double step_of(const LogRows& rows) {
     std::vector<double> steps;
     for (std::size_t k = 1; k < rows.time_s.size(); ++k) {
         steps.push_back(rows.time_s[k] - rows.time_s[k - 1]);
@@ -48,10 +57,7 @@ Result<LogTable> read_columns(const std::filesystem::path& path, const OpenOptio
                               const LogChoice& choice, const SignalSettings& signal,
                               const std::vector<ColumnRole>& roles, const JobControl& job) {
     const auto wishes = TRY(column_wishes(choice.names, roles));
-    auto table = TRY(read_log(path, options, wishes, job));
-    TRY(keep_times(path, signal.from_s.value_or(TimeRange{}.from_s),
-                   signal.to_s.value_or(TimeRange{}.to_s), table));
-    return table;
+    return read_log_columns(path, options, wishes, signal, job);
 }
 
 // Brings Y and both columns of D to the unit of X of C.
@@ -125,7 +131,7 @@ Status check_told(const PhasorChoice& choice) {
 // Phase of an oscillator whose frequency moves, relative to its mean, which it returns: integral of
 // the cubic through four rows, at the ends of the straight line through two.
 Result<double> turn_by_frequency(const PhasorChoice& choice, const LogColumn& frequency,
-                                 Rows& rows) {
+                                 LogRows& rows) {
     const std::vector<double>& f = frequency.values;
     const std::vector<double>& t = rows.time_s;
     const double step_s = step_of(rows);
@@ -158,7 +164,7 @@ Result<double> turn_by_frequency(const PhasorChoice& choice, const LogColumn& fr
 // its mean less the rate of the phase; of a phase that is wrapped by the smallest step from row to
 // row.
 double frequency_behind(double rad, const LogColumn& phase, const LogColumn& frequency,
-                        const Rows& rows) {
+                        const LogRows& rows) {
     std::vector<double> rates;
     rates.reserve(rows.time_s.size());
     for (std::size_t k = 1; k < rows.time_s.size(); ++k) {
@@ -174,7 +180,7 @@ double frequency_behind(double rad, const LogColumn& phase, const LogColumn& fre
 
 // The reference of the rows, whose phasors it turns where it moves.
 Status refer(const LogColumn* frequency, const LogColumn* phase, const std::filesystem::path& path,
-             const LogChoice& choice, Rows& rows) {
+             const LogChoice& choice, LogRows& rows) {
     const PhasorChoice& how = choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
     if (how.frame == PhasorFrame::fixed && frequency != nullptr) {
@@ -198,11 +204,7 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
-        for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
-            const Complex turn = std::polar(1.0, rad * phase->values[k]);
-            rows.c[k] *= turn;
-            rows.d[k] *= turn;
-        }
+        turn_rows(rows, [&](std::size_t k) { return std::polar(1.0, rad * phase->values[k]); });
         if (frequency != nullptr && rows.f_ref_hz == 0) {
             rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
         }
@@ -220,14 +222,14 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
     return {};
 }
 
-Result<Rows> rows_of_one_table(const std::filesystem::path& path, const OpenOptions& options,
-                               const LogChoice& choice, const SignalSettings& signal,
-                               const JobControl& job) {
+Result<LogRows> rows_of_one_table(const std::filesystem::path& path, const OpenOptions& options,
+                                  const LogChoice& choice, const SignalSettings& signal,
+                                  const JobControl& job) {
     const bool own = choice.phasors.frame == PhasorFrame::pll;
     auto columns =
         TRY(read_columns(path, options, choice, signal, roles_of_both(choice.phasors.frame), job));
     share_unit(columns.of("Xc"), {&columns.of("Yc"), &columns.of("Xd"), &columns.of("Yd")});
-    Rows rows;
+    LogRows rows;
     rows.time_s = columns.time_s;
     const auto channel = [&](const char* x, const char* y, const char* phase) {
         return phasors_of(path, {columns.of(x), columns.of(y), own ? columns.find(phase) : nullptr},
@@ -241,9 +243,9 @@ Result<Rows> rows_of_one_table(const std::filesystem::path& path, const OpenOpti
     return rows;
 }
 
-Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOptions& options,
-                                const LogChoice& choice, const SignalSettings& signal,
-                                const JobControl& job) {
+Result<LogRows> rows_of_two_tables(const std::filesystem::path& path, const OpenOptions& options,
+                                   const LogChoice& choice, const SignalSettings& signal,
+                                   const JobControl& job) {
     const bool own = choice.phasors.frame == PhasorFrame::pll;
     const auto roles = roles_of_one(choice.phasors.frame);
     auto of_c = TRY(read_columns(path, options, choice, signal, roles, job));
@@ -252,7 +254,7 @@ Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOpt
     const auto& t = of_c.time_s;
     const auto& other = of_d.time_s;
     const std::size_t count = std::min(t.size(), other.size());
-    Rows rows;
+    LogRows rows;
     for (std::size_t k = 0; k < count; ++k) {
         const double step = k > 0 ? t[k] - t[k - 1] : t[std::min(k + 1, count - 1)] - t[k];
         if (std::abs(other[k] - t[k] + of_d.begun_s - of_c.begun_s) > step / 100) {
@@ -283,7 +285,7 @@ Result<Rows> rows_of_two_tables(const std::filesystem::path& path, const OpenOpt
     return rows;
 }
 
-void drop_missing(Rows& rows) {
+void drop_missing(LogRows& rows) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
         if (std::isfinite(std::abs(rows.c[k]) + std::abs(rows.d[k]) + rows.time_s[k])) {
@@ -300,7 +302,7 @@ void drop_missing(Rows& rows) {
 
 // Both channels hold the same two modes: only with a sign of Y of their own, or with the reference
 // just between modes each of which is in one channel, do they turn against each other.
-void look_for_mirror(double step_s, Rows& rows) {
+void look_for_mirror(double step_s, LogRows& rows) {
     constexpr double alike = 0.25;
     constexpr double certain = 10;
     std::array<double, 2> rates{};
@@ -328,22 +330,19 @@ void look_for_mirror(double step_s, Rows& rows) {
 }
 
 // Brings the reference to the mean frequency: a mean over rows that turn is smaller than they are.
-void centre(double step_s, Rows& rows) {
+void centre(double step_s, LogRows& rows) {
     Complex sum = 0;
     for (std::size_t k = 1; k < rows.time_s.size(); ++k) {
         sum += rows.c[k] * std::conj(rows.c[k - 1]) + rows.d[k] * std::conj(rows.d[k - 1]);
     }
     const double offset_hz = std::arg(sum) / (2 * pi * step_s);
-    for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
-        const Complex turn = std::polar(1.0, -2 * pi * offset_hz * rows.time_s[k]);
-        rows.c[k] *= turn;
-        rows.d[k] *= turn;
-    }
+    turn_rows(rows,
+              [&](std::size_t k) { return std::polar(1.0, -2 * pi * offset_hz * rows.time_s[k]); });
     rows.f_ref_hz += offset_hz;
 }
 
 // What the calibration says of D and of the electrodes' angle (calibration.h, without offsets).
-void calibrate(const Calibration& calibration, Rows& rows) {
+void calibrate(const Calibration& calibration, LogRows& rows) {
     const Complex gain =
         std::polar(calibration.kappa, 2 * pi * rows.f_ref_hz * calibration.delay_d_s);
     for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
@@ -353,7 +352,7 @@ void calibrate(const Calibration& calibration, Rows& rows) {
 }
 
 // Means of `count` rows that follow each other without a gap.
-PhasorRun windows_of_rows(const Rows& rows, std::size_t count, double step_s) {
+PhasorRun windows_of_rows(const LogRows& rows, std::size_t count, double step_s) {
     PhasorRun run;
     run.f_ref_hz = rows.f_ref_hz;
     run.window_s = static_cast<double>(count) * step_s;
@@ -493,11 +492,6 @@ std::vector<ColumnRole> roles_of_one(PhasorFrame frame) {
             {"Y", {"Y", "Q"}},
             {"P", {"P"}, frame == PhasorFrame::pll},
             {"F", {"F", "f", "freq", "frequency"}, false}};
-}
-
-const char* frame_name(PhasorFrame frame) {
-    constexpr std::array names{"", "fixed", "common", "pll"};
-    return names[static_cast<std::size_t>(frame)];
 }
 
 Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,

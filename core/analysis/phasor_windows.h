@@ -21,7 +21,7 @@ struct PhasorWindows {
 };
 
 // Demodulates windows of `length` samples, one after the other, at the fixed carrier
-// choice.prepared.f0_hz (window_mean.h). Times count from the start of the recording. Windows with
+// choice.prepared.f0_hz (WindowMean). Times count from the start of the recording. Windows with
 // missing or clipped samples and those over a lost sample are left out; the time behind lost
 // samples counts them; where the phase does not tell their number it counts the smallest, and
 // PhasorRun::breaks names the place. Left out is also what is no free decay yet: all up to
@@ -30,7 +30,7 @@ struct PhasorWindows {
 // the first electrode is subtracted.
 //
 // The deviations are those of the noise at the carrier: of the windows' residual where the noise is
-// white, else of the density between the lines (carrier_lines.h), behind a band-pass with what it
+// white, else of the density between the lines (carrier_lines()), behind a band-pass with what it
 // lets through of a window's bandwidth. A window whose residual stands out has a
 // deviation in proportion.
 //

@@ -1,7 +1,6 @@
 #include "core/analysis/power_log.h"
 
 #include "core/base/read_value.h"
-#include "core/recording/open/log_columns.h"
 
 #include <cmath>
 #include <complex>
@@ -9,7 +8,6 @@
 #include <cstdint>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -82,15 +80,21 @@ const std::vector<ColumnRole>& roles_of_waves() {
     return roles;
 }
 
+Result<LogTable> read_log_columns(const std::filesystem::path& path, const OpenOptions& options,
+                                  const std::vector<ColumnWish>& wishes,
+                                  const SignalSettings& signal, const JobControl& job) {
+    auto table = TRY(read_log(path, options, wishes, job));
+    TRY(keep_times(path, signal.from_s.value_or(TimeRange{}.from_s),
+                   signal.to_s.value_or(TimeRange{}.to_s), table));
+    return table;
+}
+
 Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
                                 const LogChoice& columns, const SignalSettings& signal,
                                 const JobControl& job) {
-    const double from_s = signal.from_s.value_or(TimeRange{}.from_s);
-    const double to_s = signal.to_s.value_or(TimeRange{}.to_s);
     const auto waves = column_wishes(columns.names, roles_of_waves());
     const auto wishes = TRY(waves ? waves : column_wishes(columns.names, roles_of_powers()));
-    auto table = TRY(read_log(path, options, wishes, job));
-    TRY(keep_times(path, from_s, to_s, table));
+    auto table = TRY(read_log_columns(path, options, wishes, signal, job));
     PowerRun run;
     if (waves) {
         LogColumn& theta = table.of("theta");

@@ -17,6 +17,12 @@ namespace vybeg {
 const std::vector<ColumnRole>& roles_of_powers();
 const std::vector<ColumnRole>& roles_of_waves();
 
+// The columns of a log, at the times that the settings of the signal choose. Errors: those of
+// read_log() and keep_times().
+Result<LogTable> read_log_columns(const std::filesystem::path& path, const OpenOptions& options,
+                                  const std::vector<ColumnWish>& wishes,
+                                  const SignalSettings& signal, const JobControl& job);
+
 // Reads a log of E, R, S, Q or of a, b, theta, as `columns` says, of the times that the settings of
 // the signal choose, and applies their calibration but for the offsets. A delay of D needs f0_hz: a
 // log without a phase has no frequency. Columns that are exchanged are refused where E or a is not

@@ -1,14 +1,13 @@
 #include "core/analysis/prepare.h"
 
-#include "core/analysis/band_noise.h"
 #include "core/analysis/setting_table.h"
+#include "core/analysis/window_noise.h"
 #include "core/base/number_text.h"
 #include "core/recording/conditioning/calibrated_source.h"
 #include "core/recording/conditioning/checked_source.h"
 #include "core/recording/conditioning/filtered_source.h"
 #include "core/recording/conditioning/gapped_source.h"
 #include "core/windows/carrier_search.h"
-#include "core/windows/carrier_zoom.h"
 
 #include <algorithm>
 #include <cmath>

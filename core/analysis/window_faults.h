@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/recording/checks/recording_check.h"
-#include "core/track/flagged_rows.h"
+#include "core/track/track.h"
 #include "core/windows/window_plan.h"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "core/batch/batch_paths.h"
 
-#include "core/analysis/set_conditions.h"
+#include "core/analysis/measurement_list.h"
 #include "core/base/read_value.h"
 #include "core/base/system_reason.h"
 #include "core/batch/list_sets.h"

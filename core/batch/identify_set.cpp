@@ -1,10 +1,10 @@
 #include "core/batch/identify_set.h"
 
-#include "core/analysis/identify_logs.h"
+#include "core/analysis/analyse_logs.h"
 #include "core/analysis/idle_options.h"
+#include "core/analysis/measurement_list.h"
 #include "core/analysis/power_log.h"
 #include "core/analysis/prepare.h"
-#include "core/analysis/set_conditions.h"
 #include "core/base/job_control.h"
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"

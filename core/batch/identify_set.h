@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/analysis/measurement_list.h"
+#include "core/analysis/passport.h"
 #include "core/analysis/phasor_log.h"
-#include "core/analysis/set_result.h"
 #include "core/base/finding.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"

@@ -1,7 +1,7 @@
 #include "core/batch/limits.h"
 
+#include "core/analysis/identify_settings.h"
 #include "core/analysis/list_fields.h"
-#include "core/analysis/tolerance.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"

@@ -1,6 +1,6 @@
 #include "core/batch/list_sets.h"
 
-#include "core/analysis/set_conditions.h"
+#include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/read_value.h"
 #include "core/batch/limits.h"

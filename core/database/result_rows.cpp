@@ -2,7 +2,6 @@
 
 #include "core/analysis/list_fields.h"
 #include "core/output/quantity_json.h"
-#include "core/output/stored_reason.h"
 #include "core/recording/samples/open_table.h"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "core/database/stored_result.h"
 
 #include "core/analysis/list_fields.h"
-#include "core/analysis/set_conditions.h"
+#include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
 #include "core/output/identify_json.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/set_result.h"
+#include "core/analysis/passport.h"
 
 #include <cstdint>
 #include <string>

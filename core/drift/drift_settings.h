@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/tolerance.h"
+#include "core/analysis/identify_settings.h"
 #include "core/base/setting_rows.h"
 #include "core/drift/log_reading.h"
 #include "core/resonator/model/channel_tolerance.h"

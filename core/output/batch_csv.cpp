@@ -1,6 +1,5 @@
 #include "core/output/batch_csv.h"
 
-#include "core/analysis/set_conditions.h"
 #include "core/base/finding.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <span>
 #include <string_view>
 #include <utility>
 

@@ -6,16 +6,12 @@
 #include "core/base/plain_text.h"
 #include "core/output/quantity_json.h"
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <cmath>
 #include <numbers>
 
 namespace vybeg {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double deg_h = 3600 / degree;

@@ -1,14 +1,12 @@
 #include "core/output/identify_json.h"
 
-#include "core/analysis/set_conditions.h"
+#include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/output/quantity_json.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/run_parameters.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +18,6 @@
 
 namespace vybeg {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Each kind once for each input, the worst first.
 Json warnings_json(const Identification& identification, std::span<const RecordingRef> inputs) {
@@ -45,23 +41,6 @@ Json warnings_json(const Identification& identification, std::span<const Recordi
             warning["more"].push_back(english(other));
         }
         list.push_back(std::move(warning));
-    }
-    return list;
-}
-
-template <class Owner, class Parameters>
-Json parameters_json(const Owner& owner, const Parameters& parameters) {
-    Json object;
-    for (const auto& parameter : parameters) {
-        object[parameter.name] = quantity_json(owner.*parameter.member);
-    }
-    return object;
-}
-
-Json modes_json(const ResonatorFit& fit) {
-    Json list = Json::array();
-    for (const ModeEstimate& mode : fit.modes) {
-        list.push_back(parameters_json(mode, mode_parameters));
     }
     return list;
 }
@@ -348,7 +327,7 @@ std::string identify_json(const SetResult& result) {
         json["differences"] = differences_json(comparison->differences);
     }
     json["model"] = fit.model == ResonatorModel::structured ? "structured" : "free";
-    json["modes"] = modes_json(fit);
+    json["modes"] = parameters_json(fit.modes, mode_parameters);
     json["modes_by"] = mode_order_name(fit.mode_order);
     if (fit.modes.empty()) {
         json["modes_reason"] = english(fit.no_modes);

@@ -6,7 +6,6 @@
 #include <optional>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
-#include <system_error>
 #include <unistd.h>
 
 namespace vybeg {

@@ -3,27 +3,21 @@
 #include "core/base/number_text.h"
 #include "core/output/identify_json.h"
 #include "core/output/quantity_json.h"
-#include "core/output/stored_reason.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/run_parameters.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // The columns of a track in the file.
 struct TrackColumn {
@@ -226,24 +220,6 @@ Estimate read_estimate(const Node& json, int schema) {
 }
 
 template <class Owner, class Parameters>
-Json written_parameters(const Owner& owner, const Parameters& parameters) {
-    Json json;
-    for (const auto& parameter : parameters) {
-        json[parameter.name] = written(owner.*parameter.member);
-    }
-    return json;
-}
-
-template <class Owner, class Parameters>
-Json written_list(const std::vector<Owner>& owners, const Parameters& parameters) {
-    Json list = Json::array();
-    for (const Owner& owner : owners) {
-        list.push_back(written_parameters(owner, parameters));
-    }
-    return list;
-}
-
-template <class Owner, class Parameters>
 Owner read_parameters(const Node& json, const Parameters& parameters, int schema) {
     Owner owner;
     for (const auto& parameter : parameters) {
@@ -374,11 +350,11 @@ Json passport_object(const Passport& passport) {
             {"inputs", inputs_json(passport.inputs)},
             {"settings", named_json(passport.settings)},
             {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
-            {"resonator", written_parameters(passport.resonator, resonator_parameters)},
-            {"modes", written_list(passport.modes, mode_parameters)},
+            {"resonator", parameters_json(passport.resonator, resonator_parameters, written)},
+            {"modes", parameters_json(passport.modes, mode_parameters, written)},
             {"modes_by",
              passport.mode_order ? Json(mode_order_name(*passport.mode_order)) : Json(nullptr)},
-            {"runs", written_list(passport.runs, run_parameters)},
+            {"runs", parameters_json(passport.runs, run_parameters, written)},
             {"parameters",
              {{"names", passport.raw.names},
               {"values", numbers_json(passport.raw.values)},

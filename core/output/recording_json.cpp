@@ -3,13 +3,10 @@
 #include "core/base/messages.h"
 #include "core/output/quantity_json.h"
 
-#include <nlohmann/json.hpp>
-
 namespace vybeg {
 
 std::string recording_json(const Recording& recording, const std::string& sha256,
                            std::span<const Diagnostic> findings) {
-    using Json = nlohmann::ordered_json;
     Json channels = Json::array();
     for (const Channel& channel : recording.channels) {
         channels.push_back({{"name", channel.name}, {"unit", channel.unit}});

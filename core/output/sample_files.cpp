@@ -1,15 +1,13 @@
 #include "core/output/sample_files.h"
 
 #include "core/base/number_text.h"
-#include "core/output/array_heads.h"
+#include "core/output/array_bytes.h"
 #include "core/output/output_paths.h"
-#include "core/output/raw_bytes.h"
 
 #include <sndfile.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -135,8 +133,7 @@ Status write_npy(OutputFile& file, const SampleStream& stream) {
     return stream.run([&](std::span<const double> c, std::span<const double> d) {
         bytes.clear();
         for (std::size_t k = 0; k < c.size(); ++k) {
-            append_bytes(bytes, c[k]);
-            append_bytes(bytes, d[k]);
+            append_bytes(bytes, c[k], d[k]);
         }
         return file.write(bytes);
     });

@@ -40,6 +40,8 @@ public:
     // where the rows lie.
     virtual Status numbers(std::size_t column, const NumberSink& sink) const = 0;
     virtual Status flags(const FlagSink& sink) const = 0;
+    // Passes whole rows, about so many at a time where they do not lie in memory.
+    virtual Status whole_rows(std::size_t at_once, const TrackSink& sink) const = 0;
 };
 
 // Those of a track in memory, which must outlive it.
@@ -50,6 +52,7 @@ public:
     std::size_t rows() const override { return track_.rows(); }
     Status numbers(std::size_t column, const NumberSink& sink) const override;
     Status flags(const FlagSink& sink) const override;
+    Status whole_rows(std::size_t, const TrackSink& sink) const override { return sink(track_); }
 
 private:
     const Track& track_;

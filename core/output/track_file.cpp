@@ -1,26 +1,394 @@
 #include "core/output/track_file.h"
 
+#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
+#include "core/hdf5/hdf5_layout.h"
+#include "core/output/array_bytes.h"
 #include "core/output/output_paths.h"
-#include "core/output/track_csv.h"
-#include "core/output/track_hdf5.h"
+#include "core/output/stored_zip.h"
 #include "core/output/track_header.h"
-#include "core/output/track_mat.h"
-#include "core/output/track_npz.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <dlfcn.h>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string_view>
+#include <system_error>
 #include <vector>
+#include <zlib.h>
 
 namespace vybeg {
 namespace {
 
-// Every format but CSV.
-Status write_arrays(OutputFile& file, TrackFormat format, const TrackColumns& columns,
-                    std::span<const std::string> header) {
-    const std::vector<std::string> lines = single_lines(header);
-    switch (format) {
-        case TrackFormat::mat: return write_track_mat(file, columns, lines);
-        case TrackFormat::hdf5: return write_track_hdf5(file, columns, lines);
-        default: return write_track_npz(file, columns, lines);
+using ByteSink = std::function<Status(std::string_view bytes)>;
+
+ByteSink into(OutputFile& file) {
+    return [&file](std::string_view bytes) { return file.write(bytes); };
+}
+
+Status pass_numbers(const TrackColumns& columns, std::size_t column, const ByteSink& sink) {
+    return columns.numbers(
+        column, [&sink](std::span<const double> values) { return sink(bytes_of(values)); });
+}
+
+// The combinations of flags that a track has, each with the number of its rows. There are few, so
+// that every format makes their texts once. Errors: those of TrackColumns.
+using FlagCounts = std::map<Flags, std::size_t>;
+Result<FlagCounts> count_flags(const TrackColumns& columns) {
+    FlagCounts counts;
+    TRY(columns.flags([&counts](std::span<const Flags> rows) -> Status {
+        // Neighbours have the same flags more often than not.
+        for (auto at = rows.begin(); at != rows.end();) {
+            const auto other = std::find_if(at, rows.end(), [&](Flags f) { return f != *at; });
+            counts[*at] += static_cast<std::size_t>(other - at);
+            at = other;
+        }
+        return {};
+    }));
+    return counts;
+}
+
+// What each combination looks like in a file.
+using FlagCells = std::map<Flags, std::string>;
+FlagCells make_cells(const FlagCounts& counts,
+                     const std::function<std::string(const std::string&)>& cell) {
+    FlagCells cells;
+    for (const auto& [flags, rows] : counts) {
+        cells[flags] = cell(flags_text(flags));
     }
+    return cells;
+}
+
+// Passes the cells of all rows, many at a time. Errors: those of the sink and of TrackColumns.
+Status pass_cells(const TrackColumns& columns, const FlagCells& cells, const ByteSink& sink) {
+    std::string bytes;
+    return columns.flags([&](std::span<const Flags> rows) {
+        bytes.clear();
+        auto cell = cells.begin();
+        for (const Flags flags : rows) {
+            cell = cell->first == flags ? cell : cells.find(flags);
+            bytes += cell->second;
+        }
+        return sink(bytes);
+    });
+}
+
+// An array of a file whose bytes can be passed as often as they are needed.
+struct TrackArray {
+    std::string name;
+    std::string unit;
+    std::size_t rows = 0;
+    std::size_t width = 0;  // characters of each row's text; 0: float64
+    std::function<Status(const ByteSink&)> pass;
+};
+
+// How a format keeps texts of one width, which is at least 1: no format has texts without any room.
+struct TextFormat {
+    std::size_t (*length)(const std::string& text);
+    std::string (*padded)(const std::string& text, std::size_t width);
+};
+
+// Every array of a file: a column each, the flags and the header's lines. `columns` must outlive
+// them.
+Result<std::vector<TrackArray>> arrays_of(const TrackColumns& columns,
+                                          std::span<const std::string> header,
+                                          const TextFormat& texts) {
+    const auto counts = TRY(count_flags(columns));
+    std::vector<TrackArray> arrays;
+    for (std::size_t k = 0; k < track_number_columns; ++k) {
+        arrays.push_back(
+            {track_column_name(k), track_column_unit(k), columns.rows(), 0,
+             [&columns, k](const ByteSink& sink) { return pass_numbers(columns, k, sink); }});
+    }
+    std::size_t width = 1;
+    for (const auto& [flags, rows] : counts) {
+        width = std::max(width, texts.length(flags_text(flags)));
+    }
+    const FlagCells cells =
+        make_cells(counts, [&](const std::string& text) { return texts.padded(text, width); });
+    arrays.push_back(
+        {flag_column_name, "", columns.rows(), width,
+         [&columns, cells](const ByteSink& sink) { return pass_cells(columns, cells, sink); }});
+    std::size_t longest = 1;
+    for (const std::string& line : header) {
+        longest = std::max(longest, texts.length(line));
+    }
+    std::string lines;
+    for (const std::string& line : header) {
+        lines += texts.padded(line, longest);
+    }
+    arrays.push_back({header_name, "", header.size(), longest,
+                      [lines](const ByteSink& sink) { return sink(lines); }});
+    return arrays;
+}
+
+std::uint32_t crc_of(std::uint32_t crc, std::string_view bytes) {
+    return static_cast<std::uint32_t>(
+        crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+// The checksum stands before the bytes, so that they are passed twice.
+Status write_member(OutputFile& file, StoredZip& zip, const TrackArray& array) {
+    const std::string type =
+        array.width == 0 ? "<f8" : "<U" + integer_text(static_cast<std::int64_t>(array.width));
+    const std::size_t bytes_per_row =
+        array.width == 0 ? sizeof(double) : array.width * sizeof(char32_t);
+    const std::string head =
+        npy_head(type, integer_text(static_cast<std::int64_t>(array.rows)) + ",");
+    std::uint32_t crc = crc_of(0, head);
+    TRY(array.pass([&crc](std::string_view bytes) -> Status {
+        crc = crc_of(crc, bytes);
+        return {};
+    }));
+    TRY(zip.begin(array.name + ".npy", head.size() + array.rows * bytes_per_row, crc));
+    TRY(file.write(head));
+    return array.pass(into(file));
+}
+
+// A text of so many characters, as NumPy keeps it: 4 bytes for each, zeros behind the last.
+std::string numpy_text(const std::string& text, std::size_t width) {
+    std::string bytes;
+    for (const char32_t point : code_points(text)) {
+        append_bytes(bytes, point);
+    }
+    bytes.resize(width * sizeof(char32_t), '\0');
+    return bytes;
+}
+
+// libhdf5 and what it needs take longer to load than the whole program to start: it lies in a
+// library of its own, which is loaded for the first HDF5 file.
+Result<Hdf5Layout> layout_of(const OutputFile& file, const std::string& program,
+                             const std::vector<Hdf5Array>& arrays) {
+    static std::mutex one_at_a_time;  // Debian's libhdf5 is not for several threads
+    const std::lock_guard lock(one_at_a_time);
+    std::error_code ignored;
+    const std::filesystem::path library =
+        std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() /
+        VYBEG_LIBRARY_FOLDER / hdf5_layout_library;
+    void* const loaded = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const auto make =
+        loaded == nullptr
+            ? nullptr
+            : reinterpret_cast<Hdf5LayoutFunction>(dlsym(loaded, hdf5_layout_function));
+    if (make == nullptr) {
+        const char* const reason = dlerror();
+        return file.failure(words(VYBEG_MESSAGE("Words", "libhdf5 cannot be loaded (%1)"),
+                                  {reason == nullptr ? "" : reason}));
+    }
+    Hdf5Layout layout;
+    if (!make(program, arrays, layout)) {
+        return file.failure(words(VYBEG_MESSAGE("Words", "libhdf5 reports an error")));
+    }
+    return layout;
+}
+
+// Writes the layout's own bytes, which stand before and between the arrays, in order.
+class LayoutBytes {
+public:
+    LayoutBytes(OutputFile& file, const Hdf5Layout& layout) : file_(file), layout_(layout) {}
+
+    // Those up to `place`.
+    Status write_up_to(std::int64_t place) {
+        const auto end = static_cast<std::size_t>(place);
+        const std::string_view own = layout_.bytes;
+        std::string piece(own.substr(std::min(at_, own.size()), end - at_));
+        piece.resize(end - at_, '\0');
+        at_ = end;
+        return file_.write(piece);
+    }
+    void skip(std::int64_t bytes) { at_ += static_cast<std::size_t>(bytes); }
+
+private:
+    OutputFile& file_;
+    const Hdf5Layout& layout_;
+    std::size_t at_ = 0;
+};
+
+// Writes a track as MAT of level 5: a column of doubles (n x 1) per column, the flags and the
+// header's lines as cells of texts (n x 1). Errors: output_failed, also for more rows than the
+// format has room for; interrupted; those of TrackColumns.
+Status write_track_mat(OutputFile& file, const TrackColumns& columns,
+                       std::span<const std::string> header) {
+    const auto counts = TRY(count_flags(columns));
+    const FlagCells cells = make_cells(counts, mat_text_cell);
+    std::int64_t cell_bytes = 0;
+    for (const auto& [flags, rows] : counts) {
+        cell_bytes += static_cast<std::int64_t>(rows * cells.at(flags).size());
+    }
+    const auto rows = static_cast<std::int64_t>(columns.rows());
+    if (rows > most_mat_rows || cell_bytes > most_mat_bytes) {
+        return file.failure(words(VYBEG_MESSAGE("Words",
+                                                "a MAT file has room for 4 GiB in each variable, "
+                                                "which %1 windows exceed; HDF5, NPZ and CSV have "
+                                                "room for any number"),
+                                  {count_arg(rows)}));
+    }
+    TRY(file.write(mat_file_head()));
+    for (std::size_t k = 0; k < track_number_columns; ++k) {
+        TRY(file.write(mat_column_head(track_column_name(k), rows)));
+        TRY(pass_numbers(columns, k, into(file)));
+    }
+    TRY(file.write(mat_cells_head(flag_column_name, rows, cell_bytes)));
+    TRY(pass_cells(columns, cells, into(file)));
+    std::string lines;
+    for (const std::string& line : header) {
+        lines += mat_text_cell(line);
+    }
+    const std::string head = mat_cells_head(header_name, static_cast<std::int64_t>(header.size()),
+                                            static_cast<std::int64_t>(lines.size()));
+    return file.write(head + lines);
+}
+
+// Writes a track as NPZ, not packed: a float64 array per column, the flags and the header's lines
+// as arrays of texts of fixed width (NumPy's U). Errors: output_failed, interrupted, those of
+// TrackColumns.
+Status write_track_npz(OutputFile& file, const TrackColumns& columns,
+                       std::span<const std::string> header) {
+    const TextFormat texts{[](const std::string& text) { return code_points(text).size(); },
+                           numpy_text};
+    const auto arrays = TRY(arrays_of(columns, header, texts));
+    StoredZip zip(file);
+    for (const TrackArray& array : arrays) {
+        TRY(write_member(file, zip, array));
+    }
+    return zip.finish();
+}
+
+// Writes a track as HDF5: a contiguous float64 dataset per column in the root group, the flags and
+// the header's lines as texts of fixed width in UTF-8. Errors: output_failed, also where libhdf5
+// cannot be loaded; interrupted; those of TrackColumns.
+Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
+                        std::span<const std::string> header) {
+    const TextFormat texts{[](const std::string& text) { return text.size(); },
+                           [](const std::string& text, std::size_t width) {
+                               return text + std::string(width - text.size(), '\0');
+                           }};
+    const auto arrays = TRY(arrays_of(columns, header, texts));
+    std::vector<Hdf5Array> laid_out;
+    for (const TrackArray& array : arrays) {
+        laid_out.push_back({array.name, static_cast<std::int64_t>(array.rows),
+                            static_cast<std::int64_t>(array.width), array.unit});
+    }
+    const auto layout = TRY(layout_of(file, header.empty() ? "" : header.front(), laid_out));
+    LayoutBytes own(file, layout);
+    for (std::size_t k = 0; k < arrays.size(); ++k) {
+        if (arrays[k].rows == 0) {
+            continue;  // has no place
+        }
+        TRY(own.write_up_to(layout.places[k]));
+        own.skip(laid_out[k].bytes());
+        TRY(arrays[k].pass(into(file)));
+    }
+    return own.write_up_to(layout.size);
+}
+
+// Rows that one task writes as text, a quarter of a megabyte.
+constexpr std::size_t rows_per_block = 1024;
+// Blocks converted to text in parallel and then written, some megabytes.
+constexpr std::size_t blocks_at_once = 32;
+
+std::string head_text(std::span<const std::string> header) {
+    std::string text;
+    for (const std::string& line : header) {
+        text += "# " + line + "\n";
+    }
+    for (std::size_t column = 0; column < track_number_columns; ++column) {
+        text += track_column_name(column) + ",";
+    }
+    return text + flag_column_name + "\n";
+}
+
+// Upper limit of the length of a row.
+constexpr std::size_t longest_row =
+    track_number_columns * (longest_round_trip + 1) + longest_flags_text + 1;
+
+using Columns = std::array<std::span<const double>, track_number_columns>;
+
+Columns columns_of(const Track& track) {
+    Columns columns;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        columns[k] = track_column(track, k);
+    }
+    return columns;
+}
+
+char* write_row(char* to, const Columns& columns, Flags flags, std::size_t row) {
+    for (const std::span<const double> column : columns) {
+        to = write_round_trip(to, column[row]);
+        *to++ = ',';
+    }
+    if (flags != 0) {
+        to = std::ranges::copy(flags_text(flags), to).out;
+    }
+    *to++ = '\n';
+    return to;
+}
+
+// Text of some rows, in memory that is allocated once and never cleared.
+class RowsText {
+public:
+    std::string_view write(const Track& track, std::size_t first, std::size_t end) {
+        if (!room_) {
+            room_.reset(new char[rows_per_block * longest_row]);
+        }
+        const Columns columns = columns_of(track);
+        char* to = room_.get();
+        for (std::size_t row = first; row < end; ++row) {
+            to = write_row(to, columns, track.flags()[row], row);
+        }
+        return {room_.get(), static_cast<std::size_t>(to - room_.get())};
+    }
+
+private:
+    std::unique_ptr<char[]> room_;
+};
+
+// Passes the rows to write(text, rows so far), some at a time. All threads convert digits, because
+// these take most of the time of a track.
+template <class Write>
+Status write_rows(const Track& track, Write write) {
+    const std::size_t blocks = (track.rows() + rows_per_block - 1) / rows_per_block;
+    const std::size_t at_once = std::min(blocks, blocks_at_once);
+    std::vector<RowsText> texts(at_once);
+    std::vector<std::string_view> written(at_once);
+    const auto end_of = [&](std::size_t block) {
+        return std::min((block + 1) * rows_per_block, track.rows());
+    };
+    for (std::size_t first = 0; first < blocks; first += at_once) {
+        const std::size_t count = std::min(at_once, blocks - first);
+        // Isolated: a thread that waits here must not begin to estimate or to read.
+        tbb::this_task_arena::isolate([&] {
+            tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+                written[k] = texts[k].write(track, (first + k) * rows_per_block, end_of(first + k));
+            });
+        });
+        for (std::size_t k = 0; k < count; ++k) {
+            TRY(write(written[k], end_of(first + k)));
+        }
+    }
+    return {};
+}
+
+Status write_track_csv(OutputFile& file, const TrackColumns& columns,
+                       std::span<const std::string> header, const JobControl& job) {
+    TRY(file.write(head_text(header)));
+    std::size_t before = 0;
+    return columns.whole_rows(rows_per_block * blocks_at_once, [&](const Track& track) {
+        const Status written = write_rows(track, [&](std::string_view text, std::size_t done) {
+            job.report(static_cast<double>(before + done) / static_cast<double>(columns.rows()));
+            return file.write(text);
+        });
+        before += track.rows();
+        return written;
+    });
 }
 
 }  // namespace
@@ -41,17 +409,21 @@ Result<TrackFormat> track_format(const std::filesystem::path& target) {
                                                   : TrackFormat::csv;
 }
 
-Status write_track(OutputFile& file, TrackFormat format, const Track& track,
+Status write_track(OutputFile& file, TrackFormat format, const TrackColumns& columns,
                    std::span<const std::string> header, const JobControl& job) {
-    return format == TrackFormat::csv ? write_track_csv(file, track, header, job)
-                                      : write_arrays(file, format, MemoryColumns(track), header);
+    const std::vector<std::string> lines = single_lines(header);
+    switch (format) {
+        case TrackFormat::csv: return write_track_csv(file, columns, lines, job);
+        case TrackFormat::mat: return write_track_mat(file, columns, lines);
+        case TrackFormat::hdf5: return write_track_hdf5(file, columns, lines);
+        case TrackFormat::npz: break;
+    }
+    return write_track_npz(file, columns, lines);
 }
 
-Status TrackWriter::finish(std::span<const std::string> header,
-                           std::span<const FlaggedRows> flagged) {
-    rows_.set_flagged(flagged);
-    return format_ == TrackFormat::csv ? write_track_csv(file_, rows_, header)
-                                       : write_arrays(file_, format_, rows_, header);
+Status write_track(OutputFile& file, TrackFormat format, const Track& track,
+                   std::span<const std::string> header, const JobControl& job) {
+    return write_track(file, format, MemoryColumns(track), header, job);
 }
 
 }  // namespace vybeg

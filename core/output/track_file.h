@@ -16,26 +16,13 @@ enum class TrackFormat { csv, mat, hdf5, npz };
 // one but .npy, which has no room for several arrays. Errors: output_failed.
 Result<TrackFormat> track_format(const std::filesystem::path& target);
 
-// Writes a track; the same columns, numbers, flags and header lines in every format. Errors:
-// output_failed, interrupted. The caller calls commit().
+// Writes a track; the same columns, numbers, flags and header lines in every format, in CSV header
+// lines after "# ", one line of names, a row per window. `columns`: those of a track in memory, or
+// of one that was spooled during its computation. Errors: output_failed, interrupted. The caller
+// calls commit().
+Status write_track(OutputFile& file, TrackFormat format, const TrackColumns& columns,
+                   std::span<const std::string> header, const JobControl& job);
 Status write_track(OutputFile& file, TrackFormat format, const Track& track,
                    std::span<const std::string> header, const JobControl& job);
-
-// Writer of a track during its computation. Not for two threads at once.
-class TrackWriter {
-public:
-    // `file` must outlive the writer.
-    TrackWriter(OutputFile& file, TrackFormat format, const JobControl& job)
-        : file_(file), format_(format), rows_(file, job) {}
-
-    Status append(const Track& rows) { return rows_.append(rows); }
-    // `flagged`: rows that get a flag between spool and file.
-    Status finish(std::span<const std::string> header, std::span<const FlaggedRows> flagged);
-
-private:
-    OutputFile& file_;
-    TrackFormat format_;
-    TrackSpool rows_;
-};
 
 }  // namespace vybeg

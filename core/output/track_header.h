@@ -16,7 +16,7 @@ namespace vybeg {
 std::vector<std::string> track_header(const std::string& program, const Recording& recording,
                                       const std::string& sha256, const AnalysisSummary& analysis);
 
-// The same of the track of a log (analyse_log.h).
+// The same of the track of a log (analyse_log()).
 std::vector<std::string> track_header(const std::string& program, const std::filesystem::path& log,
                                       const std::string& sha256, const LogChoice& choice,
                                       const AnalysisSummary& analysis);

@@ -1,15 +1,48 @@
 #pragma once
 
-#include "core/output/spool.h"
+#include "core/output/output_file.h"
 #include "core/output/track_columns.h"
-#include "core/track/flagged_rows.h"
+#include "core/track/track.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace vybeg {
+
+// Bytes stored until the preceding part of an output is known: a few MiB in memory, the rest in an
+// unnamed file, which the system removes in any case. Every write checks the stop token. Errors:
+// output_failed, interrupted.
+class Spool {
+public:
+    // Spool for `output`, which must outlive it, with its file in output.spool_folder().
+    Spool(const OutputFile& output, const JobControl& job) : output_(output), job_(job) {}
+    Spool(const Spool&) = delete;
+    Spool& operator=(const Spool&) = delete;
+    ~Spool();
+
+    Status write(std::span<const std::byte> bytes);
+
+    // Reads bytes from the position `from` on. Preconditions: as many were written; no more writes.
+    Status read(std::int64_t from, std::span<std::byte> to) const;
+
+private:
+    Status spill();
+    Status write_out(std::string_view bytes);
+    Status create();
+    Error failed(int error) const;
+
+    const OutputFile& output_;
+    JobControl job_;
+    std::string memory_;
+    int descriptor_ = -1;
+    std::int64_t spilled_ = 0;  // bytes
+};
 
 // The rows of a track from their computation until its header is known, because the last warnings
 // come with the last window. Not for two threads at once. Errors: those of Spool.
@@ -27,8 +60,7 @@ public:
     std::size_t rows() const override { return rows_; }
     Status numbers(std::size_t column, const NumberSink& sink) const override;
     Status flags(const FlagSink& sink) const override;
-    // Passes whole rows, about so many at a time.
-    Status whole_rows(std::size_t at_once, const TrackSink& sink) const;
+    Status whole_rows(std::size_t at_once, const TrackSink& sink) const override;
 
 private:
     struct Block {  // of one append()

@@ -1,6 +1,6 @@
 #include "core/simulation/carrier_noise.h"
 
-#include "core/simulation/turns.h"
+#include "core/simulation/slow_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,13 +52,15 @@ std::complex<double> OrnsteinUhlenbeck::next() {
 FlickerNoise::FlickerNoise(double low_hz, double rate_hz, int stride, std::uint64_t seed)
     : noise_(seed), stride_(stride) {
     const double draws_hz = rate_hz / stride;
-    for (double width = low_hz; kept_.empty() || width <= draws_hz / 2; width *= 2) {
+    const auto add_process = [&](double width) {
         kept_.push_back(correlation(width, draws_hz));
         added_.push_back(innovation(width, draws_hz) * std::sqrt(std::numbers::ln2));
+    };
+    for (double width = low_hz; kept_.empty() || width <= draws_hz / 2; width *= 2) {
+        add_process(width);
     }
     if (kept_.size() % 2 == 1) {  // Gaussian numbers come in pairs: one more octave below
-        kept_.push_back(correlation(low_hz / 2, draws_hz));
-        added_.push_back(innovation(low_hz / 2, draws_hz) * std::sqrt(std::numbers::ln2));
+        add_process(low_hz / 2);
     }
     values_.resize(kept_.size());
     for (std::size_t i = 0; i < values_.size(); i += 2) {

@@ -1,6 +1,8 @@
 #include "core/simulation/decay_motion.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vybeg {
@@ -9,9 +11,149 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
+constexpr double slowest = 1e-12;  // 1/s: least rate, that of 30,000 years
+constexpr double step_share = 0.005;
+constexpr double at_rest = 1e-6;     // of the amplitude at the start
 constexpr std::int64_t block = 256;  // frames between two exact anchors: 256 roundings
 
 }  // namespace
+
+PowerMotion::PowerMotion(const FreeDecay& decay, const Eigen::Matrix2cd& linear,
+                         const Eigen::Vector2cd& start, double fraction)
+    : linear_(linear),
+      spring_(2 * pi / 3 * decay.frequency_per_power_hz),
+      damping_(decay.damping_per_power_per_s),
+      fraction_(fraction),
+      z_(start) {
+    expand(1);
+}
+
+Eigen::Vector2cd PowerMotion::slope(const Eigen::Vector2cd& z) const {
+    const double power = z.squaredNorm();
+    const Complex square = z(0) * z(0) + z(1) * z(1);
+    return linear_ * z + Complex{-damping_ * power, 2 * spring_ * power} * z +
+           Complex{0, spring_} * square * z.conjugate();
+}
+
+// Recurrence of the coefficients; those of products are sums of products.
+void PowerMotion::expand(double direction) {
+    const double power = z_.squaredNorm();
+    const double rate = linear_.norm() + 2 * (3 * std::abs(spring_) + std::abs(damping_)) * power;
+    step_ = direction * fraction_ / std::max(rate, slowest);
+    const Eigen::Matrix2cd linear = step_ * linear_;
+    const Complex by_power = step_ * Complex{-damping_, 2 * spring_};
+    const Complex by_square{0, step_ * spring_};
+    std::array<double, order> powers{};
+    std::array<Complex, order> squares{};
+    c_[0] = z_(0);
+    d_[0] = z_(1);
+    for (std::size_t n = 0; n < order; ++n) {
+        for (std::size_t j = 0; j <= n; ++j) {
+            powers[n] += (c_[j] * std::conj(c_[n - j]) + d_[j] * std::conj(d_[n - j])).real();
+            squares[n] += c_[j] * c_[n - j] + d_[j] * d_[n - j];
+        }
+        Complex c = linear(0, 0) * c_[n] + linear(0, 1) * d_[n];
+        Complex d = linear(1, 0) * c_[n] + linear(1, 1) * d_[n];
+        for (std::size_t j = 0; j <= n; ++j) {
+            c += by_power * powers[j] * c_[n - j] + by_square * squares[j] * std::conj(c_[n - j]);
+            d += by_power * powers[j] * d_[n - j] + by_square * squares[j] * std::conj(d_[n - j]);
+        }
+        c_[n + 1] = c / static_cast<double>(n + 1);
+        d_[n + 1] = d / static_cast<double>(n + 1);
+    }
+}
+
+Eigen::Vector2cd PowerMotion::sum(double x) const {
+    Complex c = c_[order];
+    Complex d = d_[order];
+    for (std::size_t n = order; n-- > 0;) {
+        c = c * x + c_[n];
+        d = d * x + d_[n];
+    }
+    return {c, d};
+}
+
+Eigen::Vector2cd PowerMotion::at(double t) {
+    // A series converges equally far backwards and forwards; only the first time can lie further
+    // back.
+    while (std::abs(t - begin_) > std::abs(step_)) {
+        const double direction = t > begin_ ? 1 : -1;
+        if (step_ * direction < 0) {
+            expand(direction);
+            continue;
+        }
+        z_ = sum(1);
+        begin_ += step_;
+        expand(direction);
+    }
+    return sum((t - begin_) / step_);
+}
+
+AmplitudeFactor::AmplitudeFactor(const FreeDecay& decay, const SlowMotion& linear)
+    : decay_(decay),
+      linear_(linear),
+      slowest_(std::max(linear.matrix().norm(), 1 / decay.seconds)),
+      least_(at_rest * linear.start().norm()) {}
+
+double AmplitudeFactor::size_of_linear(double t) const {
+    return (linear_.propagator(t) * linear_.start()).norm();
+}
+
+double AmplitudeFactor::slope(double t, double factor) const {
+    const double size = size_of_linear(t);
+    // Steps end at the drive's instants, so that their middle decides.
+    const bool driven = time_s_ >= decay_.drive_from_s && time_s_ < decay_.drive_to_s;
+    const double drive = driven ? decay_.drive_per_s : 0;
+    const double dry = decay_.dry_friction_per_s;
+    return drive * factor - (dry > 0 ? dry / size : 0) -
+           decay_.air_friction_per_s * factor * factor * size;
+}
+
+// The next instant at which the drive changes.
+double AmplitudeFactor::next_switch() const {
+    return time_s_ < decay_.drive_from_s ? decay_.drive_from_s
+           : time_s_ < decay_.drive_to_s ? decay_.drive_to_s
+                                         : std::numeric_limits<double>::infinity();
+}
+
+// From time_s_ to the end of a step.
+void AmplitudeFactor::advance() {
+    time_s_ = end_.time_s;
+    begin_ = end_;
+    const double size = begin_.factor * size_of_linear(time_s_);
+    const double dry = decay_.dry_friction_per_s;
+    if (dry > 0 && size < least_) {
+        begin_.factor = end_.factor = begin_.slope = end_.slope = 0;
+        end_.time_s = std::numeric_limits<double>::infinity();
+        return;
+    }
+    const double rate = slowest_ + std::abs(decay_.drive_per_s) + (dry > 0 ? dry / size : 0) +
+                        decay_.air_friction_per_s * size;
+    const double end = std::min(next_switch(), time_s_ + step_share / rate);
+    const double h = end - time_s_;
+    const double k1 = slope(time_s_, begin_.factor);
+    const double k2 = slope(time_s_ + h / 2, begin_.factor + h / 2 * k1);
+    const double k3 = slope(time_s_ + h / 2, begin_.factor + h / 2 * k2);
+    const double k4 = slope(end, begin_.factor + h * k3);
+    const double factor = std::max(begin_.factor + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), 0.0);
+    begin_.slope = k1;
+    end_ = {end, factor, slope(end, factor)};
+}
+
+double AmplitudeFactor::at(double t) {
+    while (end_.time_s < t) {
+        advance();
+    }
+    const double h = end_.time_s - begin_.time_s;
+    if (t <= begin_.time_s || begin_.factor == 0 || h <= 0) {
+        return begin_.factor;
+    }
+    // The cubic with the values and slopes of both ends.
+    const double x = (t - begin_.time_s) / h;
+    const double rise = end_.factor - begin_.factor;
+    return begin_.factor + x * rise +
+           x * (1 - x) * ((1 - x) * (h * begin_.slope - rise) - x * (h * end_.slope - rise));
+}
 
 DecayMotion::DecayMotion(const FreeDecay& decay, double late_s)
     : decay_(decay),

@@ -1,13 +1,83 @@
 #pragma once
 
-#include "core/simulation/amplitude_factor.h"
-#include "core/simulation/power_motion.h"
+#include "core/simulation/free_decay.h"
 #include "core/simulation/slow_motion.h"
 
+#include <Eigen/Core>
+
+#include <array>
+#include <complex>
 #include <cstdint>
 #include <optional>
 
 namespace vybeg {
+
+// The slow motion where frequency and damping depend on the power |z|^2 (FreeDecay), z = (c, d):
+//     dz/dt = M z + i (2 pi b/3) (2|z|^2 z + (z.z) conj z) - k |z|^2 z
+// by Taylor series of order 16 from step to step. A step is `fraction` of 1/rate, where rate = |M|
+// + 2 (2 pi |b| + |k|) |z|^2 bounds the inverse radius of convergence: at a tenth the truncation
+// error is below the rounding of a double.
+class PowerMotion {
+public:
+    PowerMotion(const FreeDecay& decay, const Eigen::Matrix2cd& linear,
+                const Eigen::Vector2cd& start, double fraction = 0.1);
+
+    // z at t, seconds, also before 0. Only the last step is stored. Precondition: ascending times,
+    // except the first.
+    Eigen::Vector2cd at(double t);
+
+    // dz/dt of the motion at z.
+    Eigen::Vector2cd slope(const Eigen::Vector2cd& z) const;
+
+private:
+    static constexpr std::size_t order = 16;
+    using Series = std::array<std::complex<double>, order + 1>;  // in the step's own time, 0 to 1
+
+    void expand(double direction);
+    Eigen::Vector2cd sum(double x) const;
+
+    Eigen::Matrix2cd linear_;
+    double spring_;   // 2 pi b / 3
+    double damping_;  // k
+    double fraction_;
+    double begin_ = 0;  // of the step, s
+    double step_ = 0;   // its length, s; negative: backwards
+    Eigen::Vector2cd z_;
+    Series c_{};
+    Series d_{};
+};
+
+// Factor A of the linear motion w = exp(M t) z(0), z = A w, under friction and a drive, which leave
+// the shape of the wave as it is:
+//     dA/dt = g(t) A - dry/|w| - air A^2 |w|        A = 0 from the instant at which the wave rests
+// by Runge and Kutta's fourth order, in steps of 0.5 % of the fastest change, and cubics between
+// them: errors below 1e-10.
+class AmplitudeFactor {
+public:
+    AmplitudeFactor(const FreeDecay& decay, const SlowMotion& linear);
+
+    // A at t, seconds; 1 before the start. Ascending times.
+    double at(double t);
+
+private:
+    double slope(double t, double factor) const;
+    double size_of_linear(double t) const;
+    double next_switch() const;
+    void advance();
+
+    FreeDecay decay_;
+    SlowMotion linear_;
+    double slowest_;  // rate of change of the linear motion, 1/s
+    double least_;    // amplitude of a wave at rest
+    struct Node {
+        double time_s = 0;
+        double factor = 1;
+        double slope = 0;
+    };
+    double time_s_ = 0;  // start of the step
+    Node begin_;
+    Node end_;
+};
 
 // The wave frame by frame: the slow motion, linear or not, with its carrier whose frequency may
 // drift and settle.

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "core/base/result.h"
+
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -110,11 +114,22 @@ struct FreeDecay {
 
 FreeDecay demo_decay();
 
+// Whether friction or a drive changes the amplitude.
+bool has_amplitude_factor(const FreeDecay& decay);
+
 // Frames of the motion: floor(seconds * rate), a product within 1e-6 below a whole number counting
-// as whole. Precondition: check() of check_decay.h passes.
+// as whole. Precondition: check() passes.
 std::int64_t motion_frame_count(const FreeDecay& decay);
 
 // Frames of the record: those of the motion less the lost, plus the doubled ones.
 std::int64_t frame_count(const FreeDecay& decay);
+
+// Whether the decay can be simulated at all: simulation_impossible with the reason.
+Status check(const FreeDecay& decay);
+
+// That it cannot.
+inline Error impossible(std::string reason) {
+    return {ErrorCode::simulation_impossible, "simulate", {std::move(reason)}};
+}
 
 }  // namespace vybeg

@@ -2,10 +2,9 @@
 
 #include "core/base/number_text.h"
 #include "core/simulation/carrier_noise.h"
-#include "core/simulation/check_decay.h"
 #include "core/simulation/decay_motion.h"
 #include "core/simulation/gaussian_noise.h"
-#include "core/simulation/turns.h"
+#include "core/simulation/slow_motion.h"
 
 #include <algorithm>
 #include <array>

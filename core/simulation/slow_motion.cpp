@@ -1,10 +1,7 @@
 #include "core/simulation/slow_motion.h"
 
-#include "core/simulation/turns.h"
-
 #include <Eigen/Geometry>
 
-#include <cmath>
 #include <numbers>
 
 namespace vybeg {

@@ -4,9 +4,18 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <complex>
 
 namespace vybeg {
+
+// Fractional turns of a frequency up to a frame (whole or half), exact to rounding for any length:
+// the product is reduced by whole turns, which is exact, with its own rounding error carried.
+inline double turns_at(double frame, double f_hz, double rate_hz) {
+    const double product = frame * f_hz;
+    const double lost = std::fma(frame, f_hz, -product);
+    return (std::remainder(product, rate_hz) + lost) / rate_hz;
+}
 
 // The slow motion dz/dt = M z of METHOD section 8, z = (c, d) relative to f0, in closed form. M is
 // split into its mean m and a traceless N with N^2 = s^2 I, so that

@@ -2,7 +2,6 @@
 
 #include "core/base/number_text.h"
 #include "core/numerics/phase.h"
-#include "core/simulation/check_decay.h"
 #include "core/simulation/decay_motion.h"
 #include "core/windows/window_plan.h"
 
@@ -65,16 +64,12 @@ Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
     TRY(check(decay));
     const std::int64_t frames = motion_frame_count(decay);
     if (window < 1 || window > frames) {
-        return Error{ErrorCode::simulation_impossible,
-                     "simulate",
-                     {"its truth needs a window of 1 to " + integer_text(frames) + " samples"}};
+        return impossible("its truth needs a window of 1 to " + integer_text(frames) + " samples");
     }
     const WindowPlan plan = plan_windows(0, frames, window, window);
     if (plan.count > most_rows) {
-        return Error{ErrorCode::simulation_impossible,
-                     "simulate",
-                     {"its truth would have " + integer_text(plan.count) +
-                      " windows; the most is " + integer_text(most_rows)}};
+        return impossible("its truth would have " + integer_text(plan.count) +
+                          " windows; the most is " + integer_text(most_rows));
     }
     DecayMotion motion(decay);
     Track track(static_cast<std::size_t>(plan.count));
@@ -87,10 +82,7 @@ Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
         ellipse << phasors.real(), -phasors.imag();
         const Axes axes = axes_of(ellipse);
         const auto put = [&track, row](SlowVariable variable, double value) {
-            track.values(variable)[row] = value;
-            if (info(variable).has_sd) {
-                track.sds(variable)[row] = 0;
-            }
+            track.put(row, variable, value, 0);
         };
         track.time_s()[row] = plan.centre_s(static_cast<std::int64_t>(row), decay.rate_hz);
         put(SlowVariable::a_A, axes.long_axis);

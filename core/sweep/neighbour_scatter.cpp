@@ -28,16 +28,6 @@ bool of_amplitude_or_rate(SlowVariable variable) {
     return variable == SlowVariable::a_A || variable == SlowVariable::f;
 }
 
-bool sound(Flags flags) {
-    for (const Flag bad : {Flag::gap, Flag::not_converged, Flag::at_bound, Flag::clipped,
-                           Flag::filter_transient, Flag::delay_reach}) {
-        if (has(flags, bad)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 // Above this the absolute value of a number does not count.
 double limit_of(const std::vector<double>& x) {
     std::vector<double> sizes(x.size());
@@ -105,7 +95,7 @@ NeighbourScatter::Row NeighbourScatter::row_of(const Track& track, std::size_t k
         row.sds[v] = track.sds(main_slow_variables[v])[k];
     }
     row.alpha = track.values(SlowVariable::alpha)[k];
-    row.counts = sound(track.flags()[k]) && !over_fault(rows_);
+    row.counts = is_sound_window(track.flags()[k]) && !over_fault(rows_);
     return row;
 }
 

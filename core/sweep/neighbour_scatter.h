@@ -2,7 +2,6 @@
 
 #include "core/estimators/wave/estimator.h"
 #include "core/sweep/window_sweep.h"
-#include "core/track/flagged_rows.h"
 #include "core/track/track.h"
 #include "core/windows/window_plan.h"
 

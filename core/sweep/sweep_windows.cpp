@@ -1,39 +1,96 @@
 #include "core/sweep/sweep_windows.h"
 
 #include "core/analysis/analyse.h"
-#include "core/analysis/band_noise.h"
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/setting_table.h"
 #include "core/analysis/window_faults.h"
-#include "core/sweep/form_leakage.h"
+#include "core/analysis/window_noise.h"
+#include "core/estimators/wave/wave_state.h"
+#include "core/numerics/median.h"
 #include "core/sweep/neighbour_scatter.h"
-#include "core/sweep/window_advice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <set>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
+namespace {
 
-std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last, int steps) {
-    std::vector<std::int64_t> lengths;
-    const double ratio = static_cast<double>(last) / static_cast<double>(first);
-    for (int k = 0; k < steps; ++k) {
-        const double share = static_cast<double>(k) / (steps - 1);
-        const auto length = static_cast<std::int64_t>(
-            std::llround(static_cast<double>(first) * std::pow(ratio, share)));
-        if (lengths.empty() || length > lengths.back()) {
-            lengths.push_back(length);
-        }
+constexpr double pi = std::numbers::pi;
+constexpr int phases = 8;  // of alpha in half a turn: leakage has the period pi
+
+using Errors = std::array<double, sweep_variable_count>;
+
+// The samples of a wave about the middle of a window of n, with context on both sides.
+void sample(const WaveState& wave, double w, std::int64_t n, std::int64_t context,
+            std::vector<double>& c, std::vector<double>& d) {
+    const Phasors z = to_phasors(wave);
+    c.resize(static_cast<std::size_t>(n + 2 * context));
+    d.resize(c.size());
+    const double centre = static_cast<double>(context) + 0.5 * static_cast<double>(n - 1);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+        const std::complex<double> turn = std::polar(1.0, w * (static_cast<double>(k) - centre));
+        c[k] = (z.c * turn).real();
+        d[k] = (z.d * turn).real();
     }
-    return lengths;
 }
 
-namespace {
+Errors errors_of(const WaveEstimate& found, const WaveState& wave, double f0_hz) {
+    return {found.state.a_A - wave.a_A, found.state.a_B - wave.a_B,
+            std::remainder(found.state.two_theta_A - wave.two_theta_A, pi), found.f_hz - f0_hz,
+            std::remainder(found.delta_phi_CD - phase_difference(to_phasors(wave)), 2 * pi)};
+}
+
+// Errors of one closed form (algorithms 1 to 4) in windows of n samples without noise: its estimate
+// of a wave at f0 less that wave, root of the mean square over the phases of the carrier at the
+// window, median over the waves. Next to the leakage of windows that do not hold whole half-periods
+// they contain the quadrature that algorithm 1 leaves out. In the order of main_slow_variables; NaN
+// where the algorithm has no value.
+Errors form_leakage(Algorithm algorithm, std::span<const WaveState> waves, std::int64_t n,
+                    double f0_hz, double rate_hz) {
+    EstimatorOptions options;
+    options.length = n;
+    options.rate_hz = rate_hz;
+    options.f0_hz = f0_hz;
+    const auto estimator = make_estimator(algorithm, options);
+    const std::int64_t context = estimator->context();
+    const double w = 2 * pi * f0_hz / rate_hz;
+    std::array<std::vector<double>, sweep_variable_count> of_waves;
+    std::vector<double> c;
+    std::vector<double> d;
+    for (const WaveState& wave : waves) {
+        Errors squares{};
+        for (int phase = 0; phase < phases; ++phase) {
+            WaveState turned = wave;
+            turned.alpha = wave.alpha + pi * phase / phases;
+            sample(turned, w, n, context, c, d);
+            WaveEstimate found;
+            estimator->estimate({c, d, context, n, n}, 0, {&found, 1});
+            const Errors errors = errors_of(found, turned, f0_hz);
+            for (std::size_t v = 0; v < errors.size(); ++v) {
+                squares[v] += errors[v] * errors[v] / phases;
+            }
+        }
+        for (std::size_t v = 0; v < squares.size(); ++v) {
+            if (std::isfinite(squares[v])) {
+                of_waves[v].push_back(std::sqrt(squares[v]));
+            }
+        }
+    }
+    Errors typical;
+    typical.fill(SweepValue::none);
+    for (std::size_t v = 0; v < typical.size(); ++v) {
+        if (!of_waves[v].empty()) {
+            typical[v] = median(std::move(of_waves[v]));
+        }
+    }
+    return typical;
+}
 
 constexpr std::int64_t most_held = std::int64_t{1} << 24;
 constexpr std::int64_t block = std::int64_t{1} << 16;
@@ -113,70 +170,65 @@ Result<std::vector<WaveState>> waves_of(const ConditionedRecording& prepared,
     Settings likely = settings;
     likely.algorithm = Algorithm::maximum_likelihood;
     const double zero = prepared.calibration.two_theta_zero();
-    const auto collect = [&](const Track& rows) -> Status {
-        for (std::size_t k = 0; k < rows.rows(); ++k) {
-            const auto value = [&](SlowVariable v) { return rows.values(v)[k]; };
-            if (std::isfinite(value(SlowVariable::two_theta_A))) {
-                waves.push_back({value(SlowVariable::a_A), value(SlowVariable::a_B),
-                                 value(SlowVariable::two_theta_A) + zero,
-                                 value(SlowVariable::alpha)});
-            }
+    Track track;
+    TRY(estimate_track(prepared, plan, likely, rate_hz, 1, appended_to(track), job.silent()));
+    for (std::size_t k = 0; k < track.rows(); ++k) {
+        const auto value = [&](SlowVariable v) { return track.values(v)[k]; };
+        if (std::isfinite(value(SlowVariable::two_theta_A))) {
+            waves.push_back({value(SlowVariable::a_A), value(SlowVariable::a_B),
+                             value(SlowVariable::two_theta_A) + zero, value(SlowVariable::alpha)});
         }
-        return {};
-    };
-    TRY(estimate_track(prepared, plan, likely, rate_hz, 1, collect, job.silent()));
+    }
     return waves;
 }
 
-class Sweep {
-public:
-    Sweep(const ConditionedRecording& prepared, const SampleFaults& faults,
-          const Settings& settings, double rate_hz, double white, std::vector<WaveState> waves)
-        : prepared_(prepared),
-          faults_(faults),
-          settings_(settings),
-          rate_hz_(rate_hz),
-          white_(white),
-          waves_(std::move(waves)) {}
-
-    Result<SweepLength> of(const WindowPlan& plan, const JobControl& job) const {
-        EquivalentNoise noise{white_, white_};
-        if (prepared_.filter) {
-            noise =
-                equivalent_noise(white_, *prepared_.filter, prepared_.f0_hz, plan.length, rate_hz_);
-        }
-        NeighbourScatter scatter(plan, rate_hz_, prepared_.calibration.two_theta_zero(),
-                                 windows_over(faults_, plan), noise);
-        const TrackSink sink = [&](const Track& rows) -> Status {
-            scatter.take(rows);
-            return {};
-        };
-        TRY(estimate_track(prepared_, plan, settings_, rate_hz_, threads_of(settings_.threads),
-                           sink, job));
-        SweepLength found = scatter.finish();
-        for (std::size_t k = 0; k < closed_form_algorithms.size() && !waves_.empty(); ++k) {
-            const auto leakage = form_leakage(closed_form_algorithms[k], waves_, plan.length,
-                                              prepared_.f0_hz, rate_hz_);
-            for (std::size_t v = 0; v < leakage.size(); ++v) {
-                found.values[v].leakage[k] = leakage[v];
-                if (closed_form_algorithms[k] == settings_.algorithm) {
-                    found.values[v].leaking = leakage[v];
-                }
+// The sweep's algorithm in windows of one length. `waves`: for the leakage of the closed forms.
+Result<SweepLength> in_windows(const WindowPlan& plan, const WindowSweep& sweep,
+                               const ConditionedRecording& prepared, const SampleFaults& faults,
+                               std::span<const WaveState> waves, const JobControl& job) {
+    const double rate = sweep.rate_hz;
+    EquivalentNoise noise{sweep.white_noise, sweep.white_noise};
+    if (prepared.filter) {
+        noise = equivalent_noise(sweep.white_noise, *prepared.filter, prepared.f0_hz, plan.length,
+                                 rate);
+    }
+    NeighbourScatter scatter(plan, rate, prepared.calibration.two_theta_zero(),
+                             windows_over(faults, plan), noise);
+    const TrackSink sink = [&](const Track& rows) -> Status {
+        scatter.take(rows);
+        return {};
+    };
+    TRY(estimate_track(prepared, plan, sweep.settings, rate, threads_of(sweep.settings.threads),
+                       sink, job));
+    SweepLength found = scatter.finish();
+    for (std::size_t k = 0; k < closed_form_algorithms.size() && !waves.empty(); ++k) {
+        const auto leakage =
+            form_leakage(closed_form_algorithms[k], waves, plan.length, prepared.f0_hz, rate);
+        for (std::size_t v = 0; v < leakage.size(); ++v) {
+            found.values[v].leakage[k] = leakage[v];
+            if (closed_form_algorithms[k] == sweep.settings.algorithm) {
+                found.values[v].leaking = leakage[v];
             }
         }
-        return found;
     }
-
-private:
-    const ConditionedRecording& prepared_;
-    const SampleFaults& faults_;
-    const Settings& settings_;
-    double rate_hz_;
-    double white_;
-    std::vector<WaveState> waves_;
-};
+    return found;
+}
 
 }  // namespace
+
+std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last, int steps) {
+    std::vector<std::int64_t> lengths;
+    const double ratio = static_cast<double>(last) / static_cast<double>(first);
+    for (int k = 0; k < steps; ++k) {
+        const double share = static_cast<double>(k) / (steps - 1);
+        const auto length = static_cast<std::int64_t>(
+            std::llround(static_cast<double>(first) * std::pow(ratio, share)));
+        if (lengths.empty() || length > lengths.back()) {
+            lengths.push_back(length);
+        }
+    }
+    return lengths;
+}
 
 Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& settings,
                                   std::span<const std::int64_t> lengths, const JobControl& job) {
@@ -192,7 +244,7 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
     sweep.f0_hz = prepared.f0_hz;
     const auto white = TRY(white_noise(prepared, rate, job.silent()));
     sweep.white_noise = white;
-    auto waves = TRY(waves_of(prepared, sweep.settings, rate, job));
+    const auto waves = TRY(waves_of(prepared, sweep.settings, rate, job));
 
     std::map<std::int64_t, WindowPlan> plans;
     double all_work = 0;
@@ -213,13 +265,12 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
         return sweep.refused.front().error;
     }
     const SampleFaults faults = prepared.check->finish();
-    const Sweep each(prepared, faults, sweep.settings, rate, white, std::move(waves));
     double done = 0;
     for (const auto& [length, plan] : plans) {
         const double share = work(plan) / all_work;
         const JobControl part =
             job.with_progress([&](double fraction) { job.report(done + share * fraction); });
-        auto found = TRY(each.of(plan, part));
+        auto found = TRY(in_windows(plan, sweep, prepared, faults, waves, part));
         sweep.lengths.push_back(found);
         done += share;
     }

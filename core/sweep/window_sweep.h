@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -83,5 +84,12 @@ struct WindowSweep {
     std::vector<Refused> refused;
     std::optional<WindowAdvice> advice;  // none where fewer than two lengths have errors
 };
+
+// The length at which the largest loss is least. The loss of a variable is its expected error
+// (SweepValue::error()) over the least one in the list: errors of different units become
+// comparable, and no variable is sacrificed. Of lengths of nearly the same loss it is the shortest.
+// A variable that has no error in most lengths does not count, nor a length in which another
+// variable has none. `lengths` ascend. Nothing for fewer than two lengths.
+std::optional<WindowAdvice> advise_window(std::span<const SweepLength> lengths);
 
 }  // namespace vybeg

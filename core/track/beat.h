@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/track/trend_points.h"
+#include "core/track/trend.h"
 
 #include <cstddef>
 #include <optional>

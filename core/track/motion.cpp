@@ -108,46 +108,43 @@ void MotionMarker::judge_next() {
 bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) const {
     const double share = 1 / (24 * lengths_apart_ * lengths_apart_);
     const double limit = std::max(0.36, rare * rare * second_variance_ * share * share);
-    const auto beyond = [share, limit](double second, double b, double a, double c, double scale) {
-        const double bias = std::abs(second) * share;
-        return bias * bias > limit * (b + a + c) / 3 && bias > rounding * scale;
+    const auto second = [&](double Row::*value) {
+        return after.*value - 2 * at.*value + before.*value;
+    };
+    const auto beyond = [&](double bend, double Row::*variance, double scale) {
+        const double bias = std::abs(bend) * share;
+        return bias * bias > limit * (before.*variance + at.*variance + after.*variance) / 3 &&
+               bias > rounding * scale;
     };
     const double forward = turned(at.two_theta_A, after.two_theta_A);
     const double back = turned(before.two_theta_A, at.two_theta_A);
     if (lengths_apart_ > 1.2 && at.noise * at.noise > 0.5 * at.a_A * std::sqrt(at.var_a_A)) {
-        const auto differs = [this](double second, double b, double a, double c) {
-            return second * second > 6 * second_variance_ * (b + 4 * a + c);
+        const auto differs = [&](double bend, double Row::*variance) {
+            return bend * bend >
+                   6 * second_variance_ * (before.*variance + 4 * at.*variance + after.*variance);
         };
-        if (differs(after.a_A - 2 * at.a_A + before.a_A, before.var_a_A, at.var_a_A,
-                    after.var_a_A) ||
-            differs(after.a_B - 2 * at.a_B + before.a_B, before.var_a_B, at.var_a_B,
-                    after.var_a_B) ||
-            differs(forward - back, before.var_two_theta_A, at.var_two_theta_A,
-                    after.var_two_theta_A)) {
+        if (differs(second(&Row::a_A), &Row::var_a_A) ||
+            differs(second(&Row::a_B), &Row::var_a_B) ||
+            differs(forward - back, &Row::var_two_theta_A)) {
             return true;
         }
     }
     // Steps beyond their noise; of a wave near a circle the angle alone steps far.
-    const auto clear = [](double x, double b, double a) {
-        return x * x > rare * rare * (b + a) ? x : 0;
+    const auto clear = [&](double x, double Row::*variance) {
+        return x * x > rare * rare * (before.*variance + after.*variance) ? x : 0;
     };
-    const double step =
-        std::hypot(clear(after.a_A - before.a_A, before.var_a_A, after.var_a_A),
-                   clear(after.a_B - before.a_B, before.var_a_B, after.var_a_B),
-                   at.a_A * clear(forward + back, before.var_two_theta_A, after.var_two_theta_A));
+    const double step = std::hypot(clear(after.a_A - before.a_A, &Row::var_a_A),
+                                   clear(after.a_B - before.a_B, &Row::var_a_B),
+                                   at.a_A * clear(forward + back, &Row::var_two_theta_A));
     const double skewed = slope_share_ * step / (2 * lengths_apart_);
     if (skewed * skewed > 0.25 * (before.var_a_A + at.var_a_A + after.var_a_A) / 3 &&
         skewed > rounding * at.a_A) {
         return true;
     }
-    return beyond(after.a_A - 2 * at.a_A + before.a_A, before.var_a_A, at.var_a_A, after.var_a_A,
-                  at.a_A) ||
-           beyond(after.a_B - 2 * at.a_B + before.a_B, before.var_a_B, at.var_a_B, after.var_a_B,
-                  at.a_A) ||
-           beyond(forward - back, before.var_two_theta_A, at.var_two_theta_A, after.var_two_theta_A,
-                  1) ||
-           beyond(after.f_hz - 2 * at.f_hz + before.f_hz, before.var_f, at.var_f, after.var_f,
-                  at.f_hz) ||
+    return beyond(second(&Row::a_A), &Row::var_a_A, at.a_A) ||
+           beyond(second(&Row::a_B), &Row::var_a_B, at.a_A) ||
+           beyond(forward - back, &Row::var_two_theta_A, 1) ||
+           beyond(second(&Row::f_hz), &Row::var_f, at.f_hz) ||
            std::abs(forward + back) > 2 * quarter * lengths_apart_;
 }
 

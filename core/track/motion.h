@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/track/flagged_rows.h"
 #include "core/track/track.h"
 
 #include <cstdint>

@@ -40,6 +40,8 @@ public:
     std::span<double> sds(SlowVariable variable) { return sds_[index(variable)]; }
     std::span<Flags> flags() { return flags_; }
     std::span<double> leakage_f_hz() { return leakage_f_hz_; }
+    // A value with its standard deviation, which is ignored where the variable has none.
+    void put(std::size_t row, SlowVariable variable, double value, double sd);
     void append(const Track& rows);
 
 private:
@@ -52,8 +54,33 @@ private:
     std::vector<double> leakage_f_hz_;
 };
 
+// Whether a window has all its samples, unclipped, and its estimate is one of them.
+inline constexpr bool is_sound_window(Flags flags) {
+    constexpr Flags bad = static_cast<Flags>(Flag::gap | Flag::clipped) |
+                          static_cast<Flags>(Flag::not_converged | Flag::at_bound) |
+                          static_cast<Flags>(Flag::filter_transient | Flag::delay_reach);
+    return (flags & bad) == 0;
+}
+
 // Receives the rows of a track during its computation, some thousand at a time, in order, from any
 // thread but never from two at once. An error ends the computation.
 using TrackSink = std::function<Status(const Track& rows)>;
+
+// One that appends them to a track, which must outlive it.
+TrackSink appended_to(Track& track);
+
+// Consecutive rows of a track that get a flag after their estimation, because the reason is known
+// only at the end of the recording.
+struct FlaggedRows {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    Flag flag{};
+
+    friend bool operator==(const FlaggedRows&, const FlaggedRows&) = default;
+};
+
+// Sets the flags of a part of the track that begins with its row `first`. Rows of other parts are
+// ignored.
+void set_flags(std::span<Flags> part, std::size_t first, std::span<const FlaggedRows> flagged);
 
 }  // namespace vybeg

@@ -12,12 +12,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double most_blocks = 256;
 constexpr double least_correlations = 2;  // lengths of the correlation in a block
 constexpr std::size_t least_blocks = 20;
-constexpr double significant = 3;  // standard deviations of the blocks' scatter
+constexpr double significant_scatter = 3;  // standard deviations
 
 constexpr Flags harmless = static_cast<Flags>(Flag::no_quadrature);
-constexpr Flags invalid = static_cast<Flags>(Flag::gap | Flag::clipped) |
-                          static_cast<Flags>(Flag::not_converged | Flag::at_bound) |
-                          static_cast<Flags>(Flag::filter_transient | Flag::delay_reach);
 
 }  // namespace
 
@@ -52,17 +49,15 @@ void TrackSummariser::take(const Track& rows) {
         counts_.leaking += has(flags[k], Flag::leakage) ? 1 : 0;
         counts_.moving += has(flags[k], Flag::moving) ? 1 : 0;
         if (std::isfinite(noise[k])) {
-            ((flags[k] & invalid) == 0 ? noise_ : noise_of_invalid_).take(noise[k]);
+            (is_sound_window(flags[k]) ? noise_ : noise_of_invalid_).take(noise[k] * noise[k]);
         }
         if (!std::isfinite(f[k])) {
             continue;
         }
-        if ((flags[k] & invalid) == 0) {
+        if (is_sound_window(flags[k])) {
             take_frequency(rows.time_s()[k], f[k], sd[k], rows.leakage_f_hz()[k]);
         } else if (has(flags[k], Flag::at_bound) && !has(flags[k], Flag::gap)) {
-            Beyond& side = f[k] < mean_ ? below_ : above_;
-            side.count += 1;
-            side.sum += f[k];
+            (f[k] < mean_ ? below_ : above_).take(f[k]);
         }
     }
 }
@@ -137,7 +132,8 @@ double TrackSummariser::excess(std::span<const double> variances,
 TrackSummary TrackSummariser::summary() const {
     TrackSummary summary = counts_;
     summary.mean_f_hz = summary.sd_mean_f_hz = summary.scatter_f_hz = summary.mean_at_s = nan;
-    summary.noise = noise_.count > 0 ? noise_.root() : noise_of_invalid_.root();
+    const Sum& noise = noise_.count > 0 ? noise_ : noise_of_invalid_;
+    summary.noise = std::sqrt(noise.sum / noise.count);  // NaN for none
     if (count_ == 0) {
         return summary;
     }
@@ -186,7 +182,7 @@ TrackSummary TrackSummariser::summary() const {
             variance = blocks_.size() < least_blocks ? variance : (1 + beyond) / weights;
         } else if (blocks_.size() < least_blocks) {
             variance *= std::max(1.0, 1 + beyond);
-        } else if (beyond > significant * std::sqrt(4 / (blocks - 2))) {
+        } else if (beyond > significant_scatter * std::sqrt(4 / (blocks - 2))) {
             variance += beyond / weights;
         }
     }

@@ -2,7 +2,6 @@
 
 #include "core/track/track.h"
 
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -66,19 +65,14 @@ private:
         double variance = 0;  // sum of sd^2
         double leakage = 0;   // sum
     };
-    struct Beyond {  // windows at the bound on one side
-        double count = 0;
-        double sum = 0;  // of f
-    };
-
-    struct MeanSquare {
+    struct Sum {
         double count = 0;
         double sum = 0;
+
         void take(double value) {
             count += 1;
-            sum += value * value;
+            sum += value;
         }
-        double root() const { return std::sqrt(sum / count); }  // NaN for none
     };
 
     void take_frequency(double time_s, double f, double sd, double leakage);
@@ -94,16 +88,15 @@ private:
     double count_ = 0;  // Welford's recurrence over all windows
     double mean_ = 0;
     double spread_ = 0;
-    Beyond below_;
-    Beyond above_;
-    MeanSquare noise_;
-    MeanSquare noise_of_invalid_;
+    Sum below_;  // f of windows at the bound on one side
+    Sum above_;
+    Sum noise_;  // squares
+    Sum noise_of_invalid_;
 };
 
 // Correlation of the errors of f in white noise of windows that share samples, by hops;
 // `independent`: hop / length. The error of f is the noise weighted with a straight line, hence 1 -
-// 3 x
-// + 2 x^3 at a distance of x lengths.
+// 3 x + 2 x^3 at a distance of x lengths.
 std::vector<double> overlap_correlation(double independent);
 
 // A whole track at once.

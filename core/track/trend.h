@@ -1,12 +1,47 @@
 #pragma once
 
 #include "core/track/track.h"
-#include "core/track/trend_points.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace vybeg {
+
+enum class TrendOf : std::uint8_t { value, logarithm };
+
+// A value of a slow variable for a trend, stored units or their logarithm; weight: 1/sd^2.
+struct TrendPoint {
+    double time_s = 0;
+    double value = 0;
+    double weight = 0;
+};
+
+// The windows of a slow variable between two times that count for a trend. Windows that share
+// samples have correlated errors, so only every k-th counts, where k hops reach over a window:
+// `apart` is that k. Their noise is pooled. Windows without value or with samples missing, clipped
+// or disturbed do not count. 2theta_A is taken as it is, unwrapped; delta_phi_CD and alpha are
+// unwrapped between successive windows. Empty for a variable without standard deviations; values
+// that are not positive have no logarithm and do not count.
+std::vector<TrendPoint> trend_points(const Track& track, SlowVariable variable, double from_s,
+                                     double to_s, std::size_t apart, TrendOf of = TrendOf::value);
+
+// How the points lie about a trend, in their standard deviations.
+struct Scatter {
+    double chi2_per_dof = 0;
+    // Factor of the trend's deviations, 1 for white noise of the stated size. Where the points, or
+    // the means of up to 24 groups of successive points, scatter by more than three standard
+    // deviations of chi^2 allow, it is the root of the larger chi^2 per degree of freedom. Groups
+    // see what single points hide: slow noise, and a motion that is not the trend's.
+    double enlargement = 1;
+};
+Scatter scatter_about(const std::vector<TrendPoint>& points, int parameters,
+                      const std::function<double(double time_s)>& trend);
+
+// Hops of a plan that reach over a window of `length` samples.
+std::size_t windows_apart(std::int64_t length, std::int64_t hop);
 
 // Straight line through a slow variable between two times.
 struct Trend {
@@ -34,5 +69,26 @@ struct DecayTime {
 // Amplitude decay time from the trend of the logarithm of an amplitude; nothing where its slope
 // lies within two standard deviations of zero.
 std::optional<DecayTime> decay_time(const Trend& of_logarithm);
+
+inline constexpr int most_trend_degree = 3;
+
+// Polynomial through a slow variable between two times, about the middle of its windows:
+//     v(t) = sum_k coefficient[k] u^k,   u = t - centre_s.
+struct PolynomialTrend {
+    std::size_t windows = 0;          // that count
+    double centre_s = 0;              // middle of the windows' times
+    std::vector<double> coefficient;  // stored units per s^k, k = 0 to the degree
+    std::vector<double> sd;           // of each
+    double chi2_per_dof = 0;          // of the windows, before the deviations are enlarged
+    double enlargement = 1;           // of the deviations, see scatter_about()
+
+    double at(double time_s) const;
+};
+
+// Weighted least squares over trend_points(). Nothing for fewer than degree + 2 points.
+// Precondition: 1 <= degree <= most_trend_degree.
+std::optional<PolynomialTrend> polynomial_trend(const Track& track, SlowVariable variable,
+                                                double from_s, double to_s, std::size_t apart,
+                                                int degree);
 
 }  // namespace vybeg

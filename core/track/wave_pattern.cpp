@@ -12,7 +12,7 @@ double turn_part(int step, int steps) {
 
 }  // namespace
 
-ClosedCurve polar_pattern(const StandingWave& wave, int steps) {
+ClosedCurve polar_pattern(const WaveState& wave, int steps) {
     ClosedCurve curve;
     for (int k = 0; k <= steps; ++k) {
         const double theta = turn_part(k, steps);
@@ -24,7 +24,7 @@ ClosedCurve polar_pattern(const StandingWave& wave, int steps) {
     return curve;
 }
 
-ClosedCurve channel_ellipse(const StandingWave& wave, int steps) {
+ClosedCurve channel_ellipse(const WaveState& wave, int steps) {
     const double along = std::cos(wave.two_theta_A);
     const double across = std::sin(wave.two_theta_A);
     ClosedCurve curve;

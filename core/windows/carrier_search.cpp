@@ -1,17 +1,370 @@
 #include "core/windows/carrier_search.h"
 
+#include "core/base/dispatch.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/median.h"
-#include "core/windows/carrier_zoom.h"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <bit>
 #include <complex>
 #include <numbers>
+#include <numeric>
+#include <utility>
 #include <vector>
+
+// Vectors are passed between inlined functions only.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace vybeg {
 namespace {
+
+// Length with zero padding of at least half the length, so that the parabola through the logarithms
+// of a peak is accurate: the next power of two, or three times one.
+std::size_t padded_length(std::size_t length) {
+    const std::size_t least = std::max<std::size_t>(length + length / 2, 1024);
+    const std::size_t power = std::bit_ceil(least);
+    return power / 4 * 3 >= least ? power / 4 * 3 : power;
+}
+
+double mean_of_finite(std::span<const double> x) {
+    double sum = 0;
+    double count = 0;
+    for (const double value : x) {
+        if (std::isfinite(value)) {
+            sum += value;
+            count += 1;
+        }
+    }
+    return count > 0 ? sum / count : std::nan("");
+}
+
+using Complex = std::complex<double>;
+using Eight = double __attribute__((vector_size(64)));
+
+constexpr double pi = std::numbers::pi;
+// For shorter ranges the whole spectrum takes a few milliseconds.
+constexpr std::size_t least_length = std::size_t{1} << 17;
+constexpr std::size_t coarse_length = 4096;
+constexpr std::size_t coarse_segments = 8;
+// Number of blocks after decimation; the filter of a block covers four of them.
+constexpr std::size_t blocks_wished = 8192;
+constexpr std::size_t overlap = 4;
+// The centre of the zoom is a multiple of the rate of blocks divided by this, so that the rotation
+// from block to block is periodic.
+constexpr std::size_t turns = 64;
+
+VYBEG_INLINED inline Eight load(const double* from) {
+    Eight value;
+    __builtin_memcpy(&value, from, sizeof value);
+    return value;
+}
+
+VYBEG_INLINED inline double total(Eight x) {
+    return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+}
+
+// The Hann window over `count` samples.
+double hann_at(double place, std::size_t count) {
+    return 0.5 - 0.5 * std::cos(2 * pi * place / static_cast<double>(count));
+}
+
+// Missing samples count as zero.
+void clear_missing(std::span<double> x) {
+    double sum = 0;
+    for (const double value : x) {
+        sum += value;
+    }
+    if (std::isfinite(sum)) {
+        return;
+    }
+    for (double& value : x) {
+        value = std::isfinite(value) ? value : 0;
+    }
+}
+
+// Approximate frequency of the largest peak, from a few short segments.
+Result<std::optional<double>> coarse_peak(const SampleFeed& read, std::size_t count, double rate_hz,
+                                          double low_hz, double high_hz) {
+    std::vector<double> power(coarse_length / 2);
+    std::vector<Complex> data(coarse_length);
+    std::vector<double> c(coarse_length);
+    std::vector<double> d(coarse_length);
+    const Fft transform(coarse_length);
+    for (std::size_t s = 0; s < coarse_segments; ++s) {
+        const std::size_t first = (count - coarse_length) * s / (coarse_segments - 1);
+        TRY(read(static_cast<std::int64_t>(first), c, d));
+        clear_missing(c);
+        clear_missing(d);
+        const Complex mean{std::accumulate(c.begin(), c.end(), 0.0) / coarse_length,
+                           std::accumulate(d.begin(), d.end(), 0.0) / coarse_length};
+        for (std::size_t j = 0; j < coarse_length; ++j) {
+            const double weight = hann_at(static_cast<double>(j) + 0.5, coarse_length);
+            data[j] = weight * (Complex{c[j], d[j]} - mean);
+        }
+        transform.forward(data);
+        for (std::size_t k = 1; k < power.size(); ++k) {
+            power[k] += std::norm(data[k]) + std::norm(data[coarse_length - k]);
+        }
+    }
+    const double bin_hz = rate_hz / static_cast<double>(coarse_length);
+    const auto bin_of = [&](double f_hz) {
+        return static_cast<std::size_t>(
+            std::clamp(f_hz / bin_hz, 1.0, static_cast<double>(power.size() - 2)));
+    };
+    const auto begin = power.begin();
+    const auto peak = std::max_element(begin + static_cast<std::ptrdiff_t>(bin_of(low_hz)),
+                                       begin + static_cast<std::ptrdiff_t>(bin_of(high_hz)) + 1);
+    if (!(*peak > 0)) {
+        return std::optional<double>();
+    }
+    return std::optional(
+        (static_cast<double>(peak - begin) + peak_shift(peak[-1], peak[0], peak[1])) * bin_hz);
+}
+
+// Four terms, side lobes of -92 dB (F. J. Harris, 1978): a low-pass over four blocks.
+std::vector<double> low_pass(std::size_t length) {
+    std::vector<double> taps(length);
+    double sum = 0;
+    for (std::size_t j = 0; j < length; ++j) {
+        const double angle = 2 * pi * (static_cast<double>(j) + 0.5) / static_cast<double>(length);
+        taps[j] = 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2 * angle) -
+                  0.01168 * std::cos(3 * angle);
+        sum += taps[j];
+    }
+    for (double& tap : taps) {
+        tap /= sum;
+    }
+    return taps;
+}
+
+// Both channels decimated around a frequency, and their sums.
+struct Thinned {
+    std::vector<Complex> c;
+    std::vector<Complex> d;
+    double squares = 0;  // of both channels
+    // The same in the Hann window, of the samples less their means.
+    double weighted_squares = 0;
+};
+
+// One block: the samples times e^{-iwj} and the low-pass; for the first `fresh` samples also their
+// sums.
+VYBEG_DISPATCHED
+void thin_block(const double* c, const double* d, const double* cosines, const double* sines,
+                std::size_t length, std::size_t fresh, std::array<double, 7>& sums) {
+    Eight c_cos{};
+    Eight c_sin{};
+    Eight d_cos{};
+    Eight d_sin{};
+    for (std::size_t j = 0; j < length; j += 8) {
+        const Eight x = load(c + j);
+        const Eight y = load(d + j);
+        const Eight cosine = load(cosines + j);
+        const Eight sine = load(sines + j);
+        c_cos += x * cosine;
+        c_sin += x * sine;
+        d_cos += y * cosine;
+        d_sin += y * sine;
+    }
+    Eight c_sum{};
+    Eight d_sum{};
+    Eight squares{};
+    for (std::size_t j = 0; j < fresh; j += 8) {
+        const Eight x = load(c + j);
+        const Eight y = load(d + j);
+        c_sum += x;
+        d_sum += y;
+        squares += x * x + y * y;
+    }
+    sums = {total(c_cos), total(c_sin), total(d_cos),  total(d_sin),
+            total(c_sum), total(d_sum), total(squares)};
+}
+
+// Takes the samples in portions, in their order.
+class Thinner {
+public:
+    Thinner(std::size_t count, std::size_t step, std::size_t centre)
+        : count_(count), step_(step), centre_(centre), length_(overlap * step) {
+        const std::vector<double> taps = low_pass(length_);
+        const double w = 2 * pi * static_cast<double>(centre) / static_cast<double>(turns * step);
+        for (std::size_t j = 0; j < length_; ++j) {
+            cosines_.push_back(taps[j] * std::cos(w * static_cast<double>(j)));
+            sines_.push_back(-taps[j] * std::sin(w * static_cast<double>(j)));
+            of_constant_ += Complex(cosines_.back(), sines_.back());
+        }
+    }
+
+    // Precondition: at least the samples of one block, except at the end. Returns how many of them
+    // the next portion need not repeat.
+    std::size_t take(std::span<const double> c, std::span<const double> d) {
+        std::size_t at = 0;
+        std::array<double, 7> sums{};
+        for (; at + length_ <= c.size(); at += step_) {
+            thin_block(c.data() + at, d.data() + at, cosines_.data(), sines_.data(), length_, step_,
+                       sums);
+            const std::size_t place = thinned_.c.size() * step_ + step_ / 2;
+            thinned_.c.emplace_back(sums[0], sums[1]);
+            thinned_.d.emplace_back(sums[2], sums[3]);
+            add(hann_at(static_cast<double>(place), count_), static_cast<double>(step_), sums[4],
+                sums[5], sums[6]);
+        }
+        return at;
+    }
+
+    // Processes the samples after the last block, subtracts the offsets and moves all blocks to one
+    // phase.
+    Thinned finish(std::span<const double> c, std::span<const double> d) {
+        const std::size_t first = count_ - c.size();
+        for (std::size_t j = 0; j < c.size(); ++j) {
+            add(hann_at(static_cast<double>(first + j), count_), 1, c[j], d[j],
+                c[j] * c[j] + d[j] * d[j]);
+        }
+        const double mean_c = sum_.c / static_cast<double>(count_);
+        const double mean_d = sum_.d / static_cast<double>(count_);
+        thinned_.squares = sum_.squares;
+        thinned_.weighted_squares = weighted_.squares -
+                                    mean_c * (2 * weighted_.c - mean_c * weighted_.weights) -
+                                    mean_d * (2 * weighted_.d - mean_d * weighted_.weights);
+        std::array<Complex, turns> turned;
+        for (std::size_t k = 0; k < turns; ++k) {
+            turned[k] = std::polar(1.0, -2 * pi * static_cast<double>(k * centre_ % turns) /
+                                            static_cast<double>(turns));
+        }
+        for (std::size_t b = 0; b < thinned_.c.size(); ++b) {
+            thinned_.c[b] = turned[b % turns] * (thinned_.c[b] - mean_c * of_constant_);
+            thinned_.d[b] = turned[b % turns] * (thinned_.d[b] - mean_d * of_constant_);
+        }
+        return std::move(thinned_);
+    }
+
+private:
+    struct Sums {
+        double weights = 0;
+        double c = 0;
+        double d = 0;
+        double squares = 0;
+
+        void add(double weight, double samples, double of_c, double of_d, double of_squares) {
+            weights += weight * samples;
+            c += weight * of_c;
+            d += weight * of_d;
+            squares += weight * of_squares;
+        }
+    };
+
+    void add(double hann, double samples, double c, double d, double squares) {
+        sum_.add(1, samples, c, d, squares);
+        weighted_.add(hann, samples, c, d, squares);
+    }
+
+    std::size_t count_;
+    std::size_t step_;
+    std::size_t centre_;
+    std::size_t length_;
+    std::vector<double> cosines_;
+    std::vector<double> sines_;
+    Complex of_constant_ = 0;
+    Thinned thinned_;
+    Sums sum_;
+    Sums weighted_;  // in the Hann window
+};
+
+Result<Thinned> thin_out(const SampleFeed& read, std::size_t count, std::size_t step,
+                         std::size_t centre, const JobControl& job) {
+    constexpr std::size_t portion = std::size_t{1} << 15;
+    std::vector<double> c(std::min(portion + overlap * step, count));
+    std::vector<double> d(c.size());
+    Thinner thinner(count, step, centre);
+    std::size_t held = 0;  // samples repeated from the portion before
+    for (std::size_t at = 0; at < count && !job.cancelled();) {
+        const std::size_t fresh = std::min(c.size() - held, count - at);
+        const std::span<double> fresh_c = std::span(c).subspan(held, fresh);
+        const std::span<double> fresh_d = std::span(d).subspan(held, fresh);
+        TRY(read(static_cast<std::int64_t>(at), fresh_c, fresh_d));
+        clear_missing(fresh_c);
+        clear_missing(fresh_d);
+        at += fresh;
+        const std::size_t all = held + fresh;
+        const std::size_t done = thinner.take(std::span(c).first(all), std::span(d).first(all));
+        held = all - done;
+        for (std::vector<double>* channel : {&c, &d}) {
+            std::copy_n(channel->begin() + static_cast<std::ptrdiff_t>(done), held,
+                        channel->begin());
+        }
+    }
+    return thinner.finish(std::span(c).first(held), std::span(d).first(held));
+}
+
+struct FineSpectrum {
+    std::vector<double> power;  // of both channels, in the Hann window
+    double energy = 0;          // of the blocks, in the Hann window
+};
+
+FineSpectrum fine_spectrum(const Thinned& thinned, std::size_t count, std::size_t step) {
+    const std::size_t blocks = thinned.c.size();
+    const std::size_t size = padded_length(blocks);
+    const Fft transform(size);
+    FineSpectrum spectrum{std::vector<double>(size)};
+    std::vector<Complex> data(size);
+    for (const std::vector<Complex>* channel : {&thinned.c, &thinned.d}) {
+        std::fill(data.begin(), data.end(), 0.0);
+        for (std::size_t b = 0; b < blocks; ++b) {
+            const double weight =
+                hann_at(static_cast<double>(b * step + overlap * step / 2), count);
+            data[b] = weight * (*channel)[b];
+            spectrum.energy += weight * std::norm((*channel)[b]);
+        }
+        transform.forward(data);
+        for (std::size_t k = 0; k < size; ++k) {
+            spectrum.power[k] += std::norm(data[k]);
+        }
+    }
+    return spectrum;
+}
+
+// Peak of a carrier near centre/turns of their rate in the spectrum of the decimated samples.
+std::optional<double> peak_of(const Thinned& thinned, std::size_t count, std::size_t step,
+                              double centre, double rate_hz, double low_hz, double high_hz) {
+    const double blocks_hz = rate_hz / static_cast<double>(step);
+    const auto [power, energy] = fine_spectrum(thinned, count, step);
+    // Largest peak where the low-pass is flat, and largest power beside it, where the low-pass
+    // attenuates by up to 15 dB.
+    const std::size_t size = power.size();
+    const double bin_hz = blocks_hz / static_cast<double>(size);
+    const auto flat = static_cast<std::ptrdiff_t>(size / 6);
+    const auto at = [&power = power](std::ptrdiff_t k) {
+        return power[static_cast<std::size_t>(k < 0 ? k + std::ssize(power) : k)];
+    };
+    const auto hz = [&](double k) { return centre / turns * blocks_hz + k * bin_hz; };
+    std::ptrdiff_t peak = 0;
+    double highest = 0;
+    double beside = 0;
+    for (std::ptrdiff_t k = -std::ssize(power) / 2 + 1; k < std::ssize(power) / 2; ++k) {
+        if (std::abs(k) > flat) {
+            beside = std::max(beside, at(k));
+        } else if (hz(static_cast<double>(k)) >= low_hz && hz(static_cast<double>(k)) <= high_hz &&
+                   at(k) > highest) {
+            highest = at(k);
+            peak = k;
+        }
+    }
+    if (std::abs(peak) == flat || highest < 64 * beside || at(peak - 1) > highest ||
+        at(peak + 1) > highest) {
+        return std::nullopt;
+    }
+
+    // By Cauchy-Schwarz, samples whose squares add up to E in a Hann window have no peak above E
+    // times the sum of the window, half of it for real samples. The power outside the band is
+    // compared with this bound, with a factor of two.
+    const auto of_block = static_cast<double>(step);
+    const double outside = std::max(thinned.weighted_squares - 2 * of_block * energy, 0.0);
+    const double elsewhere = 2 * 0.5 * 0.5 * static_cast<double>(count) * outside;
+    constexpr double rounding = 1e-12;
+    if (!(thinned.weighted_squares > rounding * thinned.squares) ||
+        of_block * of_block * highest < elsewhere) {
+        return std::nullopt;
+    }
+    return hz(static_cast<double>(peak) + peak_shift(at(peak - 1), highest, at(peak + 1)));
+}
 
 bool none_is_finite(std::span<const double> x) {
     return std::ranges::none_of(x, [](double value) { return std::isfinite(value); });
@@ -65,6 +418,39 @@ double median_of(const std::vector<double>& power) {
 
 }  // namespace
 
+Result<std::optional<double>> zoom_carrier(const SampleFeed& read, std::size_t count,
+                                           double rate_hz, double low_hz, double high_hz,
+                                           const JobControl& job) {
+    if (count < least_length || !(low_hz < high_hz)) {
+        return std::optional<double>();
+    }
+    const auto coarse = TRY(coarse_peak(read, count, rate_hz, low_hz, high_hz));
+    const std::size_t step = std::bit_floor(count / blocks_wished);
+    const double blocks_hz = rate_hz / static_cast<double>(step);
+    if (!coarse || *coarse < blocks_hz / 2 || *coarse > (rate_hz - blocks_hz) / 2) {
+        return std::optional<double>();
+    }
+    const double centre = std::round(*coarse / blocks_hz * turns);
+    const auto thinned = TRY(thin_out(read, count, step, static_cast<std::size_t>(centre), job));
+    if (job.cancelled()) {
+        return std::optional<double>();
+    }
+    return peak_of(thinned, count, step, centre, rate_hz, low_hz, high_hz);
+}
+
+std::optional<double> zoom_carrier(std::span<const double> c, std::span<const double> d,
+                                   double rate_hz, double low_hz, double high_hz,
+                                   const JobControl& job) {
+    const SampleFeed read = [c, d](std::int64_t first, std::span<double> to_c,
+                                   std::span<double> to_d) {
+        const auto at = static_cast<std::size_t>(first);
+        std::ranges::copy(c.subspan(at, to_c.size()), to_c.begin());
+        std::ranges::copy(d.subspan(at, to_d.size()), to_d.begin());
+        return Status{};
+    };
+    return *zoom_carrier(read, c.size(), rate_hz, low_hz, high_hz, job);
+}
+
 Result<double> find_carrier(std::span<const double> c, std::span<const double> d, double rate_hz,
                             double low_hz, double high_hz, const JobControl& job) {
     if (none_is_finite(c) || none_is_finite(d)) {
@@ -107,9 +493,9 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     }
     // White noise of a million bins has peaks of 10 dB above its median. A few periods fill the
     // whole spectrum, so this limit does not apply to shorter ranges.
-    constexpr std::size_t least_length = 256;
+    constexpr std::size_t least_judged = 256;
     constexpr double least_ratio = 40;
-    if (c.size() >= least_length && power[peak] < least_ratio * median_of(power)) {
+    if (c.size() >= least_judged && power[peak] < least_ratio * median_of(power)) {
         return Error{ErrorCode::carrier_not_found, "", {}};
     }
     const double shift = peak_shift(power[peak - 1], power[peak], power[peak + 1]);

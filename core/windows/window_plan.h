@@ -17,6 +17,10 @@ struct WindowPlan {
         return (static_cast<double>(start(window)) + 0.5 * static_cast<double>(length - 1)) /
                rate_hz;
     }
+    // Fraction of a window's samples that the next one does not share.
+    double independent() const {
+        return hop < length ? static_cast<double>(hop) / static_cast<double>(length) : 1.0;
+    }
 
     friend bool operator==(const WindowPlan&, const WindowPlan&) = default;
 };

@@ -58,12 +58,13 @@ void while_computed(benchmark::State& state, const std::vector<Track>& pieces,
                     const fs::path& path) {
     for ([[maybe_unused]] const auto _ : state) {
         auto file = OutputFile::create(path, {});
-        TrackWriter writer(*file, *track_format(path), {});
+        TrackSpool spool(*file, {});
         bool written = true;
         for (const Track& piece : pieces) {
-            written = written && writer.append(piece);
+            written = written && spool.append(piece);
         }
-        if (!written || !writer.finish(header, {}) || !file->commit()) {
+        if (!written || !write_track(*file, *track_format(path), spool, header, {}) ||
+            !file->commit()) {
             state.SkipWithError("not written");
         }
     }

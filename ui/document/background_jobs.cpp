@@ -12,7 +12,6 @@
 #include <QEvent>
 #include <QJsonDocument>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace vybeg::ui {
@@ -46,10 +45,7 @@ std::filesystem::path toPath(const QString& path) {
 AnalysisOutcome outcomeOf(Analysis found) {
     AnalysisOutcome outcome;
     const WindowPlan& plan = found.plan;
-    outcome.summary =
-        summarise(found.track,
-                  std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length)),
-                  found.f_correlation);
+    outcome.summary = summarise(found.track, plan.independent(), found.f_correlation);
     // Between windows that lie far apart anything may have happened.
     if (static_cast<std::int64_t>(found.track.rows()) == plan.count) {
         outcome.events = find_events(found.track);

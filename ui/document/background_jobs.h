@@ -3,7 +3,6 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
-#include "core/analysis/visible_first.h"
 #include "core/base/caught_error.h"
 #include "core/batch/identify_set.h"
 #include "core/recording/envelope/envelope_builder.h"
@@ -85,7 +84,7 @@ public:
     void analyse(int key, const Recording& recording, const Settings& settings,
                  std::function<void(Result<AnalysisOutcome>)> done);
     // The same for a setting that is still being changed: `early` first gets what is there of a
-    // long one, some windows of all and then all of the visible (visible_first.h).
+    // long one, some windows of all and then all of the visible (analyse_visible_first()).
     void analyseLive(int key, const Recording& recording, const Settings& settings,
                      const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
                      std::function<void(Result<AnalysisOutcome>)> done);

@@ -1,4 +1,4 @@
-#include "core/analysis/set_conditions.h"
+#include "core/analysis/measurement_list.h"
 #include "core/output/identify_json.h"
 #include "core/output/output_file.h"
 #include "core/output/passport_json.h"

@@ -1,7 +1,7 @@
 #include "ui/history/result_adder.h"
 
 #include "core/analysis/list_fields.h"
-#include "core/analysis/set_conditions.h"
+#include "core/analysis/measurement_list.h"
 #include "ui/history/history_job.h"
 #include "ui/history/stored_set.h"
 #include "ui/resonator/set_panel.h"

@@ -2,7 +2,6 @@
 
 #include "core/analysis/analysis.h"
 #include "core/track/beat.h"
-#include "core/track/polynomial_trend.h"
 #include "core/track/trend.h"
 #include "ui/panels/reading.h"
 #include "ui/values/trend_curve.h"

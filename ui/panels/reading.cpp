@@ -1,6 +1,6 @@
 #include "ui/panels/reading.h"
 
-#include "core/track/trend_points.h"
+#include "core/track/trend.h"
 
 #include <QLocale>
 

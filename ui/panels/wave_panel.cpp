@@ -104,9 +104,9 @@ void WavePanel::refresh() {
         }
         shown_s = shown_s.value_or(track.time_s().front());
         const std::size_t row = nearestRow(track, *shown_s);
-        const StandingWave wave{track.values(SlowVariable::a_A)[row],
-                                track.values(SlowVariable::a_B)[row],
-                                track.values(SlowVariable::two_theta_A)[row]};
+        const WaveState wave{track.values(SlowVariable::a_A)[row],
+                             track.values(SlowVariable::a_B)[row],
+                             track.values(SlowVariable::two_theta_A)[row]};
         if (!std::isfinite(wave.a_A + wave.a_B + wave.two_theta_A)) {
             continue;
         }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
-#include "core/analysis/tolerance.h"
 #include "core/recording/samples/open_options.h"
 #include "ui/document/analysis_store.h"
 #include "ui/document/drift_store.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
-#include "core/analysis/tolerance.h"
 #include "ui/widgets/number_field.h"
 
 #include <QWidget>

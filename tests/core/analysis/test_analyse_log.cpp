@@ -1,6 +1,6 @@
 // The track of a log: phasors with noise, and powers without a phase, of a wave that is known at
 // each instant.
-#include "core/analysis/analyse_log.h"
+#include "core/analysis/analyse_logs.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -1,5 +1,5 @@
 // Tolerances of the channels as text, and back.
-#include "core/analysis/tolerance.h"
+#include "core/analysis/identify_settings.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

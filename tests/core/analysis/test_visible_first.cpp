@@ -1,5 +1,4 @@
 #include "core/analysis/analyse.h"
-#include "core/analysis/visible_first.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"

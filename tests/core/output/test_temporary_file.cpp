@@ -1,4 +1,4 @@
-#include "core/output/temporary_file.h"
+#include "core/output/output_file.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -1,6 +1,5 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
-#include "core/output/track_csv.h"
 #include "core/output/track_file.h"
 #include "core/output/track_header.h"
 #include "tests/closeness.h"
@@ -28,7 +27,7 @@ QList<QByteArray> written(const Track& track, const std::vector<std::string>& he
     const QTemporaryDir folder;
     const QString path = folder.filePath("track.csv");
     auto file = OutputFile::create(path.toStdString(), {});
-    if (!file || !write_track_csv(*file, track, header, {}) || !file->commit()) {
+    if (!file || !write_track(*file, TrackFormat::csv, track, header, {}) || !file->commit()) {
         return {};
     }
     QFile read(path);
@@ -113,7 +112,7 @@ private slots:
         QVERIFY(QDir::setCurrent(folder.path()));
         auto file = OutputFile::create("track.csv", {});  // a name without a folder
         QVERIFY(file);
-        TrackWriter writer(*file, TrackFormat::csv, {});
+        TrackSpool spool(*file, {});
         for (int piece = 0; piece < 30; ++piece) {  // 9 MB: more than the spool keeps in memory
             Track rows(3000);
             std::ranges::generate(rows.time_s(), [&] { return any(engine); });
@@ -123,7 +122,7 @@ private slots:
             for (std::size_t row = 0; row < rows.rows(); row += 7) {
                 rows.flags()[row] = Flag::no_quadrature | Flag::at_bound;
             }
-            QVERIFY(writer.append(rows));
+            QVERIFY(spool.append(rows));
             whole.append(rows);
         }
         // Besides the file's own temporary, nothing with a name.
@@ -133,7 +132,8 @@ private slots:
         const std::vector<FlaggedRows> flagged{
             {30000, 30000, Flag::clipped}, {88000, 1500, Flag::gap}, {89000, 5000, Flag::clipped}};
         set_flags(whole.flags(), 0, flagged);
-        QVERIFY(writer.finish(header, flagged));
+        spool.set_flagged(flagged);
+        QVERIFY(write_track(*file, TrackFormat::csv, spool, header, {}));
         QVERIFY(file->commit());
         QVERIFY(QDir::setCurrent(before));
         QFile read(path);
@@ -226,7 +226,7 @@ private slots:
         };
         const double whole = least_of_three([&] {
             auto file = OutputFile::create("/dev/null", {});
-            QVERIFY(file && write_track_csv(*file, track, {}, {}) && file->commit());
+            QVERIFY(file && write_track(*file, TrackFormat::csv, track, {}, {}) && file->commit());
         });
         std::size_t digits = 0;
         const double peer = least_of_three([&] {

@@ -2,7 +2,6 @@
 // bit.
 #include "core/base/messages.h"
 #include "core/output/track_file.h"
-#include "core/output/track_mat.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/closeness.h"
 #include "tests/core/output/full_disk.h"
@@ -96,6 +95,7 @@ public:
         }
         return taken;
     }
+    Status whole_rows(std::size_t, const TrackSink&) const override { return {}; }
 };
 
 }  // namespace
@@ -260,15 +260,16 @@ private slots:
         const TrackFormat format = *track_format(path(name));
         auto file = OutputFile::create(path(name), {});
         QVERIFY(file);
-        TrackWriter writer(*file, format, {});
+        TrackSpool spool(*file, {});
         Track whole;
         for (std::size_t piece = 0; piece < 30; ++piece) {
             const Track rows = random_track(2000 + 100 * piece);
-            QVERIFY(writer.append(rows));
+            QVERIFY(spool.append(rows));
             whole.append(rows);
         }
         set_flags(whole.flags(), 0, flagged);
-        QVERIFY(writer.finish(header, flagged));
+        spool.set_flagged(flagged);
+        QVERIFY(write_track(*file, format, spool, header, {}));
         QVERIFY(file->commit());
         auto other = OutputFile::create(path("other-" + name), {});
         QVERIFY(other && write_track(*other, format, whole, header, {}) && other->commit());
@@ -331,7 +332,7 @@ private slots:
     void a_mat_file_refuses_more_than_its_lengths_can_count() {
         auto file = OutputFile::create(path("many.mat"), {});
         QVERIFY(file);
-        const Status written = write_track_mat(*file, ManyRows(), {});
+        const Status written = write_track(*file, TrackFormat::mat, ManyRows(), {}, {});
         QVERIFY(!written);
         QCOMPARE(written.error().code, ErrorCode::output_failed);
         QVERIFY(english(written.error()).find("100000000 windows") != std::string::npos);

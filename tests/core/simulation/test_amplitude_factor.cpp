@@ -1,5 +1,4 @@
 // Friction and drive against their solutions in closed form.
-#include "core/simulation/amplitude_factor.h"
 #include "core/simulation/decay_motion.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"

@@ -1,6 +1,6 @@
 // Motion whose frequency drifts, settles or depends on the power, against the oscillator's own
 // second-order equations, against Runge-Kutta, and against its own steps halved.
-#include "core/simulation/power_motion.h"
+#include "core/simulation/decay_motion.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "core/simulation/true_track.h"

@@ -2,7 +2,7 @@
 #include "core/estimators/wave/precision_bound.h"
 #include "core/simulation/true_track.h"
 #include "core/sweep/sweep_windows.h"
-#include "core/sweep/window_advice.h"
+#include "core/sweep/window_sweep.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"

@@ -1,4 +1,3 @@
-#include "core/track/polynomial_trend.h"
 #include "core/track/trend.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"

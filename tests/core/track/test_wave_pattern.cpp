@@ -17,8 +17,8 @@ class TestWavePattern : public QObject {
     Q_OBJECT
 
     // Angles through all quadrants and onto the axes, both signs of a_B.
-    static std::vector<StandingWave> waves() {
-        std::vector<StandingWave> all;
+    static std::vector<WaveState> waves() {
+        std::vector<WaveState> all;
         for (int k = -8; k <= 8; ++k) {
             for (const double a_B : {-0.3, 0., 1e-3, 0.7}) {
                 all.push_back({1.5, a_B, k * std::numbers::pi / 8});
@@ -29,7 +29,7 @@ class TestWavePattern : public QObject {
 
 private slots:
     void the_pattern_has_four_antinodes_of_a_A_and_a_B_between_them() {
-        for (const StandingWave& wave : waves()) {
+        for (const WaveState& wave : waves()) {
             const ClosedCurve curve = polar_pattern(wave, 1440);
             QCOMPARE(curve.x.size(), std::size_t(1441));
             VYBEG_CLOSE(std::ranges::max(curve.y), wave.a_A, 1e-4);
@@ -53,7 +53,7 @@ private slots:
     }
 
     void the_ellipse_has_the_semi_axes_direction_and_sense_of_the_wave() {
-        for (const StandingWave& wave : waves()) {
+        for (const WaveState& wave : waves()) {
             const ClosedCurve curve = channel_ellipse(wave, 720);
             VYBEG_CLOSE(curve.x.back(), curve.x.front(), 1e-12);
             // At the start it stands at a_A in the direction 2theta_A.

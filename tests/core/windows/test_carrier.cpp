@@ -1,5 +1,4 @@
 #include "core/windows/carrier_search.h"
-#include "core/windows/carrier_zoom.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

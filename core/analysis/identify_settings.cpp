@@ -1,4 +1,4 @@
-#include "core/analysis/tolerance.h"
+#include "core/analysis/identify_settings.h"
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
@@ -14,6 +14,11 @@ namespace {
 constexpr const char* none = "none";
 
 }  // namespace
+
+const char* frame_name(PhasorFrame frame) {
+    constexpr std::array names{"", "fixed", "common", "pll"};
+    return names[static_cast<std::size_t>(frame)];
+}
 
 std::optional<std::vector<std::pair<std::string, std::string_view>>> named_texts(
     std::string_view text) {

@@ -1,7 +1,4 @@
-#include "core/sweep/window_advice.h"
-
-#include <algorithm>
-#include <vector>
+#include "core/sweep/window_sweep.h"
 
 namespace vybeg {
 namespace {

@@ -1,31 +1,13 @@
-#include "core/output/array_heads.h"
+#include "core/output/array_bytes.h"
 
 #include "core/base/plain_text.h"
-#include "core/output/raw_bytes.h"
 #include "core/recording/variables/mat_format.h"
 
-#include <cstdint>
-
 namespace vybeg {
-
-std::string npy_head(std::string_view type, std::string_view shape) {
-    std::string dictionary = "{'descr': '";
-    dictionary.append(type).append("', 'fortran_order': False, 'shape': (");
-    dictionary.append(shape).append("), }");
-    // Magic (6), version (2), length (2), dictionary and line feed fill a multiple of 64 bytes.
-    dictionary.append(63 - (10 + dictionary.size()) % 64, ' ');
-    dictionary += '\n';
-    std::string head = "\x93NUMPY";
-    head += std::string_view("\x01\x00", 2);
-    append_bytes(head, static_cast<std::uint16_t>(dictionary.size()));
-    return head + dictionary;
-}
-
 namespace {
 
 void append_tag(std::string& bytes, mat5::ElementType type, std::size_t size) {
-    append_bytes(bytes, static_cast<std::uint32_t>(type));
-    append_bytes(bytes, static_cast<std::uint32_t>(size));
+    append_bytes(bytes, static_cast<std::uint32_t>(type), static_cast<std::uint32_t>(size));
 }
 
 void append_text(std::string& bytes, mat5::ElementType type, const std::string& text) {
@@ -39,11 +21,9 @@ std::string array_head(mat5::ArrayClass kind, const std::string& name, std::int6
                        std::int64_t columns, std::size_t content) {
     std::string head;
     append_tag(head, mat5::uint32, 8);
-    append_bytes(head, static_cast<std::uint32_t>(kind));
-    append_bytes(head, std::uint32_t{0});
+    append_bytes(head, static_cast<std::uint32_t>(kind), std::uint32_t{0});
     append_tag(head, mat5::int32, 8);
-    append_bytes(head, static_cast<std::int32_t>(rows));
-    append_bytes(head, static_cast<std::int32_t>(columns));
+    append_bytes(head, static_cast<std::int32_t>(rows), static_cast<std::int32_t>(columns));
     append_text(head, mat5::int8, name);
     std::string tag;
     append_tag(tag, mat5::matrix, head.size() + content);
@@ -51,6 +31,19 @@ std::string array_head(mat5::ArrayClass kind, const std::string& name, std::int6
 }
 
 }  // namespace
+
+std::string npy_head(std::string_view type, std::string_view shape) {
+    std::string dictionary = "{'descr': '";
+    dictionary.append(type).append("', 'fortran_order': False, 'shape': (");
+    dictionary.append(shape).append("), }");
+    // Magic (6), version (2), length (2), dictionary and line feed fill a multiple of 64 bytes.
+    dictionary.append(63 - (10 + dictionary.size()) % 64, ' ');
+    dictionary += '\n';
+    std::string head = "\x93NUMPY";
+    head += std::string_view("\x01\x00", 2);
+    append_bytes(head, static_cast<std::uint16_t>(dictionary.size()));
+    return head + dictionary;
+}
 
 std::string mat_file_head() {
     std::string head = "MATLAB 5.0 MAT-file, vybeg";

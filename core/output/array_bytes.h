@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -27,5 +30,21 @@ std::string mat_cells_head(const std::string& name, std::int64_t rows, std::int6
 
 // A cell with a text in UTF-8; without characters a matrix of 0 x 0.
 std::string mat_text_cell(const std::string& text);
+
+static_assert(std::endian::native == std::endian::little,
+              "numbers go into NPY, NPZ, MAT and HDF5 files as they lie in memory");
+
+template <class... Numbers>
+void append_bytes(std::string& bytes, Numbers... numbers) {
+    const auto append = [&bytes](auto number) {
+        const auto raw = std::bit_cast<std::array<char, sizeof number>>(number);
+        bytes.append(raw.data(), raw.size());
+    };
+    (append(numbers), ...);
+}
+
+inline std::string_view bytes_of(std::span<const double> numbers) {
+    return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
+}
 
 }  // namespace vybeg

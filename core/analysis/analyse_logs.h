@@ -1,12 +1,17 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/analysis/identify.h"
 #include "core/analysis/identify_settings.h"
+#include "core/analysis/phasor_log.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
+#include "core/resonator/model/power_run.h"
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 namespace vybeg {
 
@@ -21,5 +26,18 @@ namespace vybeg {
 Result<Analysis> analyse_log(const std::filesystem::path& path, const OpenOptions& options,
                              const LogChoice& choice, const Settings& settings,
                              const JobControl& job);
+
+// The resonator from logs that keep E, R, S, Q, or from tracks: the same result as from samples,
+// with all that needs the frequency absent. `names`: of the logs. Errors: setting_invalid, those of
+// fit_powers().
+Result<Identification> identify_powers(std::span<const PowerRun> runs,
+                                       std::span<const std::string> names,
+                                       const IdentifySettings& settings, const JobControl& job);
+
+// The resonator from logs of phasors, all as from samples. Errors: setting_invalid, phasors_fold,
+// those of fit_resonator().
+Result<Identification> identify_phasors(std::span<const PhasorLog> logs,
+                                        std::span<const std::string> names,
+                                        const IdentifySettings& settings, const JobControl& job);
 
 }  // namespace vybeg
