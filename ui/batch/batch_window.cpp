@@ -1,15 +1,16 @@
 #include "ui/batch/batch_window.h"
 
 #include "core/output/batch_csv.h"
-#include "ui/batch/batch_message.h"
 #include "ui/batch/batch_table.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/error_text.h"
 
 #include <QAction>
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -20,14 +21,73 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
+#include <QStringList>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace vybeg::ui {
+
+BatchMessage::BatchMessage(QWidget* parent) : QLabel(parent) {
+    setObjectName(QStringLiteral("batchMessage"));
+    setWordWrap(true);
+    setTextFormat(Qt::PlainText);
+    setTextInteractionFlags(Qt::TextSelectableByMouse);
+    hide();
+}
+
+void BatchMessage::begin() {
+    warnings_.clear();
+    end_ = nullptr;
+    fault_ = false;
+    refresh();
+}
+
+void BatchMessage::warn(Text text) {
+    warnings_.push_back(std::move(text));
+    refresh();
+}
+
+void BatchMessage::end(Text text, bool fault) {
+    end_ = std::move(text);
+    fault_ = fault;
+    refresh();
+}
+
+void BatchMessage::refresh() {
+    QStringList lines;
+    for (const Text& warning : warnings_) {
+        lines << QStringLiteral("⚠ ") + warning();
+    }
+    if (end_) {
+        lines << end_();
+    }
+    setText(lines.join(QLatin1Char('\n')));
+    setVisible(!lines.isEmpty());
+    color();
+}
+
+void BatchMessage::color() {
+    const QPalette usual = parentWidget()->palette();
+    QPalette colors = usual;
+    if (fault_) {
+        colors.setColor(QPalette::WindowText, (isDark(usual) ? darkTheme() : lightTheme()).broken);
+    }
+    if (palette() != colors) {
+        setPalette(colors);
+    }
+}
+
+void BatchMessage::changeEvent(QEvent* event) {
+    QLabel::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        color();
+    }
+}
 
 namespace {
 

@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 #include "ui/document/background_jobs.h"
-#include "ui/document/id_counter.h"
 #include "ui/document/recording_store.h"
 #include "ui/values/ids.h"
 #include "ui/values/shown_analysis.h"

@@ -2,9 +2,7 @@
 
 #include "ui/document/analysis_store.h"
 #include "ui/document/background_jobs.h"
-#include "ui/document/dossier_model.h"
 #include "ui/document/drift_store.h"
-#include "ui/document/id_counter.h"
 #include "ui/document/live_follower.h"
 #include "ui/document/message.h"
 #include "ui/document/recording_store.h"

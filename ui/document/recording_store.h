@@ -2,7 +2,6 @@
 
 #include "core/analysis/inspect.h"
 #include "ui/document/background_jobs.h"
-#include "ui/document/id_counter.h"
 #include "ui/document/message.h"
 #include "ui/document/settings_model.h"
 #include "ui/values/ids.h"

@@ -47,7 +47,6 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    // history_page_layout.cpp
     QLayout* buildHead();
     QWidget* buildContent();
     void placeSmallPlots(bool side_by_side);

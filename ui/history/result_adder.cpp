@@ -2,8 +2,7 @@
 
 #include "core/analysis/list_fields.h"
 #include "core/analysis/set_conditions.h"
-#include "ui/history/history_job.h"
-#include "ui/history/stored_set.h"
+#include "ui/history/history_database.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/widgets/page_parts.h"
 

@@ -24,6 +24,11 @@
 
 namespace vybeg::ui {
 
+// Texts of context "Report" in the interface's language.
+struct ReportWords {
+    Q_DECLARE_TR_FUNCTIONS(Report)
+};
+
 // What no file tells. An empty text leaves a line to be filled in by hand.
 struct ReportTitle {
     QString number;  // of the report

@@ -1,7 +1,7 @@
 #include "ui/resonator/set_panel.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/resonator/conditions_text.h"
+#include "ui/resonator/resonator_text.h"
 #include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"

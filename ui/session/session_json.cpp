@@ -3,8 +3,6 @@
 #include "core/analysis/setting_table.h"
 #include "core/drift/drift_settings.h"
 #include "ui/import/open_options_json.h"
-#include "ui/session/listed_json.h"
-#include "ui/session/session_view_json.h"
 #include "ui/values/json_fields.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/program_name.h"
@@ -12,9 +10,196 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace vybeg::ui {
+
+namespace {
+
+const QString page_key = QStringLiteral("page");
+const QString trend_key = QStringLiteral("trend");
+
+// As TrendKind.
+constexpr std::array<QLatin1String, trend_kinds> trend_words{
+    QLatin1String("line"), QLatin1String("parabola"), QLatin1String("cubic"),
+    QLatin1String("beat")};
+
+TrendKind trendFromJson(const QJsonValue& value) {
+    const auto found = std::ranges::find(trend_words, value.toString());
+    return found == trend_words.end() ? TrendKind::line
+                                      : static_cast<TrendKind>(found - trend_words.begin());
+}
+
+QJsonArray rangeToJson(const AxisRange& range) {
+    return {range.lower, range.upper};
+}
+
+std::optional<AxisRange> rangeFromJson(const QJsonValue& value) {
+    const QJsonArray ends = value.toArray();
+    const AxisRange range{ends.at(0).toDouble(), ends.at(1).toDouble()};
+    return range.lower < range.upper ? std::optional(range) : std::nullopt;
+}
+
+QString columnOf(SlowVariable variable) {
+    return QLatin1String(info(variable).column);
+}
+
+std::optional<SlowVariable> variableOf(const QString& column) {
+    const auto found = std::ranges::find(all_slow_variables, column, columnOf);
+    return found == all_slow_variables.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
+
+QJsonObject viewToJson(const SessionView& view) {
+    QJsonObject values;
+    for (const auto& [variable, range] : view.zoom.fixed) {
+        values[columnOf(variable)] = rangeToJson(range);
+    }
+    QJsonArray variables;
+    for (const SlowVariable variable : view.variables) {
+        variables.append(columnOf(variable));
+    }
+    QJsonArray cursors;
+    for (const auto& cursor : view.cursors_s) {
+        cursors.append(cursor ? QJsonValue(*cursor) : QJsonValue());
+    }
+    QJsonObject units;
+    describe(JsonWriter(units), view.units);
+    return {{QStringLiteral("time_s"), rangeToJson(view.zoom.time)},
+            {QStringLiteral("values"), values},
+            {QStringLiteral("variables"), variables},
+            {QStringLiteral("cursors_s"), cursors},
+            {page_key, view.page},
+            {trend_key, trend_words.at(static_cast<std::size_t>(view.trend))},
+            {QStringLiteral("units"), units}};
+}
+
+SessionView viewFromJson(const QJsonObject& json) {
+    SessionView view;
+    if (const auto time = rangeFromJson(json[QStringLiteral("time_s")])) {
+        view.zoom.time = *time;
+    }
+    const QJsonObject values = json[QStringLiteral("values")].toObject();
+    for (const SlowVariable variable : all_slow_variables) {
+        if (const auto range = rangeFromJson(values[columnOf(variable)])) {
+            view.zoom.fixed.emplace(variable, *range);
+        }
+    }
+    for (const auto& value : json[QStringLiteral("variables")].toArray()) {
+        if (const auto variable = variableOf(value.toString())) {
+            view.variables.push_back(*variable);
+        }
+    }
+    const QJsonArray cursors = json[QStringLiteral("cursors_s")].toArray();
+    for (int which = 0; which < 2; ++which) {
+        if (cursors.at(which).isDouble()) {
+            view.cursors_s[static_cast<std::size_t>(which)] = cursors.at(which).toDouble();
+        }
+    }
+    view.page = json[page_key].toString();
+    view.trend = trendFromJson(json[trend_key]);
+    const QJsonObject units = json[QStringLiteral("units")].toObject();
+    describe(JsonReader(units), view.units);
+    return view;
+}
+
+namespace {
+
+const QString listed_settings_key = QStringLiteral("settings");
+const QString columns_key = QStringLiteral("other_columns");
+const QString members_key = QStringLiteral("members");
+const QString place_key = QStringLiteral("recording");
+const QString signal_key = QStringLiteral("signal");
+const QString file_key = QStringLiteral("file");
+const QString listed_path_key = QStringLiteral("path");
+const QString listed_options_key = QStringLiteral("options");
+const QString others_key = QStringLiteral("others");
+
+// The unknown columns of a list, or their fields.
+using Others = std::vector<std::pair<std::string, std::string>>;
+QJsonArray textsToJson(const Others& others, std::string Others::value_type::*member) {
+    QJsonArray array;
+    for (const auto& each : others) {
+        array.append(QString::fromStdString(each.*member));
+    }
+    return array;
+}
+
+Others othersFromJson(const QJsonArray& columns, const QJsonArray& fields) {
+    Others others;
+    for (qsizetype k = 0; k < std::min(columns.size(), fields.size()); ++k) {
+        others.emplace_back(columns[k].toString().toStdString(),
+                            fields[k].toString().toStdString());
+    }
+    return others;
+}
+
+QJsonObject memberToJson(int place, const ListedMember& member, const QDir& folder) {
+    IdentifySettings signal;
+    signal.signal = member.signal;
+    const RecordingRef& row = member.row;
+    QJsonObject json{
+        {place_key, place},
+        {signal_key, settingsToJson(identify_settings(), signal)},
+        {file_key, QString::fromStdString(row.file)},
+        {listed_path_key, storedPath(QString::fromStdU16String(row.path.u16string()), folder)},
+        {listed_options_key, optionsToJson(row.open)},
+        {others_key, textsToJson(row.others, &Others::value_type::second)}};
+    describe(JsonWriter(json), row.conditions);
+    return json;
+}
+
+Result<ListedMember> memberFromJson(const QJsonObject& json, const QJsonArray& columns,
+                                    const QDir& folder) {
+    const Result<IdentifySettings> signal =
+        settingsFromJson(identify_settings(), json[signal_key].toObject());
+    if (!signal) {
+        return signal.error();
+    }
+    ListedMember member;
+    member.signal = signal->signal;
+    RecordingRef& row = member.row;
+    row.file = json[file_key].toString().toStdString();
+    row.path =
+        QDir::cleanPath(folder.absoluteFilePath(json[listed_path_key].toString())).toStdU16String();
+    row.open = optionsFromJson(json[listed_options_key].toObject());
+    row.others = othersFromJson(columns, json[others_key].toArray());
+    describe(JsonReader(json), row.conditions);
+    return member;
+}
+
+}  // namespace
+
+QString storedPath(const QString& path, const QDir& folder) {
+    const QString relative = folder.relativeFilePath(path);
+    return relative.startsWith(QLatin1String("..")) ? path : relative;
+}
+
+QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder) {
+    QJsonArray members;
+    for (const auto& [place, member] : listed.members) {
+        members.append(memberToJson(place, member, folder));
+    }
+    const Others others =
+        listed.members.empty() ? Others() : listed.members.begin()->second.row.others;
+    return {{listed_settings_key, settingsToJson(identify_settings(), listed.settings)},
+            {columns_key, textsToJson(others, &Others::value_type::first)},
+            {members_key, members}};
+}
+
+Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder) {
+    auto settings =
+        TRY(settingsFromJson(identify_settings(), json[listed_settings_key].toObject()));
+    ListedSetBy<int> listed{std::move(settings), {}};
+    const QJsonArray columns = json[columns_key].toArray();
+    for (const auto& value : json[members_key].toArray()) {
+        auto member = TRY(memberFromJson(value.toObject(), columns, folder));
+        listed.members.insert_or_assign(value.toObject()[place_key].toInt(-1), std::move(member));
+    }
+    return listed;
+}
 
 namespace {
 

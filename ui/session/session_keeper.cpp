@@ -2,9 +2,9 @@
 
 #include "core/recording/bytes/file_bytes.h"
 #include "ui/document/measured_set.h"
-#include "ui/session/session_file.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_state.h"
+#include "ui/session/session_writer.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -16,19 +16,16 @@
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/window/about.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/help_view.h"
+#include "ui/window/help.h"
 #include "ui/window/overview.h"
 #include "ui/window/page_stack.h"
-#include "ui/window/recent_files.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tracks_page.h"
 #include "ui/window/welcome_page.h"
 #include "ui/window/window_commands.h"
 #include "ui/window/window_menus.h"
-#include "ui/window/window_title.h"
 
 #include <QAction>
 #include <QDropEvent>
@@ -38,6 +35,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QStringList>
 #include <QTabBar>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -45,6 +43,27 @@
 #include <algorithm>
 
 namespace vybeg::ui {
+
+namespace {
+
+// "session.vybeg — HRG-17 — run.wav — Vybeg", as far as there are these. `session`: its path.
+QString titleOf(const Document& document, const QString& session) {
+    const RecordingEntry* entry = document.currentRecording();
+    QStringList parts;
+    if (!session.isEmpty()) {
+        parts << QFileInfo(session).fileName();
+    }
+    if (const QString& serial = document.dossier().dossier().gyro.serial; !serial.isEmpty()) {
+        parts << serial;
+    }
+    if (entry && (entry->recording || entry->envelope)) {
+        parts << entry->name;
+    }
+    parts << QStringLiteral("Vybeg");
+    return parts.join(QStringLiteral(" — "));
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Document& document, QWidget* parent)
     : QMainWindow(parent), document_(document) {

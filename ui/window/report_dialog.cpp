@@ -1,6 +1,5 @@
 #include "ui/window/report_dialog.h"
 
-#include "ui/report/budget_text.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QCheckBox>

@@ -5,11 +5,10 @@
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
-#include "ui/resonator/limits_dialog.h"
+#include "ui/resonator/dossier_dialogs.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/gyro_dialog.h"
 #include "ui/window/status_line.h"
 
 #include <QApplication>

@@ -7,7 +7,6 @@
 #include "tests/ui/gui_test.h"
 #include "ui/document/document.h"
 #include "ui/drift/drift_page.h"
-#include "ui/drift/drift_panel.h"
 #include "ui/drift/drift_text.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/xy_plot_view.h"

@@ -6,7 +6,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/history/stored_set.h"
+#include "ui/history/history_database.h"
 #include "ui/import/log_dialog.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/document_report.h"

@@ -1,18 +1,39 @@
 #pragma once
 
-#include "ui/document/dossier_model.h"
+#include "ui/document/settings_model.h"
 #include "ui/words/display_units.h"
 
 #include <QDialog>
 
 #include <vector>
 
+class QLineEdit;
+class QPlainTextEdit;
 class QLabel;
 class QPushButton;
 
 namespace vybeg::ui {
 
 class NumberField;
+
+// Asks for the data of the session's gyro. accepted(): gyro() is that of the fields.
+class GyroDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit GyroDialog(const GyroData& gyro, QWidget* parent = nullptr);
+
+    GyroData gyro() const;
+
+private:
+    QLineEdit* serial_;
+    QLineEdit* type_;
+    QLineEdit* operator_;
+    QPlainTextEdit* comment_;
+};
+
+// Opens the dialog; its data become those of the dossier.
+void askForGyro(DossierModel& dossier, QWidget* window);
 
 // Asks for the limits of the resonator's parameters, in the units of display. accepted(): limits()
 // are those of the fields.

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/analysis/measurement_list.h"
 #include "core/database/results_database.h"
 #include "core/database/stored_result.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/document.h"
 #include "ui/history/history_charts.h"
+
+#include <QStringList>
 
 #include <functional>
 #include <memory>
@@ -12,6 +15,19 @@
 #include <vector>
 
 namespace vybeg::ui {
+
+// A stored result as a measurement list of one set, with its settings; `settings_known`: whether
+// they could be read from the result. Recordings that are not where they were are left out.
+struct StoredSet {
+    MeasurementList list;
+    QStringList missing;  // paths
+    bool settings_known = true;
+};
+
+StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwise);
+
+// The set under this gyro and date, for the whole of it.
+void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date);
 
 // A database of results in the background: each job opens the file for itself, so that none of them
 // holds it. A message of the document names a wait for another program. Errors: those of

@@ -6,6 +6,7 @@
 #include "ui/words/display_units.h"
 
 #include <QCoreApplication>
+#include <QString>
 
 namespace vybeg::ui {
 
@@ -55,5 +56,13 @@ HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts
 HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& charts,
                         const HistoryView& view);
 XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view);
+
+// "HRG-17, 2026-03-31, set A: τ = 21.3(1) s; f = 5300.1 Hz; 22.5 °C; outside the limits, above".
+QString pointText(const StoredHistory& history, const HistoryCharts& charts,
+                  const HistoryView& view, std::size_t point);
+
+// What the charts say: which results lie outside, and what is missing for an answer.
+QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
+                    const HistoryView& view, std::size_t baseline);
 
 }  // namespace vybeg::ui

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <QString>
 #include <QTextBrowser>
 #include <QWidget>
 
 class QAction;
+class QWidget;
 
 namespace vybeg::ui {
+
+class Document;
 
 // The help in the interface's language, in a window of its own. Alt+Left and Alt+Right go through
 // the pages visited.
@@ -29,5 +33,12 @@ private:
     QAction* home_;
     QString language_;
 };
+
+// Program, libraries, platform and numbers of recordings and analyses, for a report of a fault:
+// English whatever the interface's language, as those who mend the program read it.
+QString diagnosticsOf(const Document& document, const QString& language, bool dark, double scale);
+
+// `copy_diagnostics` has a button in it.
+void showAbout(QWidget* window, QAction* copy_diagnostics);
 
 }  // namespace vybeg::ui
