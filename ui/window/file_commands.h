@@ -96,7 +96,7 @@ private:
     Ledger& ledger_;
     FileQuestions& ask_;
     QWidget* window_;
-    BackgroundJobs imports_;  // previews of the dialogs for files
+    BackgroundJobs imports_;  // previews of the dialogs for files; the demonstration
     QPointer<ImportDialog> import_;
     QPointer<LogDialog> logs_;
     ReportWriter reports_;

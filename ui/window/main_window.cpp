@@ -24,7 +24,6 @@
 #include "ui/window/status_line.h"
 #include "ui/window/tracks_page.h"
 #include "ui/window/welcome_page.h"
-#include "ui/window/window_commands.h"
 #include "ui/window/window_menus.h"
 
 #include <QAction>
@@ -80,24 +79,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     statusBar()->addWidget(times_);
     statusBar()->addWidget(status_, 1);
     statusBar()->setSizeGripEnabled(false);
-    commands_ = new Commands(
-        windowCommands({document_, *tracks_, *ledger_, *settings_, *status_, *files_, *batch_,
-                        [this](const DisplayUnits& units) { setUnits(units); },
-                        [this](Page page) { pages_->showPage(page); },
-                        [this](bool shown) {
-                            sidebar_wanted_ = shown;
-                            showPanels();
-                        },
-                        [this](bool shown) {
-                            wave_wanted_ = shown;
-                            showPanels();
-                        },
-                        [this](bool shown) { signals_->setWave(shown); },
-                        [this] { return pages_->page(); }, [this] { return figures(); },
-                        [this] { return tracks_page_->articleFigure(); }, [this] { showHelp(); },
-                        [this] { showAbout(this, action(Command::copy_diagnostics)); },
-                        [this] { return diagnosticsText(); }, [this] { close(); }}),
-        this);
+    commands_ = new Commands(windowCommands(*this), this);
     menus_ = new WindowMenus(*commands_, *tracks_, static_cast<int>(storedThemeMode()), menu_bar_);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
     action(Command::fitted_wave)->setChecked(true);

@@ -89,6 +89,9 @@ private:
     FigureSource figures() const;
     void showHelp();
 
+    // main_window_commands.cpp
+    friend std::vector<CommandRow> windowCommands(MainWindow& w);
+
     // main_window_state.cpp
     static ThemeMode storedThemeMode();
     void restoreState();
