@@ -86,7 +86,8 @@ signals:
     void added(AnalysisId id);
 
 private:
-    void change(AnalysisId id, const std::function<void(ShownAnalysis&)>& edit);
+    template <class Value>
+    void change(AnalysisId id, Value ShownAnalysis::*member, const Value& value);
     void putBack(const AnalysisEntry& entry, std::size_t place);
     void takeOut(AnalysisId id);
     AnalysisEntry newAnalysis(const RecordingEntry& recording, const QString& name);

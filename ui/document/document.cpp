@@ -69,13 +69,12 @@ void Document::reopen(RecordingId id, const OpenOptions& options) {
     Closed after = before;
     after.options = options;
     after.analyses.reset();
-    const auto become = [this](const Closed& wanted) {
-        close(wanted.id);
-        bringBack(wanted);
-    };
-    steps_.add([name = recordings_.find(id)->name] { return tr("import of %1").arg(name); },
-               [become, before] { become(before); }, [become, after] { become(after); });
-    become(after);
+    steps_.change([name = recordings_.find(id)->name] { return tr("import of %1").arg(name); },
+                  before, after,
+                  [this](const Closed& wanted) {
+                      close(wanted.id);
+                      bringBack(wanted);
+                  });
 }
 
 RecordingId Document::restore(const QString& path, const OpenOptions& options,

@@ -71,7 +71,7 @@ signals:
     void settled(Topic topic);
 
 private:
-    void step(UndoSteps::Words words, DriftInput after);
+    void step(UndoSteps::Words words, const DriftInput& after);
     void restore(DriftInput input);
     void compute();
     void take(Result<DriftOutcome>&& result);

@@ -13,19 +13,16 @@ void SettingsModel::setSettings(const Settings& settings, int gesture) {
         return;
     }
     const Settings before = settings_;
-    steps_.add([before, settings] { return changedGroups(before, settings).join(", "); },
-               [this, before] { apply(before); }, [this, settings] { apply(settings); }, gesture);
-    apply(settings);
+    steps_.change([before, settings] { return changedGroups(before, settings).join(", "); }, before,
+                  settings, [this](const Settings& to) { apply(to); }, gesture);
 }
 
 void SettingsModel::setTolerance(const Tolerance& tolerance) {
     if (tolerance == tolerance_) {
         return;
     }
-    const Tolerance before = tolerance_;
-    steps_.add([] { return tr("tolerances of the channels"); }, [this, before] { apply(before); },
-               [this, tolerance] { apply(tolerance); });
-    apply(tolerance);
+    steps_.change([] { return tr("tolerances of the channels"); }, tolerance_, tolerance,
+                  [this](const Tolerance& to) { apply(to); });
 }
 
 void SettingsModel::startWith(const Settings& settings, const Tolerance& tolerance) {
@@ -62,10 +59,8 @@ void DossierModel::set(UndoSteps::Words words, const Dossier& dossier) {
     if (dossier == dossier_) {
         return;
     }
-    steps_.add(
-        std::move(words), [this, before = dossier_] { startWith(before); },
-        [this, dossier] { startWith(dossier); });
-    startWith(dossier);
+    steps_.change(std::move(words), dossier_, dossier,
+                  [this](const Dossier& to) { startWith(to); });
 }
 
 void DossierModel::startWith(const Dossier& dossier) {
