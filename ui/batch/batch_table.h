@@ -6,13 +6,11 @@
 
 #include <QAbstractTableModel>
 #include <QCollator>
-#include <QModelIndexList>
 #include <QSortFilterProxyModel>
 #include <QString>
 #include <QStringList>
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>

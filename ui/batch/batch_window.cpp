@@ -1,7 +1,6 @@
 #include "ui/batch/batch_window.h"
 
 #include "core/output/batch_csv.h"
-#include "ui/batch/batch_table.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/error_text.h"
@@ -15,7 +14,6 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>

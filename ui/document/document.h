@@ -14,7 +14,6 @@
 #include <QObject>
 #include <QStringList>
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>

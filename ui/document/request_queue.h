@@ -5,7 +5,6 @@
 #include "ui/values/ids.h"
 
 #include <QElapsedTimer>
-#include <QList>
 #include <QObject>
 
 #include <map>

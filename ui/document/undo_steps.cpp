@@ -1,7 +1,5 @@
 #include "ui/document/undo_steps.h"
 
-#include <utility>
-
 namespace vybeg::ui {
 
 namespace {

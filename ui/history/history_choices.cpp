@@ -11,7 +11,6 @@
 #include <QLocale>
 #include <QResizeEvent>
 #include <QSettings>
-#include <QSignalBlocker>
 #include <QSpinBox>
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 #include <iterator>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace vybeg::ui {
 

@@ -10,9 +10,7 @@
 #include <QStringList>
 
 #include <functional>
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace vybeg::ui {
 

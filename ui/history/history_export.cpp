@@ -2,15 +2,10 @@
 
 #include "core/base/number_text.h"
 #include "core/output/batch_csv.h"
-#include "ui/history/history_view.h"
 #include "ui/report/report_html.h"
 #include "ui/words/program_name.h"
 #include "ui/words/rich_text.h"
 
-#include <QLocale>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -5,8 +5,6 @@
 #include "ui/history/result_adder.h"
 #include "ui/plots/measured_page.h"
 
-#include <memory>
-
 class QGridLayout;
 class QLabel;
 class QPushButton;

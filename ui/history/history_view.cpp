@@ -5,7 +5,6 @@
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 

@@ -4,8 +4,6 @@
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/set_panel.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <iterator>
 

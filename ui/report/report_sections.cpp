@@ -14,7 +14,6 @@
 #include "ui/words/rich_text.h"
 #include "ui/words/unit_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 

@@ -8,10 +8,8 @@
 #include "ui/words/unit_text.h"
 
 #include <QDateTime>
-#include <QLocale>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vybeg::ui {
 

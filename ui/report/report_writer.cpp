@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <iterator>
 #include <utility>
-#include <vector>
 
 namespace vybeg::ui {
 

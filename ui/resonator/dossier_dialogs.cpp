@@ -14,8 +14,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace vybeg::ui {
 
 GyroDialog::GyroDialog(const GyroData& gyro, QWidget* parent)

@@ -16,7 +16,6 @@
 #include <QString>
 
 #include <array>
-#include <map>
 #include <optional>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include "ui/document/measured_set.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_state.h"
-#include "ui/session/session_writer.h"
 
 #include <QDateTime>
 #include <QDir>
