@@ -2,7 +2,6 @@
 
 #include "core/base/result.h"
 #include "ui/session/session.h"
-#include "ui/values/recording_set.h"
 
 #include <QDir>
 #include <QJsonObject>
@@ -13,16 +12,6 @@ namespace vybeg::ui {
 // defaults.
 QJsonObject viewToJson(const SessionView& view);
 SessionView viewFromJson(const QJsonObject& json);
-
-// What a measurement list says of a set, as JSON, with its members by places in the session; paths
-// below `folder` are relative to it.
-QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder);
-
-// The reverse. Errors: setting_invalid.
-Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder);
-
-// Relative below the folder of the session, so that both can be moved together.
-QString storedPath(const QString& path, const QDir& folder);
 
 inline constexpr int session_schema = 1;
 inline const QString session_schema_key = QStringLiteral("vybeg_session");

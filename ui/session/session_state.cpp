@@ -1,7 +1,6 @@
 #include "ui/session/session_state.h"
 
 #include "ui/document/measured_set.h"
-#include "ui/session/session_json.h"
 
 #include <algorithm>
 #include <functional>

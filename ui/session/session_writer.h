@@ -4,7 +4,6 @@
 #include "ui/document/background_jobs.h"
 
 #include <QByteArray>
-#include <QDir>
 #include <QJsonObject>
 #include <QObject>
 #include <QString>
@@ -14,15 +13,8 @@
 
 namespace vybeg::ui {
 
-// Bytes of a session's file.
-QByteArray bytesOf(const QJsonObject& json);
-
 // Tells contents of files apart.
 QByteArray digest(const QByteArray& bytes);
-
-// A file in the session's folder or a folder in it for a recording that is not at its path: one of
-// its name, otherwise one of its ending and content, as far as 256 MB tell. Empty: none.
-QString foundNear(const QDir& folder, const QString& path, const QString& sha256);
 
 // Writes states of sessions into their files in the background, one after the other: a slow disk
 // keeps no window. Of the states that wait for one file the newest is written, and each file is
