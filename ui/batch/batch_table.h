@@ -44,12 +44,6 @@ struct BatchColumn {
 // Those of every table, then the list's unknown ones.
 std::vector<BatchColumn> batchColumns(const std::vector<std::string>& other_columns);
 
-// "Frequency split", and its unit in a second line.
-QString batchColumnTitle(const BatchColumn& column, const DisplayUnits& units);
-QString batchColumnTip(const BatchColumn& column);
-// From stored values to displayed ones.
-double batchColumnFactor(const BatchColumn& column, const DisplayUnits& units);
-
 // Rows of a BatchTable by one of its columns, those that have nothing there last in both
 // directions; without a column, as in the list.
 class BatchOrder : public QSortFilterProxyModel {

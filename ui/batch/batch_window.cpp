@@ -24,7 +24,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -85,32 +84,6 @@ void BatchMessage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
         color();
     }
-}
-
-namespace {
-
-struct Named {
-    const char* option;
-    const char* field;  // of context BatchForm
-};
-
-constexpr std::array fields{
-    Named{"-o", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Results")},
-    Named{"--passport", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Passports")},
-    Named{"--database", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Database")},
-    Named{"--json", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "JSON files")}};
-
-}  // namespace
-
-QString batchErrorText(const Error& error) {
-    Error named = error;
-    for (const auto& [option, field] : fields) {
-        if (named.code == ErrorCode::setting_invalid && named.args.front().text == option) {
-            named.args.front() =
-                QCoreApplication::translate("vybeg::ui::BatchForm", field).toStdString();
-        }
-    }
-    return errorText(named);
 }
 
 namespace {
@@ -302,7 +275,7 @@ void BatchWindow::whenEnded(const Status& status) {
     } else {
         message_->end(
             [error = status.error(), kept, some = model_.finished() > 0] {
-                return batchErrorText(error) + (some ? QLatin1Char(' ') + kept() : QString());
+                return BatchForm::errorText(error) + (some ? QLatin1Char(' ') + kept() : QString());
             },
             true);
     }

@@ -49,9 +49,6 @@ private:
     bool fault_ = false;
 };
 
-// The sentence of an error that ends a batch, with fields of its window in place of options.
-QString batchErrorText(const Error& error);
-
 class BatchMessage;
 class BatchOrder;
 
