@@ -63,15 +63,6 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
     return stored;
 }
 
-void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date) {
-    for (RecordingRef& recording : set.recordings) {
-        recording.conditions.gyro = gyro;
-        if (!date.empty()) {
-            recording.conditions.date = date;
-        }
-    }
-}
-
 namespace {
 
 // While another program writes, a reader waits no longer than a person does.

@@ -24,9 +24,6 @@ struct StoredSet {
 
 StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwise);
 
-// The set under this gyro and date, for the whole of it.
-void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date);
-
 // A database of results in the background: each job opens the file for itself, so that none of them
 // holds it. A message of the document names a wait for another program. Errors: those of
 // ResultsDatabase.

@@ -81,7 +81,7 @@ QString resultsOf(const StoredHistory& history, const HistoryCharts& charts,
 HistoryExport historyExport(const StoredHistory& history, const HistoryCharts& charts,
                             const HistoryView& view, const QString& database,
                             const std::optional<std::string>& gyro, std::size_t baseline) {
-    const QString parameter = parameterTitle(view.parameter);
+    const QString parameter = shownIn(view).title;
     const QString whose = gyro ? QString::fromStdString(*gyro) : HistoryWords::tr("All gyros");
     HistoryExport all;
     all.name = QStringLiteral("history");

@@ -135,7 +135,6 @@ HistoryView HistoryPage::view() const {
             units_,
             chosen_,
             passportValue(open ? &open->passport : nullptr, choices_->parameter()),
-            open ? open->name : QString(),
             limit ? std::optional(*limit) : std::nullopt};
 }
 
@@ -293,7 +292,7 @@ FigureSource HistoryPage::figures() const {
     if (!history_) {
         return {};
     }
-    const QString parameter = indexPlain(parameterTitle(view().parameter));
+    const QString parameter = indexPlain(shownIn(view()).title);
     const auto gyro = choices_->gyro();
     return figuresOf(
         {values_, ranges_, average_, distribution_}, QStringLiteral("history"),

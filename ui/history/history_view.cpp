@@ -124,6 +124,21 @@ void addLimits(XYPlot& plot, const Placed& at, const QString& name, double centr
     }
 }
 
+// What the baseline has that the limits do not allow for; empty: nothing.
+QString baselineText(const HistoryCharts& charts) {
+    switch (charts.control.fault) {
+        case BaselineFault::none: break;
+        case BaselineFault::too_few:
+            return HistoryWords::tr("limits need %1 results, there are %2")
+                .arg(least_baseline)
+                .arg(charts.control.used);
+        case BaselineFault::trend: return HistoryWords::tr("the baseline has a trend");
+        case BaselineFault::correlated:
+            return HistoryWords::tr("neighbours in the baseline are correlated");
+    }
+    return {};
+}
+
 // The name of a series in the legend, with what is to be known of the baseline.
 QString withBaseline(const QString& name, const HistoryCharts& charts, bool sets_limits) {
     const bool has_limits = charts.control.fault != BaselineFault::too_few;
@@ -177,20 +192,6 @@ void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
 
 }  // namespace
 
-QString baselineText(const HistoryCharts& charts) {
-    switch (charts.control.fault) {
-        case BaselineFault::none: break;
-        case BaselineFault::too_few:
-            return HistoryWords::tr("limits need %1 results, there are %2")
-                .arg(least_baseline)
-                .arg(charts.control.used);
-        case BaselineFault::trend: return HistoryWords::tr("the baseline has a trend");
-        case BaselineFault::correlated:
-            return HistoryWords::tr("neighbours in the baseline are correlated");
-    }
-    return {};
-}
-
 HistoryAxis shownAxis(const std::optional<StoredHistory>& history, HistoryAxis chosen) {
     const bool undated = history && !history->points.empty() &&
                          std::ranges::none_of(history->points, [](const HistoryPoint& point) {
@@ -199,29 +200,16 @@ HistoryAxis shownAxis(const std::optional<StoredHistory>& history, HistoryAxis c
     return undated && chosen == HistoryAxis::date ? HistoryAxis::order : chosen;
 }
 
-QString parameterTitle(const HistoryParameter& parameter) {
-    const auto dot = parameter.name.find('.');
-    if (dot == std::string::npos) {
-        return shownAs(parameter.name, parameter.unit, {}).title;
-    }
-    return modeTitle(parameter.name[dot - 2] - '0', parameter.name.substr(dot + 1));
-}
-
-QString parameterUnit(const HistoryParameter& parameter, const DisplayUnits& units) {
-    return shownAs(parameter.name, parameter.unit, units).unit;
-}
-
-double parameterFactor(const HistoryParameter& parameter, const DisplayUnits& units) {
-    return shownAs(parameter.name, parameter.unit, units).factor;
+Shown shownIn(const HistoryView& view) {
+    return shownAs(view.parameter.name, view.parameter.unit, view.units);
 }
 
 HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts,
                        const HistoryView& view) {
-    const double factor = parameterFactor(view.parameter, view.units);
+    const Shown parameter = shownIn(view);
+    const double factor = parameter.factor;
     Placed at = placed(history, charts.values, view.axis);
-    HistoryPlot shown{emptyPlot(view, view.axis, parameterTitle(view.parameter),
-                                parameterUnit(view.parameter, view.units)),
-                      {}};
+    HistoryPlot shown{emptyPlot(view, view.axis, parameter.title, parameter.unit), {}};
     if (at.points.empty()) {
         return shown;
     }
@@ -238,7 +226,7 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
     shown.points = std::move(at.points);
     if (view.limit) {
         const QString name = HistoryWords::tr("limits of the gyro");
-        const auto& [parameter, lower, upper] = *view.limit;
+        const auto& [name_of_it, lower, upper] = *view.limit;
         if (lower) {
             addLevel(shown.plot, name, factor * *lower, Ink::warning, true);
         }
@@ -255,11 +243,11 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
 
 HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts,
                        const HistoryView& view) {
-    const double factor = std::abs(parameterFactor(view.parameter, view.units));
+    const Shown parameter = shownIn(view);
+    const double factor = std::abs(parameter.factor);
     const HistoryAxis axis = sequenceAxis(view.axis);
-    HistoryPlot shown{emptyPlot(view, axis, HistoryWords::tr("Change from the one before"),
-                                parameterUnit(view.parameter, view.units)),
-                      {}};
+    HistoryPlot shown{
+        emptyPlot(view, axis, HistoryWords::tr("Change from the one before"), parameter.unit), {}};
     shown.plot.empty = HistoryWords::tr("A change needs two results of one gyro in their order.");
     Placed at = placed(history, charts.control.ranges.values, axis);
     if (at.points.empty() || !charts.one_gyro) {
@@ -298,17 +286,17 @@ HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& chart
 
 XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
     XYPlot plot;
-    plot.x_name = parameterTitle(view.parameter);
-    plot.x_unit = parameterUnit(view.parameter, view.units);
+    const Shown parameter = shownIn(view);
+    plot.x_name = parameter.title;
+    plot.x_unit = parameter.unit;
     plot.y_name = HistoryWords::tr("Results in each step");
     plot.empty = HistoryWords::tr("A distribution needs two results with different values.");
     const Histogram& found = charts.histogram;
     if (found.counts.empty()) {
         return plot;
     }
-    const double factor = parameterFactor(view.parameter, view.units);
     const auto value = [&](double z) {
-        return factor * (charts.moments.mean + z * charts.moments.sd);
+        return parameter.factor * (charts.moments.mean + z * charts.moments.sd);
     };
     XYSeries steps;
     steps.name = HistoryWords::tr("results");
@@ -423,8 +411,9 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
 QString pointText(const StoredHistory& history, const HistoryCharts& charts,
                   const HistoryView& view, std::size_t point) {
     const HistoryPoint& at = history.points[point];
-    const double factor = parameterFactor(view.parameter, view.units);
-    const QString unit = parameterUnit(view.parameter, view.units);
+    const Shown parameter = shownIn(view);
+    const double factor = parameter.factor;
+    const QString& unit = parameter.unit;
     const auto numbered = [](const QString& text, double value, int digits) {
         return QStringLiteral("; ") + text.arg(QLocale().toString(value, 'g', digits));
     };

@@ -3,6 +3,7 @@
 #include "core/resonator/results/parameter_limit.h"
 #include "ui/history/history_charts.h"
 #include "ui/plots/xy_plot.h"
+#include "ui/resonator/parameter_text.h"
 #include "ui/words/display_units.h"
 
 #include <QCoreApplication>
@@ -22,9 +23,8 @@ struct HistoryView {
     HistoryParameter parameter;
     HistoryAxis axis = HistoryAxis::date;
     DisplayUnits units;
-    std::optional<std::size_t> chosen;  // point
-    Estimate passport;                  // of the parameter; NaN: none is open
-    QString passport_name;
+    std::optional<std::size_t> chosen;    // point
+    Estimate passport;                    // of the parameter; NaN: none is open
     std::optional<ParameterLimit> limit;  // of the session's dossier
 };
 
@@ -38,13 +38,8 @@ struct HistoryPlot {
     std::vector<std::size_t> points;
 };
 
-// "Decay time τ" or "Mode 1: f", with the unit as it is shown.
-QString parameterTitle(const HistoryParameter& parameter);
-QString parameterUnit(const HistoryParameter& parameter, const DisplayUnits& units);
-double parameterFactor(const HistoryParameter& parameter, const DisplayUnits& units);
-
-// What the baseline has that the limits do not allow for; empty: nothing.
-QString baselineText(const HistoryCharts& charts);
+// The parameter as it is shown: "Decay time τ" or "Mode 1: f", with its unit.
+Shown shownIn(const HistoryView& view);
 
 // Values with their uncertainties u, limits of the chart, limits of the dossier and passport
 // against the chosen axis. The others

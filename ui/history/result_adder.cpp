@@ -71,6 +71,16 @@ namespace {
 
 constexpr int storing_job = 1;
 
+// The set under this gyro and date, for the whole of it.
+void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date) {
+    for (RecordingRef& recording : set.recordings) {
+        recording.conditions.gyro = gyro;
+        if (!date.empty()) {
+            recording.conditions.date = date;
+        }
+    }
+}
+
 }  // namespace
 
 std::shared_ptr<const ResonatorOutcome> ResultAdder::addable() const {

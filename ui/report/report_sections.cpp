@@ -38,7 +38,7 @@ std::vector<QuantityRow> budgetRows(const Identification& found, const DisplayUn
     std::vector<QuantityRow> rows;
     for (const ParameterBudget& each : budget) {
         const Shown shown = shownAs(each.parameter.name, each.parameter.unit, units);
-        QuantityRow row{withUnit(shown.title, shown.unit), shown.tip, {}};
+        QuantityRow row = rowOf(shown);
         const auto add = [&](double part) {
             const double value = std::abs(shown.factor) * part;
             row.cells.push_back({shortNumberText(value, digits), {exactText(value)}, {}});

@@ -62,6 +62,15 @@ QString symbolOf(const std::string& parameter) {
                                   : QStringLiteral("Q");
 }
 
+// "Mode 1: f" of "modes[0].f_hz", "Run 11: f of its direction" of "runs[10].direction.f_hz".
+QString numberedTitle(const std::string& name) {
+    const int place = std::stoi(name.substr(name.find('[') + 1));
+    return (name.starts_with("modes[") ? ResonatorWords::tr("Mode %1: %2")
+                                       : ResonatorWords::tr("Run %1: %2 of its direction"))
+        .arg(place + 1)
+        .arg(symbolOf(name.substr(name.rfind('.') + 1)));
+}
+
 }  // namespace
 
 QuantityCell valueCell(double value, double sd, double u) {
@@ -88,6 +97,9 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
             shown.tip = ResonatorWords::tr(texts.tip);
         }
     }
+    if (name.find('[') != std::string::npos) {
+        shown.title = numberedTitle(name);
+    }
     if (QLatin1String(unit) == QLatin1String("rad")) {
         shown.unit = angleUnit(units);
         shown.factor = angleFactor(units);
@@ -100,14 +112,8 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
     return shown;
 }
 
-QString modeTitle(int index, const std::string& parameter) {
-    return ResonatorWords::tr("Mode %1: %2").arg(index + 1).arg(symbolOf(parameter));
-}
-
-QString directionTitle(int index, const std::string& parameter) {
-    return ResonatorWords::tr("Run %1: %2 of its direction")
-        .arg(index + 1)
-        .arg(symbolOf(parameter));
+QuantityRow rowOf(const Shown& shown, std::vector<QuantityCell> cells) {
+    return {withUnit(shown.title, shown.unit), shown.tip, std::move(cells)};
 }
 
 QString angleUnit(const DisplayUnits& units) {
@@ -129,12 +135,6 @@ double angleRateFactor(const DisplayUnits& units) {
 
 namespace {
 
-// Title of a difference such as "modes[0].f_hz".
-QString titleOfMode(const std::string& name) {
-    const auto digit = std::string("modes[").size();
-    return modeTitle(name.at(digit) - '0', name.substr(digit + 3));
-}
-
 // Signed, with one decimal; zero has no sign.
 QString deviationsText(double deviations) {
     const QString size = QLocale().toString(std::abs(deviations), 'f', 1);
@@ -142,19 +142,6 @@ QString deviationsText(double deviations) {
         return size;
     }
     return (deviations < 0 ? QChar(0x2212) : QLatin1Char('+')) + size;
-}
-
-// Title of a difference such as "runs[10].direction.f_hz".
-QString titleOfRun(const std::string& name) {
-    const auto digits = std::string("runs[").size();
-    return directionTitle(std::stoi(name.substr(digits)), name.substr(name.rfind('.') + 1));
-}
-
-QString titleOf(const std::string& name) {
-    if (name.starts_with("modes[")) {
-        return titleOfMode(name);
-    }
-    return name.starts_with("runs[") ? titleOfRun(name) : shownAs(name, "", {}).title;
 }
 
 // Percent, or ppm for small values.
@@ -219,9 +206,10 @@ QString verdictText(Verdict verdict) {
 }
 
 QString differenceSymbol(const std::string& name) {
+    const QString title = shownAs(name, "", {}).title;
     return name.starts_with("modes[")  ? ResonatorWords::tr("Modes")
-           : name.starts_with("runs[") ? titleOf(name)
-                                       : titleOf(name).section(QLatin1Char(' '), -1);
+           : name.starts_with("runs[") ? title
+                                       : title.section(QLatin1Char(' '), -1);
 }
 
 QStringList incomparableTexts(const std::vector<Difference>& differences) {
@@ -266,11 +254,10 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
                                       {}};
         const double factor = shown.factor;
         const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
-        rows.push_back(
-            {withUnit(titleOf(difference.name), shown.unit),
-             shown.tip,
-             {verdictCell(difference, theme), deviations, change, relativeCell(difference.relative),
-              sideCell(difference.then, factor), sideCell(difference.now, factor)}});
+        rows.push_back(rowOf(
+            shown,
+            {verdictCell(difference, theme), deviations, change, relativeCell(difference.relative),
+             sideCell(difference.then, factor), sideCell(difference.now, factor)}));
     }
     return rows;
 }
