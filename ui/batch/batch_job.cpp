@@ -63,8 +63,6 @@ constexpr int only_one = 0;
 
 }  // namespace
 
-BatchJob::BatchJob(QObject* parent) : QObject(parent) {}
-
 BatchJob::~BatchJob() {
     stop_.request_stop();
 }

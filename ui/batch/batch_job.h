@@ -43,7 +43,6 @@ class BatchJob : public QObject {
     Q_OBJECT
 
 public:
-    explicit BatchJob(QObject* parent = nullptr);
     ~BatchJob() override;
 
     // Precondition: not running.

@@ -68,8 +68,8 @@ std::vector<AnalysisWish> wishesOf(const std::vector<AnalysisEntry>& analyses, R
 }
 
 AnalysisStore::AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
-                             UndoSteps& steps, QObject* parent)
-    : QObject(parent), job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
+                             UndoSteps& steps)
+    : job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
 
 const AnalysisEntry* AnalysisStore::find(AnalysisId id) const {
     const auto found = std::ranges::find_if(

@@ -54,7 +54,7 @@ class AnalysisStore : public QObject {
 
 public:
     AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
-                  UndoSteps& steps, QObject* parent = nullptr);
+                  UndoSteps& steps);
 
     const std::vector<AnalysisEntry>& all() const { return analyses_; }
     const AnalysisEntry* find(AnalysisId id) const;

@@ -70,7 +70,7 @@ std::function<double()> stopwatch() {
 
 }  // namespace
 
-BackgroundJobs::BackgroundJobs(QObject* parent) : QObject(parent) {
+BackgroundJobs::BackgroundJobs() {
     // More than processors: most of them wait for a disk, and none may keep a file from opening.
     openings_.setMaxThreadCount(4);
     analyses_.setMaxThreadCount(1);

@@ -68,7 +68,7 @@ public:
         write
     };
 
-    explicit BackgroundJobs(QObject* parent = nullptr);
+    BackgroundJobs();
     // Stops every job and waits until the last has heard it.
     ~BackgroundJobs() override;
 

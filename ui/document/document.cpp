@@ -9,7 +9,7 @@
 
 namespace vybeg::ui {
 
-Document::Document(QObject* parent) : QObject(parent) {
+Document::Document() {
     connectStores();
     connect(&recordings_, &RecordingStore::opened, this, &Document::whenOpened);
     connect(&recordings_, &RecordingStore::openFailed, this,

@@ -29,7 +29,7 @@ class Document : public QObject {
     Q_OBJECT
 
 public:
-    explicit Document(QObject* parent = nullptr);
+    Document();
 
     // Recordings. Each is analysed with the present settings as soon as it is open.
     void open(const QStringList& paths, const OpenOptions& options = {});

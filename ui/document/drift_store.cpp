@@ -34,8 +34,8 @@ QString DriftLog::name() const {
     return QFileInfo(path).fileName();
 }
 
-DriftStore::DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps, QObject* parent)
-    : QObject(parent), job_(job), ids_(ids), steps_(steps) {}
+DriftStore::DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps)
+    : job_(job), ids_(ids), steps_(steps) {}
 
 void DriftStore::open(const QStringList& paths) {
     DriftInput after = input_;

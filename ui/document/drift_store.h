@@ -46,7 +46,7 @@ class DriftStore : public QObject {
     Q_OBJECT
 
 public:
-    DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps, QObject* parent = nullptr);
+    DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps);
 
     const std::vector<DriftLog>& logs() const { return input_.logs; }
     const DriftSettings& settings() const { return input_.settings; }

@@ -6,14 +6,8 @@
 namespace vybeg::ui {
 
 LiveFollower::LiveFollower(BackgroundJobs& job, const SettingsModel& settings,
-                           RecordingStore& recordings, AnalysisStore& analyses, RequestQueue& queue,
-                           QObject* parent)
-    : QObject(parent),
-      job_(job),
-      settings_(settings),
-      recordings_(recordings),
-      analyses_(analyses),
-      queue_(queue) {}
+                           RecordingStore& recordings, AnalysisStore& analyses, RequestQueue& queue)
+    : job_(job), settings_(settings), recordings_(recordings), analyses_(analyses), queue_(queue) {}
 
 void LiveFollower::setOn(bool on) {
     if (on == on_) {

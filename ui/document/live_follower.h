@@ -18,7 +18,7 @@ class LiveFollower : public QObject {
 
 public:
     LiveFollower(BackgroundJobs& job, const SettingsModel& settings, RecordingStore& recordings,
-                 AnalysisStore& analyses, RequestQueue& queue, QObject* parent = nullptr);
+                 AnalysisStore& analyses, RequestQueue& queue);
 
     void setOn(bool on);
     bool on() const { return on_; }

@@ -37,9 +37,8 @@ bool isFixableByImportOptions(ErrorCode code) {
 
 }  // namespace
 
-RecordingStore::RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids,
-                               QObject* parent)
-    : QObject(parent), job_(job), settings_(settings), ids_(ids) {}
+RecordingStore::RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids)
+    : job_(job), settings_(settings), ids_(ids) {}
 
 const RecordingEntry* RecordingStore::find(RecordingId id) const {
     const auto found = std::ranges::find(recordings_, id, &RecordingEntry::id);

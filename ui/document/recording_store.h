@@ -46,8 +46,7 @@ class RecordingStore : public QObject {
     Q_OBJECT
 
 public:
-    RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids,
-                   QObject* parent = nullptr);
+    RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids);
 
     const std::vector<RecordingEntry>& all() const { return recordings_; }
     const RecordingEntry* find(RecordingId id) const;

@@ -27,7 +27,7 @@ class RequestQueue : public QObject {
     Q_OBJECT
 
 public:
-    explicit RequestQueue(BackgroundJobs& job, QObject* parent = nullptr);
+    explicit RequestQueue(BackgroundJobs& job);
 
     // A key that is there already gets the new request.
     void enter(int key, const Request& request);

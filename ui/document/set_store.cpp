@@ -28,9 +28,8 @@ bool contains(const std::vector<RecordingId>& ids, RecordingId id) {
 }  // namespace
 
 SetStore::SetStore(BackgroundJobs& job, const SettingsModel& settings, RecordingStore& recordings,
-                   RequestQueue& queue, IdCounter& ids, UndoSteps& steps, QObject* parent)
-    : QObject(parent),
-      job_(job),
+                   RequestQueue& queue, IdCounter& ids, UndoSteps& steps)
+    : job_(job),
       settings_(settings),
       recordings_(recordings),
       queue_(queue),

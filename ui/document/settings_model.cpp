@@ -6,7 +6,7 @@
 
 namespace vybeg::ui {
 
-SettingsModel::SettingsModel(UndoSteps& steps, QObject* parent) : QObject(parent), steps_(steps) {}
+SettingsModel::SettingsModel(UndoSteps& steps) : steps_(steps) {}
 
 void SettingsModel::setSettings(const Settings& settings, int gesture) {
     if (settings == settings_) {
@@ -41,7 +41,7 @@ void SettingsModel::apply(const Tolerance& tolerance) {
     emit toleranceChanged();
 }
 
-DossierModel::DossierModel(UndoSteps& steps, QObject* parent) : QObject(parent), steps_(steps) {}
+DossierModel::DossierModel(UndoSteps& steps) : steps_(steps) {}
 
 void DossierModel::setGyro(const GyroData& gyro) {
     Dossier dossier = dossier_;

@@ -27,8 +27,7 @@ QString lockOf(const QString& path) {
 
 }  // namespace
 
-SessionBackup::SessionBackup(std::function<QJsonObject()> content, QObject* parent)
-    : QObject(parent), content_(std::move(content)) {
+SessionBackup::SessionBackup(std::function<QJsonObject()> content) : content_(std::move(content)) {
     timer_.setInterval(interval_ms);
     soon_.setInterval(soon_ms);
     soon_.setSingleShot(true);

@@ -21,7 +21,7 @@ class SessionBackup : public QObject {
 
 public:
     // `content`: the state to be copied; empty where nothing is worth a copy.
-    explicit SessionBackup(std::function<QJsonObject()> content, QObject* parent = nullptr);
+    explicit SessionBackup(std::function<QJsonObject()> content);
 
     // A copy at the next turn of the event loop: something was computed.
     void soon();

@@ -4,7 +4,6 @@
 #include "core/recording/bytes/sha256.h"
 #include "ui/document/measured_set.h"
 #include "ui/session/session_json.h"
-#include "ui/session/session_state.h"
 
 #include <QDateTime>
 #include <QDir>

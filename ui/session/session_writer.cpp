@@ -29,8 +29,6 @@ QByteArray digest(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
 }
 
-SessionWriter::SessionWriter(QObject* parent) : QObject(parent) {}
-
 SessionWriter::~SessionWriter() {
     for (Waiting& each : waiting_) {
         each.done.clear();

@@ -28,7 +28,6 @@ public:
     // Puts bytes into a file.
     using Disk = std::function<Status(const QString& path, const QByteArray& bytes)>;
 
-    explicit SessionWriter(QObject* parent = nullptr);
     // Waits for the states that are asked for; their `done` are not called.
     ~SessionWriter() override;
 

@@ -20,9 +20,9 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/help.h"
 #include "ui/window/overview.h"
+#include "ui/window/page_stack.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tracks_page.h"
-#include "ui/window/welcome_page.h"
 #include "ui/window/window_menus.h"
 
 #include <QAction>

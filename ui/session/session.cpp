@@ -1,4 +1,4 @@
-#include "ui/session/session_state.h"
+#include "ui/session/session.h"
 
 #include "ui/document/measured_set.h"
 
