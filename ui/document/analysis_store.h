@@ -24,7 +24,7 @@ struct AnalysisEntry {
     Settings requested;  // as asked for; shown.analysis->settings is as used
     TrackSummary summary;
     std::vector<Event> events;
-    bool live = false;                            // follows the settings, see LiveFollower
+    bool live = false;                            // follows the settings, see Document::setLive()
     int place = std::numeric_limits<int>::max();  // in the order of a session's analyses
 
     // Has only some of its windows yet.

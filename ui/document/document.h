@@ -3,7 +3,6 @@
 #include "ui/document/analysis_store.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/drift_store.h"
-#include "ui/document/live_follower.h"
 #include "ui/document/message.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/request_queue.h"
@@ -66,9 +65,14 @@ public:
     void analyse();
     void analyseAgain(AnalysisId analysis_id);
     void analyseSnapped(AnalysisId analysis_id);  // with the window moved to whole half-periods
-    void setLive(bool live) { live_.setOn(live); }
-    bool live() const { return live_.on(); }
-    void setVisibleRange(const TimeRange& visible) { live_.setVisibleRange(visible); }
+    // Live: each recording has an analysis that follows the settings, with its name and colour, as
+    // soon as they change while the recording is the current one: first the visible range, then the
+    // rest; the newest settings win. Analyses of analyse() stay as they are. After switching off,
+    // running computations finish.
+    void setLive(bool live);
+    bool live() const { return live_; }
+    // Time range of the plots.
+    void setVisibleRange(const TimeRange& visible) { visible_ = visible; }
     void cancel();
     bool busy() const { return queue_.busy(); }
     // Whether any job is under way: analyses, and what is read, checked or written besides.
@@ -143,6 +147,10 @@ private:
     void restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& analyses);
     void ask(const Request& request);
     void computeAgain(RecordingId recording_id, const Settings& requested);
+    // Live, of a recording: with these settings, or where it does not show the present ones yet.
+    void follow(RecordingId recording_id, const Settings& wanted);
+    void catchUp(RecordingId recording_id);
+    AnalysisId show(const Request& request, AnalysisOutcome outcome);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
 
     BackgroundJobs job_;
@@ -153,9 +161,10 @@ private:
     RecordingStore recordings_{job_, settings_, ids_};
     AnalysisStore analyses_{job_, recordings_, ids_, steps_};
     RequestQueue queue_{job_};
-    LiveFollower live_{job_, settings_, recordings_, analyses_, queue_};
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
     DriftStore drift_{job_, ids_, steps_};
+    bool live_ = false;
+    TimeRange visible_;
     std::map<RecordingId, std::vector<AnalysisWish>> restored_;  // by recording, until it is open
     struct Arriving {
         SetId into = SetId::none;
