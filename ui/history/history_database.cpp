@@ -86,7 +86,7 @@ Result<ResultsDatabase> opened(Document& document, const QString& path,
 }  // namespace
 
 void makeDatabase(BackgroundJobs& job, int key, Document& document, const QString& path,
-                  std::function<void(Result<bool>)> done) {
+                  Done<bool> done) {
     job.run<bool>(
         key,
         [&document, path](const JobControl& control) -> Result<bool> {
@@ -98,7 +98,7 @@ void makeDatabase(BackgroundJobs& job, int key, Document& document, const QStrin
 
 void readHistory(BackgroundJobs& job, int key, Document& document, const QString& path,
                  const std::optional<std::string>& gyro, const std::string& parameter,
-                 std::function<void(Result<StoredHistory>)> done) {
+                 Done<StoredHistory> done) {
     job.run<StoredHistory>(
         key,
         [&document, path, gyro, parameter](const JobControl& control) -> Result<StoredHistory> {
@@ -112,7 +112,7 @@ void readHistory(BackgroundJobs& job, int key, Document& document, const QString
 }
 
 void readResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                std::int64_t id, std::function<void(Result<StoredResult>)> done) {
+                std::int64_t id, Done<StoredResult> done) {
     job.run<StoredResult>(
         key,
         [&document, path, id](const JobControl& control) -> Result<StoredResult> {
@@ -130,7 +130,7 @@ void readResult(BackgroundJobs& job, int key, Document& document, const QString&
 }
 
 void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                 SetResult result, std::function<void(Result<std::optional<StoredName>>)> done) {
+                 SetResult result, Done<std::optional<StoredName>> done) {
     job.run<std::optional<StoredName>>(
         key,
         [&document, path, result = std::move(result)](

@@ -30,19 +30,19 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
 
 // Makes the file where there is none, and says whether it is a database.
 void makeDatabase(BackgroundJobs& job, int key, Document& document, const QString& path,
-                  std::function<void(Result<bool>)> done);
+                  Done<bool> done);
 
 // Gyros, and the history of a parameter. Without `gyro`, of all.
 void readHistory(BackgroundJobs& job, int key, Document& document, const QString& path,
                  const std::optional<std::string>& gyro, const std::string& parameter,
-                 std::function<void(Result<StoredHistory>)> done);
+                 Done<StoredHistory> done);
 
 void readResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                std::int64_t id, std::function<void(Result<StoredResult>)> done);
+                std::int64_t id, Done<StoredResult> done);
 
 // As `vybeg-cli batch --database` does. `done` gets the name of the earlier result that it
 // replaces.
 void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                 SetResult result, std::function<void(Result<std::optional<StoredName>>)> done);
+                 SetResult result, Done<std::optional<StoredName>> done);
 
 }  // namespace vybeg::ui
