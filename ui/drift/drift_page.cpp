@@ -90,6 +90,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
       logs_(new DriftLogs(document, this)),
       open_(withName(new QPushButton(this), "driftOpen")),
       remove_(withName(new QPushButton(this), "driftRemove")),
+      form_(new QFormLayout),
       columns_(withName(new QLineEdit(this), "driftColumns")),
       fault_(withName(new QLabel(this), "driftFault")),
       angle_unit_(withName(new QComboBox(this), "driftAngleUnit")),
@@ -111,21 +112,25 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     skew_->setStep(0.1);
 
     auto* buttons = fill(new QHBoxLayout, {{open_, 1}, remove_});
-    auto* form = new QFormLayout;
-    form->setHorizontalSpacing(6);
-    form->setVerticalSpacing(3);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    form->setRowWrapPolicy(QFormLayout::DontWrapRows);
-    columns_label_ = addRow(form, columns_);
-    form->addRow(fault_);
-    angle_unit_label_ = addRow(form, angle_unit_);
-    time_unit_label_ = addRow(form, time_unit_);
-    rate_label_ = addRow(form, rate_);
-    kappa_label_ = addRow(form, kappa_);
-    skew_label_ = addRow(form, skew_);
+    form_->setHorizontalSpacing(6);
+    form_->setVerticalSpacing(3);
+    form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form_->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    const auto add = [this](QWidget* field) {
+        auto* label = new QLabel(this);
+        label->setBuddy(field);
+        label->setWordWrap(true);
+        form_->addRow(label, field);
+    };
+    add(columns_);
+    form_->addRow(fault_);
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{angle_unit_, time_unit_, rate_, kappa_, skew_}) {
+        add(field);
+    }
     auto* layout = fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {logs_, buttons});
     layout->addSpacing(4);
-    layout->addLayout(form);
+    layout->addLayout(form_);
 
     connect(open_, &QPushButton::clicked, this, &DriftPanel::openWanted);
     connect(remove_, &QPushButton::clicked, logs_, [this] { logs_->removeChosen(); });
@@ -145,25 +150,19 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
             text = choice == TextChoice{} ? std::nullopt : std::optional(choice);
         });
     });
-    connect(rate_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-        edit([value](DriftSettings& settings) { settings.reading.open.rate_hz = value; });
-    });
-    connect(kappa_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-        edit([value](DriftSettings& settings) { settings.tolerance.kappa = value; });
-    });
-    connect(skew_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-        edit([value](DriftSettings& settings) { settings.tolerance.skew_deg = value; });
-    });
+    const auto edits = [this](NumberField* field, const auto& member) {
+        connect(field, &NumberField::valueEdited, this, [this, member](auto value) {
+            edit([&](DriftSettings& settings) { member(settings) = value; });
+        });
+    };
+    edits(
+        rate_, [](DriftSettings & settings) -> auto& { return settings.reading.open.rate_hz; });
+    edits(
+        kappa_, [](DriftSettings & settings) -> auto& { return settings.tolerance.kappa; });
+    edits(
+        skew_, [](DriftSettings & settings) -> auto& { return settings.tolerance.skew_deg; });
     connect(&document_.drift(), &DriftStore::changed, this, &DriftPanel::refresh);
     keepTranslated(*this, [this] { retranslate(); });
-}
-
-QLabel* DriftPanel::addRow(QFormLayout* form, QWidget* field) {
-    auto* label = new QLabel(this);
-    label->setBuddy(field);
-    label->setWordWrap(true);
-    form->addRow(label, field);
-    return label;
 }
 
 NumberField* DriftPanel::makeNumber(const char* name) {
@@ -219,7 +218,8 @@ void DriftPanel::refresh() {
 }
 
 void DriftPanel::retranslate() {
-    const auto name = [](QLabel* label, QWidget* field, const QString& text, const QString& tip) {
+    const auto name = [this](QWidget* field, const QString& text, const QString& tip) {
+        auto* label = static_cast<QLabel*>(form_->labelForField(field));
         label->setText(richText(text));
         label->setToolTip(richTip(tip));
         field->setToolTip(richTip(tip));
@@ -235,25 +235,25 @@ void DriftPanel::retranslate() {
     remove_->setText(tr("Remove"));
     remove_->setAccessibleName(tr("Remove the chosen logs"));
     remove_->setToolTip(tr("The files stay; Undo takes it back"));
-    name(columns_label_, columns_, tr("Columns"),
+    name(columns_, tr("Columns"),
          tr("What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a "
             "name or a number, where the file calls it otherwise: t,theta=angle. Empty: by their "
             "names"));
     columns_->setPlaceholderText(tr("by their names"));
-    name(angle_unit_label_, angle_unit_, tr("Angle in"),
+    name(angle_unit_, tr("Angle in"),
          tr("Unit of the angle, where the name of its column does not tell it"));
     const QString from_file = tr("as the file says");
     setTexts(*angle_unit_, {from_file, tr("degrees"), tr("radians")});
-    name(time_unit_label_, time_unit_, tr("Time in"), tr("Unit of the time in a text file"));
+    name(time_unit_, tr("Time in"), tr("Unit of the time in a text file"));
     setTexts(*time_unit_, {from_file, tr("s"), tr("ms"), tr("µs"), tr("ns")});
-    name(rate_label_, rate_, tr("Rate"), tr("Rows a second, of a file without times"));
+    name(rate_, tr("Rate"), tr("Rows a second, of a file without times"));
     rate_->setUnit(tr("Hz"));
-    name(kappa_label_, kappa_, tr("κ ±"),
+    name(kappa_, tr("κ ±"),
          tr("How well the gain ratio of the channels is known: relative standard deviation. A gain "
             "error gives a wave that turns a fourth harmonic; u holds it. Grey: assumed; 0: "
             "exact"));
     kappa_->setAccessibleName(tr("Gain ratio of the logs’ channels ±"));
-    name(skew_label_, skew_, tr("ε ±"),
+    name(skew_, tr("ε ±"),
          tr("How well the non-orthogonality of the channels is known: standard deviation. Grey: "
             "assumed; 0: exact"));
     skew_->setAccessibleName(tr("Non-orthogonality of the logs’ channels ±"));

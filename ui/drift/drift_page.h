@@ -51,7 +51,6 @@ signals:
     void openWanted();
 
 private:
-    QLabel* addRow(QFormLayout* form, QWidget* field);
     NumberField* makeNumber(const char* name);
     void edit(const std::function<void(DriftSettings&)>& change);
     void editColumns();
@@ -63,19 +62,14 @@ private:
     DriftLogs* logs_;
     QPushButton* open_;
     QPushButton* remove_;
-    QLabel* columns_label_ = nullptr;
+    QFormLayout* form_;
     QLineEdit* columns_;
     QString columns_shown_;
     QLabel* fault_;
-    QLabel* angle_unit_label_ = nullptr;
     QComboBox* angle_unit_;
-    QLabel* time_unit_label_ = nullptr;
     QComboBox* time_unit_;
-    QLabel* rate_label_ = nullptr;
     NumberField* rate_;
-    QLabel* kappa_label_ = nullptr;
     NumberField* kappa_;
-    QLabel* skew_label_ = nullptr;
     NumberField* skew_;
 };
 
