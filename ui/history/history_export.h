@@ -17,9 +17,8 @@ struct HistoryExport {
     std::vector<ReportFigure> figures;  // of the report
 };
 
-// `database`: its name; `gyro`: nothing for all; `baseline`: results that set the limits.
-HistoryExport historyExport(const StoredHistory& history, const HistoryCharts& charts,
-                            const HistoryView& view, const QString& database,
-                            const std::optional<std::string>& gyro, std::size_t baseline);
+// `database`: its name; `gyro`: nothing for all.
+HistoryExport historyExport(const HistoryView& view, const QString& database,
+                            const std::optional<std::string>& gyro);
 
 }  // namespace vybeg::ui

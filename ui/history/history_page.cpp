@@ -130,8 +130,11 @@ HistoryView HistoryPage::view() const {
     const bool same_gyro = serial.empty() || choices_->gyro().value_or(serial) == serial;
     const ParameterLimit* limit =
         same_gyro ? limit_of(dossier.limits, choices_->parameter().name.c_str()) : nullptr;
-    return {choices_->parameter(),
-            shownAxis(history_, choices_->axis()),
+    return {*history_,
+            charts_,
+            choices_->baseline(),
+            choices_->parameter(),
+            shownAxis(*history_, choices_->axis()),
             units_,
             chosen_,
             passportValue(open ? &open->passport : nullptr, choices_->parameter()),
@@ -149,28 +152,25 @@ void HistoryPage::showHistory() {
         return;
     }
     const HistoryView now = view();
-    shown_values_ = valuesPlot(*history_, charts_, now);
-    shown_ranges_ = rangesPlot(*history_, charts_, now);
-    shown_average_ = averagePlot(*history_, charts_, now);
-    for (const auto& [plot, shown] :
-         {std::pair{values_, &shown_values_}, std::pair{ranges_, &shown_ranges_},
-          std::pair{average_, &shown_average_}}) {
+    shown_values_ = valuesPlot(now);
+    shown_ranges_ = rangesPlot(now);
+    shown_average_ = averagePlot(now);
+    for (const auto& [plot, shown] : chartsOfPoints()) {
         plot->setContent(shown->plot);
         plot->setPickable(0);
         plot->setPointTips([this, shown = shown](std::size_t place) {
-            return place < shown->points.size()
-                       ? richTip(pointText(*history_, charts_, view(), shown->points[place]))
-                       : QString();
+            return place < shown->points.size() ? richTip(pointText(view(), shown->points[place]))
+                                                : QString();
         });
     }
-    distribution_->setContent(distributionPlot(charts_, now));
+    distribution_->setContent(distributionPlot(now));
     ranges_->setVisible(charts_.one_gyro);
     average_->setVisible(charts_.one_gyro);
-    verdict_->setText(richText(verdictText(*history_, charts_, now, choices_->baseline())));
+    verdict_->setText(richText(verdictText(now)));
     point_->setVisible(chosen_.has_value());
     recordings_->setVisible(chosen_.has_value());
     if (chosen_) {
-        point_->setText(richText(pointText(*history_, charts_, now, *chosen_)));
+        point_->setText(richText(pointText(now, *chosen_)));
     }
     emit figuresChanged();
 }
@@ -367,8 +367,7 @@ void HistoryPage::connectWidgets() {
     connect(new_, &QPushButton::clicked, this, &HistoryPage::newWanted);
     connect(add_, &QPushButton::clicked, this, &HistoryPage::askToAdd);
     connect(export_, &QPushButton::clicked, this, [this] {
-        emit exportAllWanted(historyExport(*history_, charts_, view(), database_->text(),
-                                           choices_->gyro(), choices_->baseline()));
+        emit exportAllWanted(historyExport(view(), database_->text(), choices_->gyro()));
     });
     connect(&adder_, &ResultAdder::added, this, [this](const QString& path) {
         if (path == path_) {
@@ -382,9 +381,7 @@ void HistoryPage::connectWidgets() {
     for (XYPlotView* plot : {values_, ranges_, average_, distribution_}) {
         connect(plot, &XYPlotView::stepWanted, this, &HistoryPage::step);
     }
-    for (const auto& [plot, shown] :
-         {std::pair{values_, &shown_values_}, std::pair{ranges_, &shown_ranges_},
-          std::pair{average_, &shown_average_}}) {
+    for (const auto& [plot, shown] : chartsOfPoints()) {
         connect(plot, &XYPlotView::pointClicked, this,
                 [this, shown = shown](int place) { choose(*shown, place); });
         connect(plot, &XYPlotView::pointActivated, this, [this, shown = shown](int place) {

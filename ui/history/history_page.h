@@ -5,6 +5,9 @@
 #include "ui/history/result_adder.h"
 #include "ui/plots/measured_page.h"
 
+#include <array>
+#include <utility>
+
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -56,7 +59,12 @@ private:
     void compute();
     void showHistory();
     void refresh();
+    // Precondition: there is a history.
     HistoryView view() const;
+    std::array<std::pair<XYPlotView*, HistoryPlot*>, 3> chartsOfPoints() {
+        return {
+            {{values_, &shown_values_}, {ranges_, &shown_ranges_}, {average_, &shown_average_}}};
+    }
     QString stateText() const;
     QString addHint() const;
     // `place`: of a point in the plot.

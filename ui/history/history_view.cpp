@@ -192,9 +192,9 @@ void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
 
 }  // namespace
 
-HistoryAxis shownAxis(const std::optional<StoredHistory>& history, HistoryAxis chosen) {
-    const bool undated = history && !history->points.empty() &&
-                         std::ranges::none_of(history->points, [](const HistoryPoint& point) {
+HistoryAxis shownAxis(const StoredHistory& history, HistoryAxis chosen) {
+    const bool undated = !history.points.empty() &&
+                         std::ranges::none_of(history.points, [](const HistoryPoint& point) {
                              return std::isfinite(point.time_s);
                          });
     return undated && chosen == HistoryAxis::date ? HistoryAxis::order : chosen;
@@ -204,25 +204,25 @@ Shown shownIn(const HistoryView& view) {
     return shownAs(view.parameter.name, view.parameter.unit, view.units);
 }
 
-HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts,
-                       const HistoryView& view) {
+HistoryPlot valuesPlot(const HistoryView& view) {
     const Shown parameter = shownIn(view);
     const double factor = parameter.factor;
-    Placed at = placed(history, charts.values, view.axis);
+    Placed at = placed(view.history, view.charts.values, view.axis);
     HistoryPlot shown{emptyPlot(view, view.axis, parameter.title, parameter.unit), {}};
     if (at.points.empty()) {
         return shown;
     }
-    XYSeries values = pointsAt(at, charts.values, factor);
-    values.name = withBaseline(HistoryWords::tr("values ± u"), charts, false);
+    XYSeries values = pointsAt(at, view.charts.values, factor);
+    values.name = withBaseline(HistoryWords::tr("values ± u"), view.charts, false);
     for (const std::size_t k : at.points) {
-        values.sd.push_back(std::isfinite(charts.u[k]) ? std::abs(factor) * charts.u[k] : 0);
+        values.sd.push_back(std::isfinite(view.charts.u[k]) ? std::abs(factor) * view.charts.u[k]
+                                                            : 0);
     }
     shown.plot.series.push_back(std::move(values));
-    addLevel(shown.plot, HistoryWords::tr("centre"), factor * charts.control.centre, Ink::muted,
-             false);
-    addLimits(shown.plot, at, withBaseline(HistoryWords::tr("limits"), charts, true),
-              charts.control.centre, charts.control.individuals.limits, factor);
+    addLevel(shown.plot, HistoryWords::tr("centre"), factor * view.charts.control.centre,
+             Ink::muted, false);
+    addLimits(shown.plot, at, withBaseline(HistoryWords::tr("limits"), view.charts, true),
+              view.charts.control.centre, view.charts.control.individuals.limits, factor);
     shown.points = std::move(at.points);
     if (view.limit) {
         const QString name = HistoryWords::tr("limits of the gyro");
@@ -234,69 +234,67 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
             addLevel(shown.plot, lower ? QString() : name, factor * *upper, Ink::warning, true);
         }
     }
-    if (charts.one_gyro) {
+    if (view.charts.one_gyro) {
         addPassport(shown.plot, view, factor);
     }
-    addMarks(shown, charts.control.individuals.out, view, HistoryWords::tr("outside"));
+    addMarks(shown, view.charts.control.individuals.out, view, HistoryWords::tr("outside"));
     return shown;
 }
 
-HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts,
-                       const HistoryView& view) {
+HistoryPlot rangesPlot(const HistoryView& view) {
     const Shown parameter = shownIn(view);
     const double factor = std::abs(parameter.factor);
     const HistoryAxis axis = sequenceAxis(view.axis);
     HistoryPlot shown{
         emptyPlot(view, axis, HistoryWords::tr("Change from the one before"), parameter.unit), {}};
     shown.plot.empty = HistoryWords::tr("A change needs two results of one gyro in their order.");
-    Placed at = placed(history, charts.control.ranges.values, axis);
-    if (at.points.empty() || !charts.one_gyro) {
+    Placed at = placed(view.history, view.charts.control.ranges.values, axis);
+    if (at.points.empty() || !view.charts.one_gyro) {
         return shown;
     }
-    XYSeries ranges = pointsAt(at, charts.control.ranges.values, factor);
+    XYSeries ranges = pointsAt(at, view.charts.control.ranges.values, factor);
     ranges.name = HistoryWords::tr("moving range");
     shown.plot.series.push_back(std::move(ranges));
-    addLimits(shown.plot, at, HistoryWords::tr("limit"), 0, charts.control.ranges.limits, factor,
-              false);
+    addLimits(shown.plot, at, HistoryWords::tr("limit"), 0, view.charts.control.ranges.limits,
+              factor, false);
     shown.points = std::move(at.points);
-    addMarks(shown, charts.control.ranges.out, view);
+    addMarks(shown, view.charts.control.ranges.out, view);
     return shown;
 }
 
-HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& charts,
-                        const HistoryView& view) {
+HistoryPlot averagePlot(const HistoryView& view) {
     const HistoryAxis axis = sequenceAxis(view.axis);
     HistoryPlot shown{
         emptyPlot(view, axis, HistoryWords::tr("Weighted average (EWMA)"), HistoryWords::tr("sd")),
         {}};
-    Placed at = placed(history, charts.control.average.values, axis);
-    if (at.points.empty() || !charts.one_gyro) {
+    Placed at = placed(view.history, view.charts.control.average.values, axis);
+    if (at.points.empty() || !view.charts.one_gyro) {
         shown.plot.empty =
             HistoryWords::tr("This chart needs ten results of one gyro to set its limits.");
         return shown;
     }
-    XYSeries average = pointsAt(at, charts.control.average.values, 1);
+    XYSeries average = pointsAt(at, view.charts.control.average.values, 1);
     average.name = HistoryWords::tr("average");
     shown.plot.series.push_back(std::move(average));
-    addLimits(shown.plot, at, HistoryWords::tr("limits"), 0, charts.control.average.limits, 1);
+    addLimits(shown.plot, at, HistoryWords::tr("limits"), 0, view.charts.control.average.limits, 1);
     shown.points = std::move(at.points);
-    addMarks(shown, charts.control.average.out, view);
+    addMarks(shown, view.charts.control.average.out, view);
     return shown;
 }
 
-XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
+XYPlot distributionPlot(const HistoryView& view) {
     XYPlot plot;
     const Shown parameter = shownIn(view);
     plot.x_name = parameter.title;
     plot.x_unit = parameter.unit;
     plot.y_name = HistoryWords::tr("Results in each step");
     plot.empty = HistoryWords::tr("A distribution needs two results with different values.");
-    const Histogram& found = charts.histogram;
+    const Histogram& found = view.charts.histogram;
     if (found.counts.empty()) {
         return plot;
     }
     const auto value = [&](double z) {
-        return parameter.factor * (charts.moments.mean + z * charts.moments.sd);
+        return parameter.factor * (view.charts.moments.mean + z * view.charts.moments.sd);
     };
     XYSeries steps;
     steps.name = HistoryWords::tr("results");
@@ -318,8 +316,8 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
     normal.dashed = true;
     constexpr int points = 121;
     constexpr double reach = 4;
-    const double scale =
-        found.width * static_cast<double>(charts.moments.count) / std::sqrt(2 * std::numbers::pi);
+    const double scale = found.width * static_cast<double>(view.charts.moments.count) /
+                         std::sqrt(2 * std::numbers::pi);
     for (int k = 0; k < points; ++k) {
         const double z = reach * (2.0 * k / (points - 1) - 1);
         normal.x.push_back(value(z));
@@ -369,9 +367,10 @@ std::size_t valuesIn(const HistoryCharts& charts) {
         std::ranges::count_if(charts.values, [](double value) { return std::isfinite(value); }));
 }
 
-QString withoutDate(const StoredHistory& history, const HistoryView& view) {
-    const auto count = std::ranges::count_if(
-        history.points, [](const HistoryPoint& point) { return !std::isfinite(point.time_s); });
+QString withoutDate(const HistoryView& view) {
+    const auto count = std::ranges::count_if(view.history.points, [](const HistoryPoint& point) {
+        return !std::isfinite(point.time_s);
+    });
     return count == 0 || view.axis != HistoryAxis::date
                ? QString()
                : QLatin1Char(' ') +
@@ -408,9 +407,8 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
 
 }  // namespace
 
-QString pointText(const StoredHistory& history, const HistoryCharts& charts,
-                  const HistoryView& view, std::size_t point) {
-    const HistoryPoint& at = history.points[point];
+QString pointText(const HistoryView& view, std::size_t point) {
+    const HistoryPoint& at = view.history.points[point];
     const Shown parameter = shownIn(view);
     const double factor = parameter.factor;
     const QString& unit = parameter.unit;
@@ -419,10 +417,10 @@ QString pointText(const StoredHistory& history, const HistoryCharts& charts,
     };
     QString text = QStringLiteral("%1: %2").arg(
         nameOf(at),
-        std::isfinite(charts.values[point])
-            ? valueText(factor * charts.values[point], std::abs(factor) * charts.u[point])
+        std::isfinite(view.charts.values[point])
+            ? valueText(factor * view.charts.values[point], std::abs(factor) * view.charts.u[point])
             : reasonText(at.value.reason));
-    if (std::isfinite(charts.values[point]) && !unit.isEmpty()) {
+    if (std::isfinite(view.charts.values[point]) && !unit.isEmpty()) {
         text += QStringLiteral(" ") + unit;
     }
     if (std::isfinite(at.f_mean_hz.value)) {
@@ -440,32 +438,32 @@ QString pointText(const StoredHistory& history, const HistoryCharts& charts,
                                        .arg(QString::fromStdString(at.warnings)
                                                 .replace(QLatin1Char(';'), QStringLiteral(", ")));
     }
-    if (const QString outside = outsideText(charts, point); !outside.isEmpty()) {
+    if (const QString outside = outsideText(view.charts, point); !outside.isEmpty()) {
         text += QStringLiteral("; ") + outside;
     }
     return text;
 }
 
-QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
-                    const HistoryView& view, std::size_t baseline) {
-    const std::size_t values = valuesIn(charts);
-    if (!charts.one_gyro) {
+QString verdictText(const HistoryView& view) {
+    const std::size_t values = valuesIn(view.charts);
+    if (!view.charts.one_gyro) {
         return counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) of all gyros."), values) +
                QLatin1Char(' ') +
-               HistoryWords::tr("Limits belong to one gyro: choose one for its control charts.") +
-               withoutDate(history, view);
+               HistoryWords::tr(
+                   "Limits belong to one gyro: choose one for its control view.charts.") +
+               withoutDate(view);
     }
-    if (charts.control.fault == BaselineFault::too_few) {
-        return limitsText(charts, baseline) + withoutDate(history, view);
+    if (view.charts.control.fault == BaselineFault::too_few) {
+        return limitsText(view.charts, view.baseline) + withoutDate(view);
     }
     QStringList named;
     std::size_t outside = 0;
-    for (std::size_t k = 0; k < charts.values.size(); ++k) {
-        if (charts.control.is_out(k)) {
+    for (std::size_t k = 0; k < view.charts.values.size(); ++k) {
+        if (view.charts.control.is_out(k)) {
             ++outside;
             if (named.size() < most_named) {
-                named << QStringLiteral("%1 (%2)").arg(nameOf(history.points[k]),
-                                                       outsideText(charts, k));
+                named << QStringLiteral("%1 (%2)").arg(nameOf(view.history.points[k]),
+                                                       outsideText(view.charts, k));
             }
         }
     }
@@ -481,7 +479,7 @@ QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
                                      outside - static_cast<std::size_t>(named.size()))
                        : QString()) +
                   QLatin1Char('.');
-    return text + QLatin1Char(' ') + limitsText(charts, baseline) + withoutDate(history, view);
+    return text + QLatin1Char(' ') + limitsText(view.charts, view.baseline) + withoutDate(view);
 }
 
 }  // namespace vybeg::ui

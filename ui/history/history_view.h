@@ -18,8 +18,11 @@ struct HistoryWords {
 
 enum class HistoryAxis { date, frequency, order };
 
-// How the history is shown.
+// A history, and how it is shown.
 struct HistoryView {
+    const StoredHistory& history;
+    const HistoryCharts& charts;
+    std::size_t baseline = 0;  // results that set the limits
     HistoryParameter parameter;
     HistoryAxis axis = HistoryAxis::date;
     DisplayUnits units;
@@ -30,7 +33,7 @@ struct HistoryView {
 
 // The axis against which results are shown: their order where none has a date, so that the first
 // one is seen.
-HistoryAxis shownAxis(const std::optional<StoredHistory>& history, HistoryAxis chosen);
+HistoryAxis shownAxis(const StoredHistory& history, HistoryAxis chosen);
 
 // A plot whose first series has the points of these places in the history.
 struct HistoryPlot {
@@ -42,22 +45,17 @@ struct HistoryPlot {
 Shown shownIn(const HistoryView& view);
 
 // Values with their uncertainties u, limits of the chart, limits of the dossier and passport
-// against the chosen axis. The others
-// are sequences: against the order where the axis is the frequency.
-HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts,
-                       const HistoryView& view);
-HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts,
-                       const HistoryView& view);
-HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& charts,
-                        const HistoryView& view);
-XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view);
+// against the chosen axis. The others are sequences: against the order where the axis is the
+// frequency.
+HistoryPlot valuesPlot(const HistoryView& view);
+HistoryPlot rangesPlot(const HistoryView& view);
+HistoryPlot averagePlot(const HistoryView& view);
+XYPlot distributionPlot(const HistoryView& view);
 
 // "HRG-17, 2026-03-31, set A: τ = 21.3(1) s; f = 5300.1 Hz; 22.5 °C; outside the limits, above".
-QString pointText(const StoredHistory& history, const HistoryCharts& charts,
-                  const HistoryView& view, std::size_t point);
+QString pointText(const HistoryView& view, std::size_t point);
 
 // What the charts say: which results lie outside, and what is missing for an answer.
-QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
-                    const HistoryView& view, std::size_t baseline);
+QString verdictText(const HistoryView& view);
 
 }  // namespace vybeg::ui
