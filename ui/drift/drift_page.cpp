@@ -2,6 +2,7 @@
 
 #include "core/recording/samples/open_table.h"
 #include "ui/drift/drift_text.h"
+#include "ui/panels/file_list.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/warning_list.h"
 #include "ui/widgets/keep_translated.h"
@@ -46,48 +47,10 @@ int placeIn(const List& list, const Value& value) {
 
 }  // namespace
 
-DriftLogs::DriftLogs(Document& document, QWidget* parent)
-    : FileList(8, parent), document_(document) {
-    setObjectName(QStringLiteral("driftLogs"));
-    setSelectionMode(QAbstractItemView::ExtendedSelection);
-}
-
-void DriftLogs::refresh() {
-    const QStringList chosen = chosenPaths();
-    const QSignalBlocker quiet(this);
-    const auto outcome = document_.drift().outcome();
-    const std::vector<DriftLog>& logs = document_.drift().logs();
-    clear();
-    for (std::size_t k = 0; k < logs.size(); ++k) {
-        auto* item =
-            new QListWidgetItem(outcome ? logName(outcome->drift, k) : logs[k].name(), this);
-        item->setData(Qt::UserRole, logs[k].path);
-        QString facts = QDir::toNativeSeparators(logs[k].path);
-        if (!logs[k].sha256.isEmpty()) {
-            facts += QStringLiteral("\nSHA-256 ") + logs[k].sha256;
-        }
-        item->setToolTip(plainTip(facts));
-        item->setSelected(chosen.contains(logs[k].path));
-    }
-    updateGeometry();
-}
-
-void DriftLogs::take(const QStringList& files) {
-    document_.drift().open(files);
-}
-
-void DriftLogs::remove(const QStringList& files) {
-    document_.drift().remove(files);
-}
-
-QString DriftLogs::hint() const {
-    return DriftPanel::tr("Drop whole-angle logs of one gyro here");
-}
-
 DriftPanel::DriftPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      logs_(new DriftLogs(document, this)),
+      logs_(withName(new FileList(8, this), "driftLogs")),
       open_(withName(new QPushButton(this), "driftOpen")),
       remove_(withName(new QPushButton(this), "driftRemove")),
       form_(new QFormLayout),
@@ -98,6 +61,8 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
       rate_(makeNumber("driftRate")),
       kappa_(makeNumber("driftKappa")),
       skew_(makeNumber("driftSkew")) {
+    logs_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    logs_->setHint([] { return tr("Drop whole-angle logs of one gyro here"); });
     fault_->setWordWrap(true);
     angle_unit_->addItems(QStringList(static_cast<qsizetype>(angle_units.size())));
     time_unit_->addItems(QStringList(static_cast<qsizetype>(log_time_units.size())));
@@ -133,7 +98,9 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     layout->addLayout(form_);
 
     connect(open_, &QPushButton::clicked, this, &DriftPanel::openWanted);
-    connect(remove_, &QPushButton::clicked, logs_, [this] { logs_->removeChosen(); });
+    connect(remove_, &QPushButton::clicked, logs_, &FileList::removeChosen);
+    connect(logs_, &FileList::dropped, &document_.drift(), &DriftStore::open);
+    connect(logs_, &FileList::removalWanted, &document_.drift(), &DriftStore::remove);
     connect(logs_, &QListWidget::itemSelectionChanged, this,
             [this] { remove_->setEnabled(!logs_->selectedItems().isEmpty()); });
     connect(columns_, &QLineEdit::editingFinished, this, &DriftPanel::editColumns);
@@ -194,8 +161,28 @@ void DriftPanel::showFault(const QString& sentence) {
     columns_->setAccessibleDescription(sentence);
 }
 
+void DriftPanel::refreshLogs() {
+    const QStringList chosen = logs_->chosenPaths();
+    const QSignalBlocker quiet(logs_);
+    const auto outcome = document_.drift().outcome();
+    const std::vector<DriftLog>& logs = document_.drift().logs();
+    logs_->clear();
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+        auto* item =
+            new QListWidgetItem(outcome ? logName(outcome->drift, k) : logs[k].name(), logs_);
+        item->setData(Qt::UserRole, logs[k].path);
+        QString facts = QDir::toNativeSeparators(logs[k].path);
+        if (!logs[k].sha256.isEmpty()) {
+            facts += QStringLiteral("\nSHA-256 ") + logs[k].sha256;
+        }
+        item->setToolTip(plainTip(facts));
+        item->setSelected(chosen.contains(logs[k].path));
+    }
+    logs_->updateGeometry();
+}
+
 void DriftPanel::refresh() {
-    logs_->refresh();
+    refreshLogs();
     remove_->setEnabled(!logs_->selectedItems().isEmpty());
     const DriftSettings& settings = document_.drift().settings();
     const QString columns = QString::fromStdString(settings.reading.columns);

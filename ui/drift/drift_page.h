@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/panels/file_list.h"
 #include "ui/plots/measured_page.h"
 
 #include <functional>
@@ -15,29 +14,12 @@ class QPushButton;
 
 namespace vybeg::ui {
 
+class FileList;
 class NumberField;
 class QuantityTable;
 class Section;
 class WarningList;
 class XYPlotView;
-
-// The whole-angle logs.
-class DriftLogs : public FileList {
-    Q_OBJECT
-
-public:
-    explicit DriftLogs(Document& document, QWidget* parent = nullptr);
-
-    void refresh();
-
-protected:
-    void take(const QStringList& files) override;
-    void remove(const QStringList& files) override;
-    QString hint() const override;
-
-private:
-    Document& document_;
-};
 
 // Whole-angle logs, how they are read, and the tolerances of their channels. Each change of a
 // setting is a step of undo.
@@ -55,11 +37,12 @@ private:
     void edit(const std::function<void(DriftSettings&)>& change);
     void editColumns();
     void showFault(const QString& sentence);
+    void refreshLogs();
     void refresh();
     void retranslate();
 
     Document& document_;
-    DriftLogs* logs_;
+    FileList* logs_;
     QPushButton* open_;
     QPushButton* remove_;
     QFormLayout* form_;

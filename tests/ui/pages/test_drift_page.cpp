@@ -279,7 +279,7 @@ private slots:
         QCOMPARE(drift().outcome()->drift.left_out, std::optional<std::size_t>(1));
         QVERIFY2(text("driftWarnings").contains("other.csv does not fit the other logs"),
                  qPrintable(text("driftWarnings")));
-        QCOMPARE(the<DriftLogs>().item(1)->text(), QString("other.csv (left out)"));
+        QCOMPARE(the<FileList>("driftLogs").item(1)->text(), QString("other.csv (left out)"));
         QVERIFY(cell("driftHarmonics", 3, 1).contains("±"));
     }
 
@@ -291,7 +291,7 @@ private slots:
         QVERIFY(!drift().outcome());
         QVERIFY2(messages().contains("there is no column"), qPrintable(messages()));
         QVERIFY2(text("driftHint").contains("there is no column"), qPrintable(text("driftHint")));
-        auto& list = the<DriftLogs>();
+        auto& list = the<FileList>("driftLogs");
         QCOMPARE(list.count(), 2);
         QVERIFY(!the<QPushButton>("driftRemove").isEnabled());
         list.setCurrentRow(1);
@@ -499,3 +499,4 @@ VYBEG_TEST(TestDriftPage)
 }  // namespace test_drift_page
 
 #include "test_drift_page.moc"
+#include "ui/panels/file_list.h"

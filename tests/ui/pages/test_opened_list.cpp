@@ -78,7 +78,7 @@ private slots:
         QCOMPARE(sets().current()->id, whole.id);
         QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
         QVERIFY(childOf<QLabel>(*window_, "listed").isVisible());
-        const QString tip = childOf<SetMembers>(*window_).item(0)->toolTip();
+        const QString tip = childOf<FileList>(*window_, "members").item(0)->toolTip();
         for (const char* told : {"G7", "2026-03-31", "100 V", "22.5 °C", "Bench: B1"}) {
             QVERIFY2(tip.contains(told), qPrintable(tip));
         }
@@ -252,3 +252,4 @@ VYBEG_TEST(TestOpenedList, threads)
 }  // namespace test_opened_list
 
 #include "test_opened_list.moc"
+#include "ui/panels/file_list.h"

@@ -67,7 +67,7 @@ class TestResonatorTab : public QObject {
     }
 
     void drop(QMimeData& data) {
-        QWidget* target = the<SetMembers>().viewport();
+        QWidget* target = the<FileList>("members").viewport();
         QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton,
                               Qt::NoModifier);
         QCoreApplication::sendEvent(target, &enter);
@@ -182,13 +182,13 @@ private slots:
         setStore().addToCurrent(ids());
         QCOMPARE(setStore().current()->recordings, ids());
         setStore().addToCurrent(ids());  // once more changes nothing
-        QCOMPARE(the<SetMembers>().count(), 2);
+        QCOMPARE(the<FileList>("members").count(), 2);
         QMimeData urls;
         urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
         drop(urls);
         QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
         QCOMPARE(setStore().current()->recordings, ids());
-        QCOMPARE(the<SetMembers>().count(), 3);
+        QCOMPARE(the<FileList>("members").count(), 3);
         QVERIFY(setStore().canIdentify());
         // The list follows the current recording with one row, however many were dragged.
         QCOMPARE(the<Ledger>().selectedRecordings(),
@@ -204,7 +204,7 @@ private slots:
         QTest::keyClick(&list, Qt::Key_Insert);
         QCOMPARE(setStore().current()->recordings, ids());
         window_->action(Command::page_resonator)->trigger();
-        auto& members = the<SetMembers>();
+        auto& members = the<FileList>("members");
         members.setFocus();
         members.setCurrentRow(1);
         QTest::keyClick(&members, Qt::Key_Space);
@@ -526,3 +526,4 @@ VYBEG_TEST(TestResonatorTab, threads)
 }  // namespace test_resonator_tab
 
 #include "test_resonator_tab.moc"
+#include "ui/panels/file_list.h"
