@@ -113,10 +113,6 @@ const PageRow& rowOf(Page page) {
 
 }  // namespace
 
-PageNeeds needsOf(Page page) {
-    return rowOf(page).needs;
-}
-
 QString pageWord(Page page) {
     return QLatin1String(rowOf(page).word);
 }
@@ -170,7 +166,7 @@ bool PageStack::welcomes() const {
 }
 
 PageNeeds PageStack::needs() const {
-    return welcomes() ? PageNeeds() : needsOf(page());
+    return welcomes() ? PageNeeds() : rowOf(page()).needs;
 }
 
 // Page 0 of the stack is the welcome.

@@ -48,8 +48,6 @@ struct PageNeeds {
     bool wave = false;      // may stand beside
 };
 
-PageNeeds needsOf(Page page);
-
 // The word of a page in a session, and the page of a word; nothing for another word.
 QString pageWord(Page page);
 std::optional<Page> pageOfWord(const QString& word);
