@@ -222,7 +222,7 @@ void MainWindow::connectPanels() {
             [this](const QString& path) { files_->open({path}); });
     connect(welcome_, &WelcomePage::demonstrationWanted, files_, &FileCommands::openDemonstration);
     connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
-    connect(menus_, &WindowMenus::recentChosen, this,
+    connect(menus_->recentFiles(), &RecentFiles::chosen, this,
             [this](const QString& path) { files_->open({path}); });
     connect(menus_, &WindowMenus::unitsChosen, this, &MainWindow::setUnits);
     connect(menus_, &WindowMenus::themeChosen, this,

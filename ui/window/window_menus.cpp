@@ -73,7 +73,6 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme,
       bar_(bar),
       recent_(new RecentFiles(bar)),
       languages_(new QActionGroup(this)) {
-    connect(recent_, &RecentFiles::chosen, this, &WindowMenus::recentChosen);
     addFile();
     QMenu* edit = top(QT_TR_NOOP("&Edit"));
     add(edit, {Command::undo, Command::redo});

@@ -49,7 +49,6 @@ public:
     void retranslate();
 
 signals:
-    void recentChosen(const QString& path);
     void unitsChosen(const DisplayUnits& units);
     void themeChosen(int theme);
     void languageChosen(const QString& code);
