@@ -2,7 +2,6 @@
 
 #include "ui/document/document.h"
 #include "ui/history/history_choices.h"
-#include "ui/history/history_database.h"
 #include "ui/history/history_view.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/widgets/page_parts.h"

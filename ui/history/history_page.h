@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
+#include "ui/history/history_database.h"
 #include "ui/history/history_export.h"
-#include "ui/history/result_adder.h"
 #include "ui/plots/measured_page.h"
 
 #include <array>

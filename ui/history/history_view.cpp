@@ -1,7 +1,6 @@
 #include "ui/history/history_view.h"
 
 #include "core/numerics/ewma_limit.h"
-#include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 

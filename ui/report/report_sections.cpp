@@ -4,7 +4,6 @@
 #include "core/resonator/results/uncertainty_budget.h"
 #include "ui/drift/drift_text.h"
 #include "ui/panels/reading.h"
-#include "ui/report/options_text.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
 #include "ui/resonator/parameter_text.h"

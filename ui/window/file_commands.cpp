@@ -12,9 +12,8 @@
 #include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
-#include "ui/window/export_dialog.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_questions.h"
-#include "ui/window/report_dialog.h"
 #include "ui/words/program_name.h"
 
 #include <QDir>

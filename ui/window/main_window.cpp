@@ -20,7 +20,6 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/help.h"
 #include "ui/window/overview.h"
-#include "ui/window/page_stack.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tracks_page.h"
 #include "ui/window/window_menus.h"

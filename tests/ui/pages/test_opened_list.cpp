@@ -5,13 +5,13 @@
 #include "tests/ui/resonator_runs.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/document_report.h"
-#include "ui/report/options_text.h"
+#include "ui/report/report_content.h"
 #include "ui/report/report_text.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/session/session_keeper.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/report_dialog.h"
 
 #include <QComboBox>
 #include <QDropEvent>

@@ -10,7 +10,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/widgets/number_field.h"
-#include "ui/window/export_dialog.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help.h"
 #include "ui/window/main_window.h"

@@ -11,8 +11,8 @@
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_sections.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/report_dialog.h"
 #include "ui/words/language.h"
 
 #include <QAction>
