@@ -81,10 +81,6 @@ void BatchJob::start(const BatchRequest& request) {
         });
 }
 
-void BatchJob::stop() {
-    stop_.request_stop();
-}
-
 BatchEvents BatchJob::events() {
     return {
         [this](const std::vector<Diagnostic>& warnings) {

@@ -48,7 +48,7 @@ public:
     // Precondition: not running.
     void start(const BatchRequest& request);
     // Ends with `interrupted` soon.
-    void stop();
+    void stop() { stop_.request_stop(); }
     bool running() const { return running_; }
 
 signals:

@@ -67,10 +67,6 @@ std::vector<AnalysisWish> wishesOf(const std::vector<AnalysisEntry>& analyses, R
     return wishes;
 }
 
-AnalysisStore::AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
-                             UndoSteps& steps)
-    : job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
-
 const AnalysisEntry* AnalysisStore::find(AnalysisId id) const {
     const auto found = std::ranges::find_if(
         analyses_, [id](const AnalysisEntry& entry) { return entry.shown.id == id; });

@@ -54,7 +54,8 @@ class AnalysisStore : public QObject {
 
 public:
     AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
-                  UndoSteps& steps);
+                  UndoSteps& steps)
+        : job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
 
     const std::vector<AnalysisEntry>& all() const { return analyses_; }
     const AnalysisEntry* find(AnalysisId id) const;

@@ -104,7 +104,14 @@ public:
                std::function<void(Status)> done);
     // Any other work: on values of its own, and it ends when its JobControl is cancelled.
     template <class Value>
-    void run(Kind kind, int key, Work<Value> work, Done<Value> done);
+    void run(Kind kind, int key, Work<Value> work, Done<Value> done) {
+        start<Value>(
+            others_, {kind, key},
+            [work = std::move(work)](const Ticket& ticket) {
+                return work(JobControl(ticket.stop));
+            },
+            std::move(done));
+    }
     // The same for a page or a store, which has one such work for each key.
     template <class Value>
     void run(int key, Work<Value> work, Done<Value> done) {
@@ -155,14 +162,6 @@ private:
     QThreadPool live_;
     QThreadPool others_;
 };
-
-template <class Value>
-void BackgroundJobs::run(Kind kind, int key, Work<Value> work, Done<Value> done) {
-    start<Value>(
-        others_, {kind, key},
-        [work = std::move(work)](const Ticket& ticket) { return work(JobControl(ticket.stop)); },
-        std::move(done));
-}
 
 template <class Value>
 void BackgroundJobs::start(QThreadPool& pool, TaskId id,

@@ -53,10 +53,6 @@ void Document::connectStores() {
     connect(&drift_, &DriftStore::settled, this, &Document::settled);
 }
 
-void Document::open(const QStringList& paths, const OpenOptions& options) {
-    recordings_.open(paths, options);
-}
-
 void Document::reopen(RecordingId id, const OpenOptions& options) {
     if (!recordings_.find(id)) {
         return;
@@ -217,10 +213,6 @@ void Document::whenOpened(RecordingId id) {
     }
 }
 
-void Document::setSettings(const Settings& settings, int gesture) {
-    settings_.setSettings(settings, gesture);
-}
-
 void Document::whenSettingsChanged(const Settings& before) {
     emit settingsChanged();
     const RecordingEntry* current = recordings_.current();
@@ -343,10 +335,6 @@ void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
     queue_.done(key);
 }
 
-void Document::cancel() {
-    job_.cancelAnalyses();
-}
-
 void Document::removeAnalysis(AnalysisId id) {
     if (const AnalysisEntry* entry = analysis(id); entry && entry->live) {
         // Its computation would bring it back.
@@ -356,11 +344,6 @@ void Document::removeAnalysis(AnalysisId id) {
         }
     }
     analyses_.remove(id);
-}
-
-void Document::exportTrack(AnalysisId id, const QString& path,
-                           std::function<void(const Status&)> done) {
-    analyses_.exportTrack(id, path, std::move(done));
 }
 
 }  // namespace vybeg::ui

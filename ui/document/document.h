@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vybeg::ui {
@@ -31,7 +32,9 @@ public:
     Document();
 
     // Recordings. Each is analysed with the present settings as soon as it is open.
-    void open(const QStringList& paths, const OpenOptions& options = {});
+    void open(const QStringList& paths, const OpenOptions& options = {}) {
+        recordings_.open(paths, options);
+    }
     void reopen(RecordingId id, const OpenOptions& options);
     // Opens a recording of a session and computes its analyses; returns its id.
     RecordingId restore(const QString& path, const OpenOptions& options,
@@ -49,7 +52,9 @@ public:
 
     // Settings (settings_model.h).
     const Settings& settings() const { return settings_.settings(); }
-    void setSettings(const Settings& settings, int gesture = -1);
+    void setSettings(const Settings& settings, int gesture = -1) {
+        settings_.setSettings(settings, gesture);
+    }
     const Tolerance& tolerance() const { return settings_.tolerance(); }
     void setTolerance(const Tolerance& tolerance) { settings_.setTolerance(tolerance); }
     void startWith(const Settings& settings, const Tolerance& tolerance = {}) {
@@ -73,7 +78,7 @@ public:
     bool live() const { return live_; }
     // Time range of the plots.
     void setVisibleRange(const TimeRange& visible) { visible_ = visible; }
-    void cancel();
+    void cancel() { job_.cancelAnalyses(); }
     bool busy() const { return queue_.busy(); }
     // Whether any job is under way: analyses, and what is read, checked or written besides.
     bool working() const { return queue_.busy() || job_.busy(); }
@@ -87,7 +92,9 @@ public:
     void setAnalysisVisible(AnalysisId id, bool visible) { analyses_.setVisible(id, visible); }
     void renameAnalysis(AnalysisId id, const QString& name) { analyses_.rename(id, name); }
     void removeAnalysis(AnalysisId id);
-    void exportTrack(AnalysisId id, const QString& path, std::function<void(const Status&)> done);
+    void exportTrack(AnalysisId id, const QString& path, std::function<void(const Status&)> done) {
+        analyses_.exportTrack(id, path, std::move(done));
+    }
 
     // The gyro and its limits.
     DossierModel& dossier() { return dossier_; }

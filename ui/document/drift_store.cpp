@@ -34,9 +34,6 @@ QString DriftLog::name() const {
     return QFileInfo(path).fileName();
 }
 
-DriftStore::DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps)
-    : job_(job), ids_(ids), steps_(steps) {}
-
 void DriftStore::open(const QStringList& paths) {
     DriftInput after = input_;
     for (const QString& path : paths) {

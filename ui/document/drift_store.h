@@ -46,7 +46,8 @@ class DriftStore : public QObject {
     Q_OBJECT
 
 public:
-    DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps);
+    DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps)
+        : job_(job), ids_(ids), steps_(steps) {}
 
     const std::vector<DriftLog>& logs() const { return input_.logs; }
     const DriftSettings& settings() const { return input_.settings; }

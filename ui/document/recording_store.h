@@ -46,7 +46,8 @@ class RecordingStore : public QObject {
     Q_OBJECT
 
 public:
-    RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids);
+    RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids)
+        : job_(job), settings_(settings), ids_(ids) {}
 
     const std::vector<RecordingEntry>& all() const { return recordings_; }
     const RecordingEntry* find(RecordingId id) const;

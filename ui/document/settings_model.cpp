@@ -6,8 +6,6 @@
 
 namespace vybeg::ui {
 
-SettingsModel::SettingsModel(UndoSteps& steps) : steps_(steps) {}
-
 void SettingsModel::setSettings(const Settings& settings, int gesture) {
     if (settings == settings_) {
         return;
@@ -40,8 +38,6 @@ void SettingsModel::apply(const Tolerance& tolerance) {
     tolerance_ = tolerance;
     emit toleranceChanged();
 }
-
-DossierModel::DossierModel(UndoSteps& steps) : steps_(steps) {}
 
 void DossierModel::setGyro(const GyroData& gyro) {
     Dossier dossier = dossier_;

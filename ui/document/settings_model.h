@@ -14,7 +14,7 @@ class SettingsModel : public QObject {
     Q_OBJECT
 
 public:
-    explicit SettingsModel(UndoSteps& steps);
+    explicit SettingsModel(UndoSteps& steps) : steps_(steps) {}
 
     const Settings& settings() const { return settings_; }
     // Changes with the same gesture (>= 0) in a row, a drag, are one step.
@@ -43,7 +43,7 @@ class DossierModel : public QObject {
     Q_OBJECT
 
 public:
-    explicit DossierModel(UndoSteps& steps);
+    explicit DossierModel(UndoSteps& steps) : steps_(steps) {}
 
     const Dossier& dossier() const { return dossier_; }
     void setGyro(const GyroData& gyro);

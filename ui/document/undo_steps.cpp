@@ -41,14 +41,6 @@ void UndoSteps::add(Words words, Act undo, Act redo, int gesture) {
     stack_.push(new Step(std::move(words), std::move(undo), std::move(redo), gesture));
 }
 
-QString UndoSteps::undoWords() const {
-    return wordsAt(stack_.index() - 1);
-}
-
-QString UndoSteps::redoWords() const {
-    return wordsAt(stack_.index());
-}
-
 QString UndoSteps::wordsAt(int index) const {
     const auto* step = static_cast<const Step*>(stack_.command(index));
     return step ? step->words() : QString();

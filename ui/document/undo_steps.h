@@ -30,8 +30,8 @@ public:
         set(after);
     }
     // What would be undone and redone; empty: nothing.
-    QString undoWords() const;
-    QString redoWords() const;
+    QString undoWords() const { return wordsAt(stack_.index() - 1); }
+    QString redoWords() const { return wordsAt(stack_.index()); }
 
 private:
     QString wordsAt(int index) const;

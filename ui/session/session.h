@@ -48,7 +48,7 @@ struct SessionView {
     DisplayUnits units;
     std::array<std::optional<double>, 2> cursors_s;  // A and B
     TrendKind trend = TrendKind::line;               // between them
-    QString page;                                    // its word, PageStack::word(); empty: any
+    QString page;                                    // its word, pageWord(); empty: any
 };
 
 // Everything that makes the same picture and numbers again when the recordings are there: their

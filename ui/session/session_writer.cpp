@@ -82,10 +82,6 @@ void SessionWriter::begin() {
         });
 }
 
-void SessionWriter::finish() {
-    job_.finish();
-}
-
 namespace {
 
 constexpr int interval_ms = 10000;
