@@ -139,6 +139,10 @@ void readResult(BackgroundJobs& job, int key, Document& document, const QString&
         std::move(done));
 }
 
+namespace {
+
+// As `vybeg-cli batch --database` does. `done` gets the name of the earlier result that it
+// replaces.
 void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
                  SetResult result, Done<std::optional<StoredName>> done) {
     job.run<std::optional<StoredName>>(
@@ -153,6 +157,8 @@ void storeResult(BackgroundJobs& job, int key, Document& document, const QString
         },
         std::move(done));
 }
+
+}  // namespace
 
 StoreDialog::StoreDialog(const QStringList& gyros, const QString& gyro, const QString& date,
                          QWidget* parent)

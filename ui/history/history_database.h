@@ -48,11 +48,6 @@ void readHistory(BackgroundJobs& job, int key, Document& document, const QString
 void readResult(BackgroundJobs& job, int key, Document& document, const QString& path,
                 std::int64_t id, Done<StoredResult> done);
 
-// As `vybeg-cli batch --database` does. `done` gets the name of the earlier result that it
-// replaces.
-void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                 SetResult result, Done<std::optional<StoredName>> done);
-
 // Asks under which gyro and date a result goes into the database.
 class StoreDialog : public QDialog {
     Q_OBJECT
