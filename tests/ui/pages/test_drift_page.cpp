@@ -8,6 +8,7 @@
 #include "ui/document/document.h"
 #include "ui/drift/drift_page.h"
 #include "ui/drift/drift_text.h"
+#include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/report/document_report.h"
@@ -499,4 +500,3 @@ VYBEG_TEST(TestDriftPage)
 }  // namespace test_drift_page
 
 #include "test_drift_page.moc"
-#include "ui/panels/file_list.h"

@@ -8,6 +8,7 @@
 #include "tests/ui/gui_test.h"
 #include "ui/history/history_database.h"
 #include "ui/import/log_dialog.h"
+#include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/document_report.h"
 #include "ui/report/report_text.h"
@@ -425,4 +426,3 @@ VYBEG_TEST(TestLogDialog)
 }  // namespace test_log_dialog
 
 #include "test_log_dialog.moc"
-#include "ui/panels/file_list.h"

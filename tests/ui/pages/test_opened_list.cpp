@@ -3,6 +3,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
+#include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/document_report.h"
 #include "ui/report/report_content.h"
@@ -252,4 +253,3 @@ VYBEG_TEST(TestOpenedList, threads)
 }  // namespace test_opened_list
 
 #include "test_opened_list.moc"
-#include "ui/panels/file_list.h"

@@ -4,6 +4,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
+#include "ui/panels/file_list.h"
 #include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/xy_plot_view.h"
@@ -526,4 +527,3 @@ VYBEG_TEST(TestResonatorTab, threads)
 }  // namespace test_resonator_tab
 
 #include "test_resonator_tab.moc"
-#include "ui/panels/file_list.h"
