@@ -15,7 +15,6 @@
 #include <vector>
 
 class QAction;
-class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;

@@ -7,9 +7,9 @@
 
 #include <vector>
 
+class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
-class QLabel;
 class QPushButton;
 
 namespace vybeg::ui {

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-class QLabel;
 class QComboBox;
 class QGridLayout;
+class QLabel;
 class QPushButton;
 
 namespace vybeg::ui {

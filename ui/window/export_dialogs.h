@@ -9,10 +9,10 @@
 #include <vector>
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QComboBox;
 
 namespace vybeg::ui {
 

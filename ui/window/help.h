@@ -5,7 +5,6 @@
 #include <QWidget>
 
 class QAction;
-class QWidget;
 
 namespace vybeg::ui {
 

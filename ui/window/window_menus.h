@@ -11,7 +11,6 @@
 #include <vector>
 
 class QActionGroup;
-class QMenu;
 class QMenuBar;
 
 namespace vybeg::ui {
