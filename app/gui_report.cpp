@@ -12,8 +12,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
 #include "ui/report/report_pdf.h"
-#include "ui/report/report_writer.h"
-#include "ui/resonator/conditions_text.h"
+#include "ui/resonator/resonator_text.h"
 #include "ui/session/session_keeper.h"
 
 #include <QCoreApplication>

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/batch/batch_request.h"
 
 #include <QWidget>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 class QCheckBox;
@@ -32,6 +35,10 @@ public:
     bool takesPanel() const;
     // The files, made absolute; all else is as usual.
     BatchRequest request() const;
+    // The sentence of an error that ends a batch, with fields of the form in place of options.
+    static QString errorText(Error error);
+
+    static constexpr std::size_t lines = 5;
 
 signals:
     void changed();
@@ -45,17 +52,12 @@ private:
         QPushButton* choose = nullptr;
     };
 
-    Line addLine(BatchPath which, const char* name, int row, int column);
-    QLineEdit* editOf(BatchPath which) const;
+    QLineEdit& editOf(BatchPath which) const;
     void retranslate();
 
-    Line input_;
+    std::array<Line, lines> lines_;
     QPushButton* folder_ = nullptr;
-    Line results_;
     QString proposed_;  // for the results, by the list
-    Line passports_;
-    Line database_;
-    Line json_;
     QCheckBox* panel_ = nullptr;
 };
 

@@ -1,21 +1,48 @@
 #pragma once
 
 #include "core/batch/batch_request.h"
-#include "ui/batch/batch_columns.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
 
 #include <QAbstractTableModel>
 #include <QCollator>
-#include <QModelIndexList>
 #include <QSortFilterProxyModel>
+#include <QString>
 #include <QStringList>
 
-#include <limits>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace vybeg::ui {
+
+// What a column of a batch's table holds, by which its texts, colours and order differ.
+enum class BatchColumnKind : std::uint8_t {
+    text,
+    state,
+    reason,
+    verdict,
+    changed,
+    model,
+    noise,
+    number,
+    quantity,  // a parameter with its uncertainty, or its deviation
+};
+
+// A column of the window, made of fields of a row of RESULTS.csv.
+struct BatchColumn {
+    BatchColumnKind kind = BatchColumnKind::text;
+    std::string name;  // in RESULTS.csv
+    std::size_t field = 0;
+    std::size_t sd_field = 0;  // of a quantity
+    std::size_t u_field = 0;   // the same
+    const char* unit = "";     // of a quantity, as resonator_parameters.h has it
+};
+
+// Those of every table, then the list's unknown ones.
+std::vector<BatchColumn> batchColumns(const std::vector<std::string>& other_columns);
 
 // Rows of a BatchTable by one of its columns, those that have nothing there last in both
 // directions; without a column, as in the list.

@@ -1,58 +1,89 @@
 #include "ui/batch/batch_window.h"
 
 #include "core/output/batch_csv.h"
-#include "ui/batch/batch_message.h"
-#include "ui/batch/batch_table.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/error_text.h"
 
 #include <QAction>
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
+#include <QStringList>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <set>
+#include <utility>
 
 namespace vybeg::ui {
 
-namespace {
+BatchMessage::BatchMessage(QWidget* parent) : QLabel(parent) {
+    setObjectName(QStringLiteral("batchMessage"));
+    setWordWrap(true);
+    setTextFormat(Qt::PlainText);
+    setTextInteractionFlags(Qt::TextSelectableByMouse);
+    hide();
+}
 
-struct Named {
-    const char* option;
-    const char* field;  // of context BatchForm
-};
+void BatchMessage::begin() {
+    warnings_.clear();
+    end_ = nullptr;
+    fault_ = false;
+    refresh();
+}
 
-constexpr std::array fields{
-    Named{"-o", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Results")},
-    Named{"--passport", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Passports")},
-    Named{"--database", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "Database")},
-    Named{"--json", QT_TRANSLATE_NOOP("vybeg::ui::BatchForm", "JSON files")}};
+void BatchMessage::warn(Text text) {
+    warnings_.push_back(std::move(text));
+    refresh();
+}
 
-}  // namespace
+void BatchMessage::end(Text text, bool fault) {
+    end_ = std::move(text);
+    fault_ = fault;
+    refresh();
+}
 
-QString batchErrorText(const Error& error) {
-    Error named = error;
-    for (const auto& [option, field] : fields) {
-        if (named.code == ErrorCode::setting_invalid && named.args.front().text == option) {
-            named.args.front() =
-                QCoreApplication::translate("vybeg::ui::BatchForm", field).toStdString();
-        }
+void BatchMessage::refresh() {
+    QStringList lines;
+    for (const Text& warning : warnings_) {
+        lines << QStringLiteral("⚠ ") + warning();
     }
-    return errorText(named);
+    if (end_) {
+        lines << end_();
+    }
+    setText(lines.join(QLatin1Char('\n')));
+    setVisible(!lines.isEmpty());
+    color();
+}
+
+void BatchMessage::color() {
+    const QPalette usual = parentWidget()->palette();
+    QPalette colors = usual;
+    if (fault_) {
+        colors.setColor(QPalette::WindowText, (isDark(usual) ? darkTheme() : lightTheme()).broken);
+    }
+    if (palette() != colors) {
+        setPalette(colors);
+    }
+}
+
+void BatchMessage::changeEvent(QEvent* event) {
+    QLabel::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        color();
+    }
 }
 
 namespace {
@@ -244,7 +275,7 @@ void BatchWindow::whenEnded(const Status& status) {
     } else {
         message_->end(
             [error = status.error(), kept, some = model_.finished() > 0] {
-                return batchErrorText(error) + (some ? QLatin1Char(' ') + kept() : QString());
+                return BatchForm::errorText(error) + (some ? QLatin1Char(' ') + kept() : QString());
             },
             true);
     }

@@ -4,9 +4,9 @@
 #include "core/base/error.h"
 #include "ui/batch/batch_form.h"
 #include "ui/batch/batch_job.h"
-#include "ui/batch/batch_progress.h"
 #include "ui/batch/batch_table.h"
 
+#include <QLabel>
 #include <QString>
 #include <QTimer>
 #include <QWidget>
@@ -15,15 +15,38 @@
 #include <vector>
 
 class QAction;
-class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QTableView;
+
 namespace vybeg::ui {
 
-// The sentence of an error that ends a batch, with fields of its window in place of options.
-QString batchErrorText(const Error& error);
+// How a batch ended, below the warnings of its list. Texts are functions, so that a change of
+// language reaches them. Hidden while there is nothing to say.
+class BatchMessage : public QLabel {
+    Q_OBJECT
+
+public:
+    using Text = std::function<QString()>;
+
+    explicit BatchMessage(QWidget* parent);
+
+    void begin();  // a new batch: nothing to say
+    void warn(Text text);
+    void end(Text text, bool fault);
+    void refresh();  // in the present language
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void color();
+
+    std::vector<Text> warnings_;
+    Text end_;
+    bool fault_ = false;
+};
 
 class BatchMessage;
 class BatchOrder;

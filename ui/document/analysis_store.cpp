@@ -67,10 +67,6 @@ std::vector<AnalysisWish> wishesOf(const std::vector<AnalysisEntry>& analyses, R
     return wishes;
 }
 
-AnalysisStore::AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
-                             UndoSteps& steps, QObject* parent)
-    : QObject(parent), job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
-
 const AnalysisEntry* AnalysisStore::find(AnalysisId id) const {
     const auto found = std::ranges::find_if(
         analyses_, [id](const AnalysisEntry& entry) { return entry.shown.id == id; });
@@ -121,10 +117,8 @@ AnalysisId AnalysisStore::show(RecordingId recording_id, const Settings& request
 
 AnalysisId AnalysisStore::showLive(RecordingId recording_id, const Settings& requested,
                                    AnalysisOutcome outcome) {
-    auto live = std::ranges::find_if(analyses_, [&](const AnalysisEntry& entry) {
-        return entry.live && entry.recording_id == recording_id;
-    });
-    const bool is_new = live == analyses_.end();
+    auto* live = const_cast<AnalysisEntry*>(liveOf(recording_id));
+    const bool is_new = live == nullptr;
     AnalysisEntry* expected = is_new ? addExpected(recording_id, requested, true) : nullptr;
     AnalysisEntry& entry = expected ? *expected : is_new ? addLive(recording_id) : *live;
     setOutcome(entry, requested, std::move(outcome));
@@ -236,10 +230,11 @@ AnalysisEntry AnalysisStore::newAnalysis(const RecordingEntry& recording, const 
     return entry;
 }
 
-void AnalysisStore::change(AnalysisId id, const std::function<void(ShownAnalysis&)>& edit) {
+template <class Value>
+void AnalysisStore::change(AnalysisId id, Value ShownAnalysis::*member, const Value& value) {
     for (AnalysisEntry& entry : analyses_) {
         if (entry.shown.id == id) {
-            edit(entry.shown);
+            entry.shown.*member = value;
             emit changed();
         }
     }
@@ -250,15 +245,11 @@ void AnalysisStore::setVisible(AnalysisId id, bool visible) {
     if (!entry || entry->shown.visible == visible) {
         return;
     }
-    const auto set = [this, id](bool to) {
-        change(id, [to](ShownAnalysis& shown) { shown.visible = to; });
-    };
-    steps_.add(
+    steps_.change(
         [visible, name = entry->shown.name] {
             return (visible ? tr("show %1") : tr("hide %1")).arg(name);
         },
-        [set, visible] { set(!visible); }, [set, visible] { set(visible); });
-    set(visible);
+        !visible, visible, [this, id](bool to) { change(id, &ShownAnalysis::visible, to); });
 }
 
 void AnalysisStore::rename(AnalysisId id, const QString& name) {
@@ -268,12 +259,8 @@ void AnalysisStore::rename(AnalysisId id, const QString& name) {
         return;
     }
     const QString before = entry->shown.name;
-    const auto set = [this, id](const QString& text) {
-        change(id, [text](ShownAnalysis& shown) { shown.name = text; });
-    };
-    steps_.add([before] { return tr("rename %1").arg(before); }, [set, before] { set(before); },
-               [set, wanted] { set(wanted); });
-    set(wanted);
+    steps_.change([before] { return tr("rename %1").arg(before); }, before, wanted,
+                  [this, id](const QString& text) { change(id, &ShownAnalysis::name, text); });
 }
 
 void AnalysisStore::remove(AnalysisId id) {

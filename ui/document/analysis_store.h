@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 #include "ui/document/background_jobs.h"
-#include "ui/document/id_counter.h"
 #include "ui/document/recording_store.h"
 #include "ui/values/ids.h"
 #include "ui/values/shown_analysis.h"
@@ -25,7 +24,7 @@ struct AnalysisEntry {
     Settings requested;  // as asked for; shown.analysis->settings is as used
     TrackSummary summary;
     std::vector<Event> events;
-    bool live = false;                            // follows the settings, see LiveFollower
+    bool live = false;                            // follows the settings, see Document::setLive()
     int place = std::numeric_limits<int>::max();  // in the order of a session's analyses
 
     // Has only some of its windows yet.
@@ -55,7 +54,8 @@ class AnalysisStore : public QObject {
 
 public:
     AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
-                  UndoSteps& steps, QObject* parent = nullptr);
+                  UndoSteps& steps)
+        : job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
 
     const std::vector<AnalysisEntry>& all() const { return analyses_; }
     const AnalysisEntry* find(AnalysisId id) const;
@@ -87,7 +87,8 @@ signals:
     void added(AnalysisId id);
 
 private:
-    void change(AnalysisId id, const std::function<void(ShownAnalysis&)>& edit);
+    template <class Value>
+    void change(AnalysisId id, Value ShownAnalysis::*member, const Value& value);
     void putBack(const AnalysisEntry& entry, std::size_t place);
     void takeOut(AnalysisId id);
     AnalysisEntry newAnalysis(const RecordingEntry& recording, const QString& name);

@@ -57,6 +57,11 @@ AnalysisOutcome outcomeOf(Analysis found) {
     return outcome;
 }
 
+Result<AnalysisOutcome> outcomeOf(const Recording& recording, Result<Analysis> found) {
+    TRY(unchanged(recording));
+    return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
+}
+
 // Seconds from now on.
 std::function<double()> stopwatch() {
     QElapsedTimer started;
@@ -66,7 +71,7 @@ std::function<double()> stopwatch() {
 
 }  // namespace
 
-BackgroundJobs::BackgroundJobs(QObject* parent) : QObject(parent) {
+BackgroundJobs::BackgroundJobs() {
     // More than processors: most of them wait for a disk, and none may keep a file from opening.
     openings_.setMaxThreadCount(4);
     analyses_.setMaxThreadCount(1);
@@ -112,8 +117,7 @@ void BackgroundJobs::post(const Ticket& ticket, std::function<void()> act) {
 }
 
 void BackgroundJobs::open(int key, const QString& path, const OpenOptions& options,
-                          std::function<void(const QuickOverview&)> looked,
-                          std::function<void(Result<Recording>)> done) {
+                          std::function<void(const QuickOverview&)> looked, Done<Recording> done) {
     start<Recording>(
         openings_, {Kind::open, key},
         [this, path = toPath(path), options, looked = std::move(looked)](const Ticket& ticket) {
@@ -131,7 +135,7 @@ void BackgroundJobs::open(int key, const QString& path, const OpenOptions& optio
 }
 
 void BackgroundJobs::preview(int key, const QString& path, const OpenOptions& options,
-                             std::function<void(Result<RecordingPreview>)> done) {
+                             Done<RecordingPreview> done) {
     start<RecordingPreview>(
         openings_, {Kind::preview, key},
         [path = toPath(path), options](const Ticket& ticket) {
@@ -140,9 +144,8 @@ void BackgroundJobs::preview(int key, const QString& path, const OpenOptions& op
         std::move(done));
 }
 
-void BackgroundJobs::buildEnvelope(
-    int key, const Recording& recording, EnvelopeSink grown,
-    std::function<void(Result<std::shared_ptr<const Envelope>>)> done) {
+void BackgroundJobs::buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
+                                   Done<std::shared_ptr<const Envelope>> done) {
     using Picture = std::shared_ptr<const Envelope>;
     start<Picture>(
         others_, {Kind::envelope, key},
@@ -174,16 +177,14 @@ JobControl BackgroundJobs::reporting(int key, std::stop_token stop) {
 }
 
 void BackgroundJobs::analyse(int key, const Recording& recording, const Settings& settings,
-                             std::function<void(Result<AnalysisOutcome>)> done) {
+                             Done<AnalysisOutcome> done) {
     start<AnalysisOutcome>(
         analyses_, {Kind::analysis, key},
-        [this, key, recording, settings](const Ticket& ticket) -> Result<AnalysisOutcome> {
+        [this, key, recording, settings](const Ticket& ticket) {
             QMetaObject::invokeMethod(
                 this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
-            Result<Analysis> found =
-                vybeg::analyse(recording, settings, reporting(key, ticket.stop));
-            TRY(unchanged(recording));
-            return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
+            return outcomeOf(recording,
+                             vybeg::analyse(recording, settings, reporting(key, ticket.stop)));
         },
         std::move(done));
 }
@@ -191,24 +192,20 @@ void BackgroundJobs::analyse(int key, const Recording& recording, const Settings
 void BackgroundJobs::analyseLive(int key, const Recording& recording, const Settings& settings,
                                  const TimeRange& visible,
                                  std::function<void(AnalysisOutcome)> early,
-                                 std::function<void(Result<AnalysisOutcome>)> done) {
+                                 Done<AnalysisOutcome> done) {
     start<AnalysisOutcome>(
         live_, {Kind::live, key},
-        [this, key, recording, settings, visible,
-         early = std::move(early)](const Ticket& ticket) -> Result<AnalysisOutcome> {
+        [this, key, recording, settings, visible, early = std::move(early)](const Ticket& ticket) {
             const EarlySink show = [&](Analysis some) {
                 post(ticket, [early, outcome = outcomeOf(std::move(some))] { early(outcome); });
             };
-            Result<Analysis> found = analyse_visible_first(recording, settings, visible, show,
-                                                           reporting(key, ticket.stop));
-            TRY(unchanged(recording));
-            return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
+            return outcomeOf(recording, analyse_visible_first(recording, settings, visible, show,
+                                                              reporting(key, ticket.stop)));
         },
         std::move(done));
 }
 
-void BackgroundJobs::identify(int key, OpenSet open,
-                              std::function<void(Result<ResonatorOutcome>)> done) {
+void BackgroundJobs::identify(int key, OpenSet open, Done<ResonatorOutcome> done) {
     start<ResonatorOutcome>(
         analyses_, {Kind::identification, key},
         [this, key, open = std::move(open)](const Ticket& ticket) -> Result<ResonatorOutcome> {
@@ -229,7 +226,7 @@ void BackgroundJobs::identify(int key, OpenSet open,
 
 void BackgroundJobs::sweepWindows(int key, const Recording& recording, const Settings& settings,
                                   const std::vector<std::int64_t>& lengths,
-                                  std::function<void(Result<WindowSweep>)> done) {
+                                  Done<WindowSweep> done) {
     start<WindowSweep>(
         others_, {Kind::sweep, key},
         [this, key, recording, settings, lengths](const Ticket& ticket) -> Result<WindowSweep> {

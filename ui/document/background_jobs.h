@@ -23,7 +23,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <utility>
 
@@ -41,6 +40,12 @@ struct AnalysisOutcome {
     TrackSummary summary;
     std::vector<Event> events;
 };
+
+// What a job does in the background, and what gets its result in the window's thread.
+template <class Value>
+using Work = std::function<Result<Value>(const JobControl&)>;
+template <class Value>
+using Done = std::function<void(Result<Value>)>;
 
 // The only file with threads. Every job works in the background on values and returns its result by
 // value to the thread of this object; `done` is called there. Jobs are told apart by kind and key:
@@ -68,44 +73,47 @@ public:
         write
     };
 
-    explicit BackgroundJobs(QObject* parent = nullptr);
+    BackgroundJobs();
     // Stops every job and waits until the last has heard it.
     ~BackgroundJobs() override;
 
     // `looked` gets what can be seen of a file whose opening takes long, before it is open.
     void open(int key, const QString& path, const OpenOptions& options,
-              std::function<void(const QuickOverview&)> looked,
-              std::function<void(Result<Recording>)> done);
+              std::function<void(const QuickOverview&)> looked, Done<Recording> done);
     void preview(int key, const QString& path, const OpenOptions& options,
-                 std::function<void(Result<RecordingPreview>)> done);
+                 Done<RecordingPreview> done);
     // `grown` gets pictures of the envelope while it grows, some ten a second.
     void buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
-                       std::function<void(Result<std::shared_ptr<const Envelope>>)> done);
+                       Done<std::shared_ptr<const Envelope>> done);
     void analyse(int key, const Recording& recording, const Settings& settings,
-                 std::function<void(Result<AnalysisOutcome>)> done);
+                 Done<AnalysisOutcome> done);
     // The same for a setting that is still being changed: `early` first gets what is there of a
     // long one, some windows of all and then all of the visible (analyse_visible_first()).
     void analyseLive(int key, const Recording& recording, const Settings& settings,
                      const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
-                     std::function<void(Result<AnalysisOutcome>)> done);
+                     Done<AnalysisOutcome> done);
 
     // The recording in windows of many lengths; tells its progress.
     void sweepWindows(int key, const Recording& recording, const Settings& settings,
-                      const std::vector<std::int64_t>& lengths,
-                      std::function<void(Result<WindowSweep>)> done);
+                      const std::vector<std::int64_t>& lengths, Done<WindowSweep> done);
     // One resonator behind all recordings.
-    void identify(int key, OpenSet open, std::function<void(Result<ResonatorOutcome>)> done);
+    void identify(int key, OpenSet open, Done<ResonatorOutcome> done);
     // Makes a file.
     void write(int key, std::function<Status(const JobControl&)> work,
                std::function<void(Status)> done);
     // Any other work: on values of its own, and it ends when its JobControl is cancelled.
     template <class Value>
-    void run(Kind kind, int key, std::function<Result<Value>(const JobControl&)> work,
-             std::function<void(Result<Value>)> done);
+    void run(Kind kind, int key, Work<Value> work, Done<Value> done) {
+        start<Value>(
+            others_, {kind, key},
+            [work = std::move(work)](const Ticket& ticket) {
+                return work(JobControl(ticket.stop));
+            },
+            std::move(done));
+    }
     // The same for a page or a store, which has one such work for each key.
     template <class Value>
-    void run(int key, std::function<Result<Value>(const JobControl&)> work,
-             std::function<void(Result<Value>)> done) {
+    void run(int key, Work<Value> work, Done<Value> done) {
         run<Value>(Kind::page, key, std::move(work), std::move(done));
     }
 
@@ -140,7 +148,7 @@ private:
 
     template <class Value>
     void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(const Ticket&)> work,
-               std::function<void(Result<Value>)> done);
+               Done<Value> done);
     bool isStale(const Ticket& ticket) const;
     // Lets `act` run in the window's thread, unless the job is stale by then.
     void post(const Ticket& ticket, std::function<void()> act);
@@ -155,18 +163,8 @@ private:
 };
 
 template <class Value>
-void BackgroundJobs::run(Kind kind, int key, std::function<Result<Value>(const JobControl&)> work,
-                         std::function<void(Result<Value>)> done) {
-    start<Value>(
-        others_, {kind, key},
-        [work = std::move(work)](const Ticket& ticket) { return work(JobControl(ticket.stop)); },
-        std::move(done));
-}
-
-template <class Value>
 void BackgroundJobs::start(QThreadPool& pool, TaskId id,
-                           std::function<Result<Value>(const Ticket&)> work,
-                           std::function<void(Result<Value>)> done) {
+                           std::function<Result<Value>(const Ticket&)> work, Done<Value> done) {
     Task& task = tasks_[id];
     task.stop.request_stop();
     task = Task{++generation_, std::stop_source{}};

@@ -9,7 +9,7 @@
 
 namespace vybeg::ui {
 
-Document::Document(QObject* parent) : QObject(parent) {
+Document::Document() {
     connectStores();
     connect(&recordings_, &RecordingStore::opened, this, &Document::whenOpened);
     connect(&recordings_, &RecordingStore::openFailed, this,
@@ -30,7 +30,7 @@ Document::Document(QObject* parent) : QObject(parent) {
     connect(&recordings_, &RecordingStore::currentChanged, this, [this] {
         emit currentRecordingChanged();
         if (const RecordingEntry* current = recordings_.current()) {
-            live_.catchUp(current->id);
+            catchUp(current->id);
         }
     });
     connect(&settings_, &SettingsModel::settingsChanged, this, &Document::whenSettingsChanged);
@@ -48,17 +48,9 @@ void Document::connectStores() {
     connect(&analyses_, &AnalysisStore::added, this, &Document::analysisAdded);
     connect(&queue_, &RequestQueue::busyChanged, this, &Document::busyChanged);
     connect(&queue_, &RequestQueue::progressChanged, this, &Document::progressChanged);
-    connect(&live_, &LiveFollower::onChanged, this, &Document::liveChanged);
-    connect(&live_, &LiveFollower::finished, this, &Document::finished);
-    connect(&live_, &LiveFollower::reported, this, &Document::reported);
-    connect(&live_, &LiveFollower::settled, this, &Document::settled);
     connect(&sets_, &SetStore::reported, this, &Document::reported);
     connect(&drift_, &DriftStore::reported, this, &Document::reported);
     connect(&drift_, &DriftStore::settled, this, &Document::settled);
-}
-
-void Document::open(const QStringList& paths, const OpenOptions& options) {
-    recordings_.open(paths, options);
 }
 
 void Document::reopen(RecordingId id, const OpenOptions& options) {
@@ -69,13 +61,12 @@ void Document::reopen(RecordingId id, const OpenOptions& options) {
     Closed after = before;
     after.options = options;
     after.analyses.reset();
-    const auto become = [this](const Closed& wanted) {
-        close(wanted.id);
-        bringBack(wanted);
-    };
-    steps_.add([name = recordings_.find(id)->name] { return tr("import of %1").arg(name); },
-               [become, before] { become(before); }, [become, after] { become(after); });
-    become(after);
+    steps_.change([name = recordings_.find(id)->name] { return tr("import of %1").arg(name); },
+                  before, after,
+                  [this](const Closed& wanted) {
+                      close(wanted.id);
+                      bringBack(wanted);
+                  });
 }
 
 RecordingId Document::restore(const QString& path, const OpenOptions& options,
@@ -90,7 +81,7 @@ void Document::restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& 
     for (const AnalysisWish& analysis : analyses) {
         analyses_.expect(id, analysis);
         if (analysis.live) {
-            live_.follow(id, analysis.settings);
+            follow(id, analysis.settings);
         } else {
             ask({.recording_id = id, .settings = analysis.settings, .restored = true});
         }
@@ -215,15 +206,11 @@ void Document::whenOpened(RecordingId id) {
         recordings_.searchCarrier(id);
         restoreAnalyses(id, restored.mapped());
     } else if (live()) {
-        live_.follow(id);  // finds the carrier, too
+        follow(id, settings());  // finds the carrier, too
     } else {
         recordings_.searchCarrier(id);
         ask({.recording_id = id, .settings = settings()});
     }
-}
-
-void Document::setSettings(const Settings& settings, int gesture) {
-    settings_.setSettings(settings, gesture);
 }
 
 void Document::whenSettingsChanged(const Settings& before) {
@@ -239,7 +226,7 @@ void Document::whenSettingsChanged(const Settings& before) {
         emit carrierChanged();
     }
     if (live() && current) {
-        live_.follow(current->id);
+        follow(current->id, settings());
     }
 }
 
@@ -282,23 +269,70 @@ void Document::ask(const Request& request) {
         [this, key](Result<AnalysisOutcome> result) { whenAnalysed(key, std::move(result)); });
 }
 
+void Document::setLive(bool live) {
+    if (live == live_) {
+        return;
+    }
+    live_ = live;
+    emit liveChanged();
+    if (const RecordingEntry* current = recordings_.current()) {
+        catchUp(current->id);
+    }
+}
+
+void Document::catchUp(RecordingId recording_id) {
+    const bool shown = std::ranges::any_of(analyses(), [&](const AnalysisEntry& entry) {
+        return entry.recording_id == recording_id && entry.requested == settings() &&
+               !entry.partial();
+    });
+    if (live_ && !shown) {
+        follow(recording_id, settings());
+    }
+}
+
+void Document::follow(RecordingId recording_id, const Settings& wanted) {
+    const RecordingEntry* entry = recordings_.find(recording_id);
+    if (!entry || !entry->recording) {
+        return;
+    }
+    // The key of a live request is its recording: the newer one stops the one before.
+    const int key = number(recording_id);
+    const Request* asked = queue_.find(key);
+    if (asked && asked->settings == wanted) {
+        return;
+    }
+    const Request request{.recording_id = recording_id, .settings = wanted, .live = true};
+    queue_.enter(key, request);
+    job_.analyseLive(
+        key, *entry->recording, RecordingStore::withKnownCarrier(*entry, wanted), visible_,
+        [this, request](AnalysisOutcome outcome) { show(request, std::move(outcome)); },
+        [this, key](Result<AnalysisOutcome> result) { whenAnalysed(key, std::move(result)); });
+}
+
+AnalysisId Document::show(const Request& request, AnalysisOutcome outcome) {
+    recordings_.learnCarrier(request.recording_id, request.settings, outcome.analysis->settings);
+    if (!request.live) {
+        return analyses_.show(request.recording_id, request.settings, std::move(outcome));
+    }
+    emit settled(Topic::live);
+    return analyses_.showLive(request.recording_id, request.settings, std::move(outcome));
+}
+
 void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
     const Request request = *queue_.find(key);
     if (result) {
         const double seconds = result->analysis->timing.estimate_s;
-        recordings_.learnCarrier(request.recording_id, request.settings,
-                                 result->analysis->settings);
-        const AnalysisId analysis_id =
-            analyses_.show(request.recording_id, request.settings, std::move(*result));
-        emit finished(analysis_id, seconds);
+        emit finished(show(request, std::move(*result)), seconds);
     } else if (result.error().code != ErrorCode::interrupted) {
-        emit reported(errorMessage(result.error()));
+        emit reported(errorMessage(result.error(), request.live ? Topic::live : Topic::none));
+        const RecordingEntry& entry = *recordings_.find(request.recording_id);
+        const bool searched =
+            entry.f0_search && same_carrier_search(*entry.f0_search, request.settings);
+        if (request.live && !request.settings.f0_hz && !searched) {
+            recordings_.searchCarrier(request.recording_id);  // the fields of the window show it
+        }
     }
     queue_.done(key);
-}
-
-void Document::cancel() {
-    job_.cancelAnalyses();
 }
 
 void Document::removeAnalysis(AnalysisId id) {
@@ -310,11 +344,6 @@ void Document::removeAnalysis(AnalysisId id) {
         }
     }
     analyses_.remove(id);
-}
-
-void Document::exportTrack(AnalysisId id, const QString& path,
-                           std::function<void(const Status&)> done) {
-    analyses_.exportTrack(id, path, std::move(done));
 }
 
 }  // namespace vybeg::ui

@@ -2,10 +2,7 @@
 
 #include "ui/document/analysis_store.h"
 #include "ui/document/background_jobs.h"
-#include "ui/document/dossier_model.h"
 #include "ui/document/drift_store.h"
-#include "ui/document/id_counter.h"
-#include "ui/document/live_follower.h"
 #include "ui/document/message.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/request_queue.h"
@@ -16,10 +13,10 @@
 #include <QObject>
 #include <QStringList>
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vybeg::ui {
@@ -32,10 +29,12 @@ class Document : public QObject {
     Q_OBJECT
 
 public:
-    explicit Document(QObject* parent = nullptr);
+    Document();
 
     // Recordings. Each is analysed with the present settings as soon as it is open.
-    void open(const QStringList& paths, const OpenOptions& options = {});
+    void open(const QStringList& paths, const OpenOptions& options = {}) {
+        recordings_.open(paths, options);
+    }
     void reopen(RecordingId id, const OpenOptions& options);
     // Opens a recording of a session and computes its analyses; returns its id.
     RecordingId restore(const QString& path, const OpenOptions& options,
@@ -53,7 +52,9 @@ public:
 
     // Settings (settings_model.h).
     const Settings& settings() const { return settings_.settings(); }
-    void setSettings(const Settings& settings, int gesture = -1);
+    void setSettings(const Settings& settings, int gesture = -1) {
+        settings_.setSettings(settings, gesture);
+    }
     const Tolerance& tolerance() const { return settings_.tolerance(); }
     void setTolerance(const Tolerance& tolerance) { settings_.setTolerance(tolerance); }
     void startWith(const Settings& settings, const Tolerance& tolerance = {}) {
@@ -69,10 +70,15 @@ public:
     void analyse();
     void analyseAgain(AnalysisId analysis_id);
     void analyseSnapped(AnalysisId analysis_id);  // with the window moved to whole half-periods
-    void setLive(bool live) { live_.setOn(live); }
-    bool live() const { return live_.on(); }
-    void setVisibleRange(const TimeRange& visible) { live_.setVisibleRange(visible); }
-    void cancel();
+    // Live: each recording has an analysis that follows the settings, with its name and colour, as
+    // soon as they change while the recording is the current one: first the visible range, then the
+    // rest; the newest settings win. Analyses of analyse() stay as they are. After switching off,
+    // running computations finish.
+    void setLive(bool live);
+    bool live() const { return live_; }
+    // Time range of the plots.
+    void setVisibleRange(const TimeRange& visible) { visible_ = visible; }
+    void cancel() { job_.cancelAnalyses(); }
     bool busy() const { return queue_.busy(); }
     // Whether any job is under way: analyses, and what is read, checked or written besides.
     bool working() const { return queue_.busy() || job_.busy(); }
@@ -86,7 +92,9 @@ public:
     void setAnalysisVisible(AnalysisId id, bool visible) { analyses_.setVisible(id, visible); }
     void renameAnalysis(AnalysisId id, const QString& name) { analyses_.rename(id, name); }
     void removeAnalysis(AnalysisId id);
-    void exportTrack(AnalysisId id, const QString& path, std::function<void(const Status&)> done);
+    void exportTrack(AnalysisId id, const QString& path, std::function<void(const Status&)> done) {
+        analyses_.exportTrack(id, path, std::move(done));
+    }
 
     // The gyro and its limits.
     DossierModel& dossier() { return dossier_; }
@@ -146,6 +154,10 @@ private:
     void restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& analyses);
     void ask(const Request& request);
     void computeAgain(RecordingId recording_id, const Settings& requested);
+    // Live, of a recording: with these settings, or where it does not show the present ones yet.
+    void follow(RecordingId recording_id, const Settings& wanted);
+    void catchUp(RecordingId recording_id);
+    AnalysisId show(const Request& request, AnalysisOutcome outcome);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
 
     BackgroundJobs job_;
@@ -156,9 +168,10 @@ private:
     RecordingStore recordings_{job_, settings_, ids_};
     AnalysisStore analyses_{job_, recordings_, ids_, steps_};
     RequestQueue queue_{job_};
-    LiveFollower live_{job_, settings_, recordings_, analyses_, queue_};
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
     DriftStore drift_{job_, ids_, steps_};
+    bool live_ = false;
+    TimeRange visible_;
     std::map<RecordingId, std::vector<AnalysisWish>> restored_;  // by recording, until it is open
     struct Arriving {
         SetId into = SetId::none;

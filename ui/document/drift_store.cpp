@@ -34,9 +34,6 @@ QString DriftLog::name() const {
     return QFileInfo(path).fileName();
 }
 
-DriftStore::DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps, QObject* parent)
-    : QObject(parent), job_(job), ids_(ids), steps_(steps) {}
-
 void DriftStore::open(const QStringList& paths) {
     DriftInput after = input_;
     for (const QString& path : paths) {
@@ -46,7 +43,7 @@ void DriftStore::open(const QStringList& paths) {
         }
     }
     if (after.logs.size() > input_.logs.size()) {
-        step([] { return tr("open whole-angle logs"); }, std::move(after));
+        step([] { return tr("open whole-angle logs"); }, after);
     }
     emit opened();
 }
@@ -58,8 +55,7 @@ void DriftStore::remove(const QStringList& paths) {
     if (gone > 0) {
         const QString name = QFileInfo(paths.front()).fileName();
         const bool one = gone == 1;
-        step([one, name] { return one ? tr("remove %1").arg(name) : tr("remove logs"); },
-             std::move(after));
+        step([one, name] { return one ? tr("remove %1").arg(name) : tr("remove logs"); }, after);
     }
 }
 
@@ -75,11 +71,9 @@ void DriftStore::startWith(DriftInput input) {
     }
 }
 
-void DriftStore::step(UndoSteps::Words words, DriftInput after) {
-    steps_.add(
-        std::move(words), [this, before = input_] { restore(before); },
-        [this, after] { restore(after); });
-    restore(std::move(after));
+void DriftStore::step(UndoSteps::Words words, const DriftInput& after) {
+    steps_.change(std::move(words), input_, after,
+                  [this](const DriftInput& input) { restore(input); });
 }
 
 void DriftStore::restore(DriftInput input) {

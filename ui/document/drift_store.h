@@ -3,15 +3,14 @@
 #include "core/drift/drift_settings.h"
 #include "core/drift/whole_angle_drift.h"
 #include "ui/document/background_jobs.h"
-#include "ui/document/id_counter.h"
 #include "ui/document/message.h"
 #include "ui/document/undo_steps.h"
+#include "ui/values/ids.h"
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -47,7 +46,8 @@ class DriftStore : public QObject {
     Q_OBJECT
 
 public:
-    DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps, QObject* parent = nullptr);
+    DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps)
+        : job_(job), ids_(ids), steps_(steps) {}
 
     const std::vector<DriftLog>& logs() const { return input_.logs; }
     const DriftSettings& settings() const { return input_.settings; }
@@ -71,7 +71,7 @@ signals:
     void settled(Topic topic);
 
 private:
-    void step(UndoSteps::Words words, DriftInput after);
+    void step(UndoSteps::Words words, const DriftInput& after);
     void restore(DriftInput input);
     void compute();
     void take(Result<DriftOutcome>&& result);

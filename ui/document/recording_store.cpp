@@ -37,10 +37,6 @@ bool isFixableByImportOptions(ErrorCode code) {
 
 }  // namespace
 
-RecordingStore::RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids,
-                               QObject* parent)
-    : QObject(parent), job_(job), settings_(settings), ids_(ids) {}
-
 const RecordingEntry* RecordingStore::find(RecordingId id) const {
     const auto found = std::ranges::find(recordings_, id, &RecordingEntry::id);
     return found == recordings_.end() ? nullptr : &*found;

@@ -2,7 +2,6 @@
 
 #include "core/analysis/inspect.h"
 #include "ui/document/background_jobs.h"
-#include "ui/document/id_counter.h"
 #include "ui/document/message.h"
 #include "ui/document/settings_model.h"
 #include "ui/values/ids.h"
@@ -47,8 +46,8 @@ class RecordingStore : public QObject {
     Q_OBJECT
 
 public:
-    RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids,
-                   QObject* parent = nullptr);
+    RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids)
+        : job_(job), settings_(settings), ids_(ids) {}
 
     const std::vector<RecordingEntry>& all() const { return recordings_; }
     const RecordingEntry* find(RecordingId id) const;

@@ -14,7 +14,7 @@ int firstKey(const std::map<int, Request>& requests, Condition condition) {
 
 }  // namespace
 
-RequestQueue::RequestQueue(BackgroundJobs& job, QObject* parent) : QObject(parent), job_(job) {
+RequestQueue::RequestQueue(BackgroundJobs& job) : job_(job) {
     connect(&job_, &BackgroundJobs::analysisProgress, this, [this](int key, double fraction) {
         if (requests_.contains(key)) {
             fraction_ = fraction;

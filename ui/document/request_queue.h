@@ -5,7 +5,6 @@
 #include "ui/values/ids.h"
 
 #include <QElapsedTimer>
-#include <QList>
 #include <QObject>
 
 #include <map>
@@ -28,7 +27,7 @@ class RequestQueue : public QObject {
     Q_OBJECT
 
 public:
-    explicit RequestQueue(BackgroundJobs& job, QObject* parent = nullptr);
+    explicit RequestQueue(BackgroundJobs& job);
 
     // A key that is there already gets the new request.
     void enter(int key, const Request& request);

@@ -25,7 +25,7 @@ class SetStore : public QObject {
 
 public:
     SetStore(BackgroundJobs& job, const SettingsModel& settings, RecordingStore& recordings,
-             RequestQueue& queue, IdCounter& ids, UndoSteps& steps, QObject* parent = nullptr);
+             RequestQueue& queue, IdCounter& ids, UndoSteps& steps);
 
     const std::vector<RecordingSet>& all() const { return sets_; }
     const RecordingSet* find(SetId id) const;

@@ -3,6 +3,7 @@
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
 #include "ui/document/undo_steps.h"
+#include "ui/values/dossier.h"
 
 #include <QObject>
 
@@ -13,7 +14,7 @@ class SettingsModel : public QObject {
     Q_OBJECT
 
 public:
-    explicit SettingsModel(UndoSteps& steps, QObject* parent = nullptr);
+    explicit SettingsModel(UndoSteps& steps) : steps_(steps) {}
 
     const Settings& settings() const { return settings_; }
     // Changes with the same gesture (>= 0) in a row, a drag, are one step.
@@ -35,6 +36,29 @@ private:
     UndoSteps& steps_;
     Settings settings_;
     Tolerance tolerance_;
+};
+
+// The gyro's data and limits of the session, with undo and redo.
+class DossierModel : public QObject {
+    Q_OBJECT
+
+public:
+    explicit DossierModel(UndoSteps& steps) : steps_(steps) {}
+
+    const Dossier& dossier() const { return dossier_; }
+    void setGyro(const GyroData& gyro);
+    void setLimits(const std::vector<ParameterLimit>& limits);
+    // Of a session that is opened: no step.
+    void startWith(const Dossier& dossier);
+
+signals:
+    void changed();
+
+private:
+    void set(UndoSteps::Words words, const Dossier& dossier);
+
+    UndoSteps& steps_;
+    Dossier dossier_;
 };
 
 }  // namespace vybeg::ui

@@ -1,7 +1,5 @@
 #include "ui/document/undo_steps.h"
 
-#include <utility>
-
 namespace vybeg::ui {
 
 namespace {
@@ -41,14 +39,6 @@ private:
 
 void UndoSteps::add(Words words, Act undo, Act redo, int gesture) {
     stack_.push(new Step(std::move(words), std::move(undo), std::move(redo), gesture));
-}
-
-QString UndoSteps::undoWords() const {
-    return wordsAt(stack_.index() - 1);
-}
-
-QString UndoSteps::redoWords() const {
-    return wordsAt(stack_.index());
 }
 
 QString UndoSteps::wordsAt(int index) const {

@@ -4,6 +4,7 @@
 #include <QUndoStack>
 
 #include <functional>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -19,9 +20,18 @@ public:
     const QUndoStack& stack() const { return stack_; }
     // A step that is done already. Steps in a row with the same gesture (>= 0), a drag, are one.
     void add(Words words, Act undo, Act redo, int gesture = -1);
+    // A step that sets a value, and sets it.
+    template <class Value, class Set>
+    void change(Words words, const Value& before, const Value& after, const Set& set,
+                int gesture = -1) {
+        add(
+            std::move(words), [set, before] { set(before); }, [set, after] { set(after); },
+            gesture);
+        set(after);
+    }
     // What would be undone and redone; empty: nothing.
-    QString undoWords() const;
-    QString redoWords() const;
+    QString undoWords() const { return wordsAt(stack_.index() - 1); }
+    QString redoWords() const { return wordsAt(stack_.index()); }
 
 private:
     QString wordsAt(int index) const;

@@ -1,9 +1,12 @@
 #include "ui/drift/drift_page.h"
 
-#include "ui/drift/drift_panel.h"
+#include "core/recording/samples/open_table.h"
 #include "ui/drift/drift_text.h"
+#include "ui/panels/file_list.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/warning_list.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
@@ -11,13 +14,239 @@
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
+#include <QComboBox>
+#include <QDir>
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <optional>
+
 namespace vybeg::ui {
+
+namespace {
+
+// As the entries of the lists; the first one is what the file tells.
+constexpr std::array angle_units{0.0, std::numbers::pi / 180, 1.0};
+constexpr std::array<std::optional<double>, 5> log_time_units{std::nullopt, 1.0, 1e-3, 1e-6, 1e-9};
+
+template <class List, class Value>
+int placeIn(const List& list, const Value& value) {
+    const auto found = std::ranges::find(list, value);
+    return found == list.end() ? 0 : static_cast<int>(found - list.begin());
+}
+
+}  // namespace
+
+DriftPanel::DriftPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      logs_(withName(new FileList(8, this), "driftLogs")),
+      open_(withName(new QPushButton(this), "driftOpen")),
+      remove_(withName(new QPushButton(this), "driftRemove")),
+      form_(new QFormLayout),
+      columns_(withName(new QLineEdit(this), "driftColumns")),
+      fault_(withName(new QLabel(this), "driftFault")),
+      angle_unit_(withName(new QComboBox(this), "driftAngleUnit")),
+      time_unit_(withName(new QComboBox(this), "driftTimeUnit")),
+      rate_(makeNumber("driftRate")),
+      kappa_(makeNumber("driftKappa")),
+      skew_(makeNumber("driftSkew")) {
+    logs_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    logs_->setHint([] { return tr("Drop whole-angle logs of one gyro here"); });
+    fault_->setWordWrap(true);
+    angle_unit_->addItems(QStringList(static_cast<qsizetype>(angle_units.size())));
+    time_unit_->addItems(QStringList(static_cast<qsizetype>(log_time_units.size())));
+    for (QComboBox* box : {angle_unit_, time_unit_}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(6);
+    }
+    rate_->setLimits(bounds_in(open_settings(), "rate"));
+    kappa_->setLimits(tolerance_bounds);
+    kappa_->setStep(0.001);
+    skew_->setLimits(tolerance_bounds);
+    skew_->setStep(0.1);
+
+    auto* buttons = fill(new QHBoxLayout, {{open_, 1}, remove_});
+    form_->setHorizontalSpacing(6);
+    form_->setVerticalSpacing(3);
+    form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form_->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    const auto add = [this](QWidget* field) {
+        auto* label = new QLabel(this);
+        label->setBuddy(field);
+        label->setWordWrap(true);
+        form_->addRow(label, field);
+    };
+    add(columns_);
+    form_->addRow(fault_);
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{angle_unit_, time_unit_, rate_, kappa_, skew_}) {
+        add(field);
+    }
+    auto* layout = fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {logs_, buttons});
+    layout->addSpacing(4);
+    layout->addLayout(form_);
+
+    connect(open_, &QPushButton::clicked, this, &DriftPanel::openWanted);
+    connect(remove_, &QPushButton::clicked, logs_, &FileList::removeChosen);
+    connect(logs_, &FileList::dropped, &document_.drift(), &DriftStore::open);
+    connect(logs_, &FileList::removalWanted, &document_.drift(), &DriftStore::remove);
+    connect(logs_, &QListWidget::itemSelectionChanged, this,
+            [this] { remove_->setEnabled(!logs_->selectedItems().isEmpty()); });
+    connect(columns_, &QLineEdit::editingFinished, this, &DriftPanel::editColumns);
+    connect(angle_unit_, &QComboBox::activated, this, [this](int place) {
+        edit([place](DriftSettings& settings) {
+            settings.reading.rad_per_angle_unit = angle_units.at(static_cast<std::size_t>(place));
+        });
+    });
+    connect(time_unit_, &QComboBox::activated, this, [this](int place) {
+        edit([place](DriftSettings& settings) {
+            std::optional<TextChoice>& text = settings.reading.open.text;
+            TextChoice choice = text.value_or(TextChoice{});
+            choice.time_unit_s = log_time_units.at(static_cast<std::size_t>(place));
+            text = choice == TextChoice{} ? std::nullopt : std::optional(choice);
+        });
+    });
+    const auto edits = [this](NumberField* field, const auto& member) {
+        connect(field, &NumberField::valueEdited, this, [this, member](auto value) {
+            edit([&](DriftSettings& settings) { member(settings) = value; });
+        });
+    };
+    edits(
+        rate_, [](DriftSettings & settings) -> auto& { return settings.reading.open.rate_hz; });
+    edits(
+        kappa_, [](DriftSettings & settings) -> auto& { return settings.tolerance.kappa; });
+    edits(
+        skew_, [](DriftSettings & settings) -> auto& { return settings.tolerance.skew_deg; });
+    connect(&document_.drift(), &DriftStore::changed, this, &DriftPanel::refresh);
+    keepTranslated(*this, [this] { retranslate(); });
+}
+
+NumberField* DriftPanel::makeNumber(const char* name) {
+    auto* field = withName(new NumberField(this), name);
+    field->setOptional(true);
+    return field;
+}
+
+void DriftPanel::edit(const std::function<void(DriftSettings&)>& change) {
+    DriftSettings settings = document_.drift().settings();
+    change(settings);
+    document_.drift().setSettings(settings);
+}
+
+// What is no list of columns stays in the field, with the reason below it.
+void DriftPanel::editColumns() {
+    const std::string columns = columns_->text().trimmed().toStdString();
+    if (const Status possible = check_log_columns(columns); !possible) {
+        showFault(errorText(possible.error()));
+        return;
+    }
+    showFault({});
+    edit([&columns](DriftSettings& settings) { settings.reading.columns = columns; });
+}
+
+void DriftPanel::showFault(const QString& sentence) {
+    fault_->setVisible(!sentence.isEmpty());
+    fault_->setText(sentence.isEmpty() ? sentence : tr("Not in effect: %1").arg(sentence));
+    columns_->setAccessibleDescription(sentence);
+}
+
+void DriftPanel::refreshLogs() {
+    const QStringList chosen = logs_->chosenPaths();
+    const QSignalBlocker quiet(logs_);
+    const auto outcome = document_.drift().outcome();
+    const std::vector<DriftLog>& logs = document_.drift().logs();
+    logs_->clear();
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+        auto* item =
+            new QListWidgetItem(outcome ? logName(outcome->drift, k) : logs[k].name(), logs_);
+        item->setData(Qt::UserRole, logs[k].path);
+        QString facts = QDir::toNativeSeparators(logs[k].path);
+        if (!logs[k].sha256.isEmpty()) {
+            facts += QStringLiteral("\nSHA-256 ") + logs[k].sha256;
+        }
+        item->setToolTip(plainTip(facts));
+        item->setSelected(chosen.contains(logs[k].path));
+    }
+    logs_->updateGeometry();
+}
+
+void DriftPanel::refresh() {
+    refreshLogs();
+    remove_->setEnabled(!logs_->selectedItems().isEmpty());
+    const DriftSettings& settings = document_.drift().settings();
+    const QString columns = QString::fromStdString(settings.reading.columns);
+    // A text that is not in effect stays until the setting becomes another one, as by an undo.
+    if (columns != columns_shown_ || !columns_->hasFocus() ||
+        columns_->text().trimmed() == columns) {
+        columns_shown_ = columns;
+        columns_->setText(columns);
+        showFault({});
+    }
+    const std::optional<TextChoice>& text = settings.reading.open.text;
+    angle_unit_->setCurrentIndex(placeIn(angle_units, settings.reading.rad_per_angle_unit));
+    time_unit_->setCurrentIndex(placeIn(log_time_units, text ? text->time_unit_s : std::nullopt));
+    rate_->setValue(settings.reading.open.rate_hz);
+    kappa_->setValue(settings.tolerance.kappa);
+    skew_->setValue(settings.tolerance.skew_deg);
+    const ChannelTolerance usual = usual_pick_offs();
+    kappa_->setPlaceholderText(QLocale().toString(usual.kappa));
+    skew_->setPlaceholderText(QLocale().toString(usual.skew_rad * 180 / std::numbers::pi));
+}
+
+void DriftPanel::retranslate() {
+    const auto name = [this](QWidget* field, const QString& text, const QString& tip) {
+        auto* label = static_cast<QLabel*>(form_->labelForField(field));
+        label->setText(richText(text));
+        label->setToolTip(richTip(tip));
+        field->setToolTip(richTip(tip));
+        field->setAccessibleName(text);
+    };
+    logs_->setAccessibleName(tr("Whole-angle logs"));
+    logs_->setToolTip(
+        tr("Logs of one gyro: its angle, written down while a controller holds the amplitude. "
+           "Delete removes the chosen ones"));
+    open_->setText(tr("Open…"));
+    open_->setAccessibleName(tr("Open whole-angle logs"));
+    open_->setToolTip(tr("Text, NPZ, MAT or HDF5 with a column of the wave angle"));
+    remove_->setText(tr("Remove"));
+    remove_->setAccessibleName(tr("Remove the chosen logs"));
+    remove_->setToolTip(tr("The files stay; Undo takes it back"));
+    name(columns_, tr("Columns"),
+         tr("What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a "
+            "name or a number, where the file calls it otherwise: t,theta=angle. Empty: by their "
+            "names"));
+    columns_->setPlaceholderText(tr("by their names"));
+    name(angle_unit_, tr("Angle in"),
+         tr("Unit of the angle, where the name of its column does not tell it"));
+    const QString from_file = tr("as the file says");
+    setTexts(*angle_unit_, {from_file, tr("degrees"), tr("radians")});
+    name(time_unit_, tr("Time in"), tr("Unit of the time in a text file"));
+    setTexts(*time_unit_, {from_file, tr("s"), tr("ms"), tr("µs"), tr("ns")});
+    name(rate_, tr("Rate"), tr("Rows a second, of a file without times"));
+    rate_->setUnit(tr("Hz"));
+    name(kappa_, tr("κ ±"),
+         tr("How well the gain ratio of the channels is known: relative standard deviation. A gain "
+            "error gives a wave that turns a fourth harmonic; u holds it. Grey: assumed; 0: "
+            "exact"));
+    kappa_->setAccessibleName(tr("Gain ratio of the logs’ channels ±"));
+    name(skew_, tr("ε ±"),
+         tr("How well the non-orthogonality of the channels is known: standard deviation. Grey: "
+            "assumed; 0: exact"));
+    skew_->setAccessibleName(tr("Non-orthogonality of the logs’ channels ±"));
+    skew_->setUnit(QStringLiteral("°"));
+    refresh();
+}
 
 namespace {
 

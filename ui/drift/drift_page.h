@@ -3,18 +3,58 @@
 #include "ui/document/document.h"
 #include "ui/plots/measured_page.h"
 
+#include <functional>
 #include <memory>
 
+class QComboBox;
+class QFormLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 
 namespace vybeg::ui {
 
-class DriftPanel;
+class FileList;
+class NumberField;
 class QuantityTable;
 class Section;
 class WarningList;
 class XYPlotView;
+
+// Whole-angle logs, how they are read, and the tolerances of their channels. Each change of a
+// setting is a step of undo.
+class DriftPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DriftPanel(Document& document, QWidget* parent = nullptr);
+
+signals:
+    void openWanted();
+
+private:
+    NumberField* makeNumber(const char* name);
+    void edit(const std::function<void(DriftSettings&)>& change);
+    void editColumns();
+    void showFault(const QString& sentence);
+    void refreshLogs();
+    void refresh();
+    void retranslate();
+
+    Document& document_;
+    FileList* logs_;
+    QPushButton* open_;
+    QPushButton* remove_;
+    QFormLayout* form_;
+    QLineEdit* columns_;
+    QString columns_shown_;
+    QLabel* fault_;
+    QComboBox* angle_unit_;
+    QComboBox* time_unit_;
+    NumberField* rate_;
+    NumberField* kappa_;
+    NumberField* skew_;
+};
 
 // The drift of whole-angle logs: logs and settings at the left, the drift against the angle in the
 // middle, harmonics and resonator at the right. While a newer drift is computed, the one before is

@@ -192,9 +192,9 @@ std::vector<QuantityRow> heldRows(const HeldResonator& resonator, const DisplayU
     }};
     std::vector<QuantityRow> rows;
     for (const Held& each : parameters) {
-        const Shown shown = shownAs(each.name, each.unit, units);
-        rows.push_back(
-            {withUnit(shown.title, shown.unit), each.tip, {cellOf(each.estimate, shown.factor)}});
+        Shown shown = shownAs(each.name, each.unit, units);
+        shown.tip = each.tip;
+        rows.push_back(rowOf(shown, {cellOf(each.estimate, shown.factor)}));
     }
     return rows;
 }

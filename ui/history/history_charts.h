@@ -6,7 +6,6 @@
 #include "core/numerics/control_chart.h"
 #include "core/numerics/distribution.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -11,7 +11,6 @@
 #include <QLocale>
 #include <QResizeEvent>
 #include <QSettings>
-#include <QSignalBlocker>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -153,7 +152,9 @@ void HistoryChoices::retranslate() {
     parameter_->setToolTip(richTip(tr("Which of its parameters is shown")));
     const auto& parameters = historyParameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
-        parameter_->setItemText(static_cast<int>(k), indexPlain(parameterTitle(parameters[k])));
+        parameter_->setItemText(
+            static_cast<int>(k),
+            indexPlain(shownAs(parameters[k].name, parameters[k].unit, {}).title));
     }
     axis_label_->setText(tr("Against"));
     axis_->setAccessibleName(tr("Axis of the history"));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/history/history_plots.h"
+#include "ui/history/history_view.h"
 
 #include <QWidget>
 

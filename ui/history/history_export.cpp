@@ -2,15 +2,10 @@
 
 #include "core/base/number_text.h"
 #include "core/output/batch_csv.h"
-#include "ui/history/history_text.h"
 #include "ui/report/report_html.h"
 #include "ui/words/program_name.h"
 #include "ui/words/rich_text.h"
 
-#include <QLocale>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -45,8 +40,8 @@ std::string outsideCodes(const HistoryCharts& charts, std::size_t point) {
     return codes;
 }
 
-std::string tableOf(const StoredHistory& history, const HistoryCharts& charts,
-                    const HistoryView& view, const std::vector<std::string>& header) {
+std::string tableOf(const HistoryView& view, const std::vector<std::string>& header) {
+    const StoredHistory& history = view.history;
     const std::string name = columnOf(view.parameter);
     std::string text;
     for (const std::string& line : header) {
@@ -66,55 +61,53 @@ std::string tableOf(const StoredHistory& history, const HistoryCharts& charts,
                      at.value.given() ? std::string() : english(at.value.reason),
                      fieldOf(at.f_mean_hz.value), fieldOf(at.f_mean_hz.sd), fieldOf(at.f_mean_hz.u),
                      fieldOf(at.bias_v), fieldOf(at.temperature_c), at.exchanged ? "yes" : "no",
-                     outsideCodes(charts, k), at.warnings, at.program});
+                     outsideCodes(view.charts, k), at.warnings, at.program});
         text += '\n';
     }
     return text;
 }
 
-QString resultsOf(const StoredHistory& history, const HistoryCharts& charts,
-                  const HistoryView& view) {
+QString resultsOf(const HistoryView& view) {
     HtmlTable table{{HistoryWords::tr("Results")}, {}, {100}, true};
-    for (std::size_t k = 0; k < history.points.size(); ++k) {
-        table.rows.push_back({richText(pointText(history, charts, view, k))});
+    for (std::size_t k = 0; k < view.history.points.size(); ++k) {
+        table.rows.push_back({richText(pointText(view, k))});
     }
     return html(table);
 }
 
 }  // namespace
 
-HistoryExport historyExport(const StoredHistory& history, const HistoryCharts& charts,
-                            const HistoryView& view, const QString& database,
-                            const std::optional<std::string>& gyro, std::size_t baseline) {
-    const QString parameter = parameterTitle(view.parameter);
+HistoryExport historyExport(const HistoryView& view, const QString& database,
+                            const std::optional<std::string>& gyro) {
+    const QString parameter = shownIn(view).title;
     const QString whose = gyro ? QString::fromStdString(*gyro) : HistoryWords::tr("All gyros");
     HistoryExport all;
     all.name = QStringLiteral("history");
-    all.table = tableOf(history, charts, view,
-                        {programName().toStdString(), "database: " + database.toStdString(),
-                         "gyro: " + gyro.value_or("all"), "parameter: " + columnOf(view.parameter),
-                         "baseline: " + integer_text(static_cast<std::int64_t>(baseline))});
+    all.table =
+        tableOf(view, {programName().toStdString(), "database: " + database.toStdString(),
+                       "gyro: " + gyro.value_or("all"), "parameter: " + columnOf(view.parameter),
+                       "baseline: " + integer_text(static_cast<std::int64_t>(view.baseline))});
     const QString about = QStringLiteral("%1, %2").arg(whose, parameter);
     all.report = framedReport(HistoryWords::tr("History of a parameter"), about, programName());
     all.report.html += paragraph(about);
     all.report.html +=
         paragraph(HistoryWords::tr("Database: %1; %2, %3")
                       .arg(database, reportDay().toString(Qt::ISODate), programName()));
-    all.report.html += paragraph(verdictText(history, charts, view, baseline));
+    all.report.html += paragraph(verdictText(view));
     constexpr double height = 0.36;  // of the width
-    std::vector<XYPlot> plots{valuesPlot(history, charts, view).plot};
-    if (charts.one_gyro) {
-        plots.push_back(rangesPlot(history, charts, view).plot);
-        plots.push_back(averagePlot(history, charts, view).plot);
+    std::vector<XYPlot> plots{valuesPlot(view).plot};
+    if (view.charts.one_gyro) {
+        plots.push_back(rangesPlot(view).plot);
+        plots.push_back(averagePlot(view).plot);
     }
-    plots.push_back(distributionPlot(charts, view));
+    plots.push_back(distributionPlot(view));
     for (const XYPlot& plot : plots) {
         const QString name = QStringLiteral("history-%1").arg(all.figures.size());
         all.figures.push_back(reportFigure(name, xyDrawing(plot),
                                            {report_page.width(), height * report_page.width()}));
         all.report.html += figureHtml(name);
     }
-    all.report.html += resultsOf(history, charts, view);
+    all.report.html += resultsOf(view);
     return all;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/history/history_plots.h"
+#include "ui/history/history_view.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_text.h"
 
@@ -17,9 +17,8 @@ struct HistoryExport {
     std::vector<ReportFigure> figures;  // of the report
 };
 
-// `database`: its name; `gyro`: nothing for all; `baseline`: results that set the limits.
-HistoryExport historyExport(const StoredHistory& history, const HistoryCharts& charts,
-                            const HistoryView& view, const QString& database,
-                            const std::optional<std::string>& gyro, std::size_t baseline);
+// `database`: its name; `gyro`: nothing for all.
+HistoryExport historyExport(const HistoryView& view, const QString& database,
+                            const std::optional<std::string>& gyro);
 
 }  // namespace vybeg::ui

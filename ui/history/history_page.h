@@ -1,11 +1,12 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
+#include "ui/history/history_database.h"
 #include "ui/history/history_export.h"
-#include "ui/history/result_adder.h"
 #include "ui/plots/measured_page.h"
 
-#include <memory>
+#include <array>
+#include <utility>
 
 class QGridLayout;
 class QLabel;
@@ -47,7 +48,6 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    // history_page_layout.cpp
     QLayout* buildHead();
     QWidget* buildContent();
     void placeSmallPlots(bool side_by_side);
@@ -59,7 +59,12 @@ private:
     void compute();
     void showHistory();
     void refresh();
+    // Precondition: there is a history.
     HistoryView view() const;
+    std::array<std::pair<XYPlotView*, HistoryPlot*>, 3> chartsOfPoints() {
+        return {
+            {{values_, &shown_values_}, {ranges_, &shown_ranges_}, {average_, &shown_average_}}};
+    }
     QString stateText() const;
     QString addHint() const;
     // `place`: of a point in the plot.

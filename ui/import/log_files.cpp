@@ -58,6 +58,9 @@ LogFiles::LogFiles(BackgroundJobs& job, const QStringList& files, QWidget* paren
     : FileList(6, parent), job_(&job) {
     add(files);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setHint([] { return tr("Drop logs of one resonator here"); });
+    connect(this, &FileList::dropped, this, &LogFiles::add);
+    connect(this, &FileList::removalWanted, this, &LogFiles::remove);
 }
 
 LogFiles::~LogFiles() {
@@ -181,10 +184,6 @@ void LogFiles::show(std::span<const RecordingRef> logs) {
         item(k)->setData(Qt::UserRole, file);
         item(k)->setToolTip(plainTip(tip));
     }
-}
-
-QString LogFiles::hint() const {
-    return tr("Drop logs of one resonator here");
 }
 
 }  // namespace vybeg::ui

@@ -52,12 +52,9 @@ signals:
     void changed();  // other files
     void looked();
 
-protected:
-    void take(const QStringList& files) override { add(files); }
-    void remove(const QStringList& files) override;
-    QString hint() const override;
-
 private:
+    void remove(const QStringList& files);
+
     QPointer<BackgroundJobs> job_;  // may be destroyed before the dialog when the window closes
     QStringList files_;
     std::vector<Looked> looks_;

@@ -34,7 +34,7 @@ QStringList FileList::chosenPaths() const {
 // The focus does not fall to a field, whose undo would hide that of the files.
 void FileList::removeChosen() {
     setFocus();
-    remove(chosenPaths());
+    emit removalWanted(chosenPaths());
 }
 
 void FileList::dragEnterEvent(QDragEnterEvent* event) {
@@ -50,7 +50,7 @@ void FileList::dragMoveEvent(QDragMoveEvent* event) {
 }
 
 void FileList::dropEvent(QDropEvent* event) {
-    take(localFiles(*event->mimeData()));
+    emit dropped(localFiles(*event->mimeData()));
     event->setDropAction(Qt::CopyAction);
     event->accept();
 }
@@ -69,7 +69,7 @@ void FileList::paintEvent(QPaintEvent* event) {
         QPainter painter(viewport());
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(viewport()->rect().adjusted(8, 2, -8, -2),
-                         Qt::AlignCenter | Qt::TextWordWrap, hint());
+                         Qt::AlignCenter | Qt::TextWordWrap, hint_());
     }
 }
 

@@ -2,6 +2,9 @@
 
 #include <QListWidget>
 
+#include <functional>
+#include <utility>
+
 namespace vybeg::ui {
 
 // Files of one kind, which can be dropped there and chosen ones removed with Delete: three lines
@@ -16,13 +19,14 @@ public:
     QStringList chosenPaths() const;
     void removeChosen();
 
-protected:
-    // Takes what was dropped.
-    virtual void take(const QStringList& files) = 0;
-    virtual void remove(const QStringList& /*files*/) {}
-    // What stands there while it is empty.
-    virtual QString hint() const = 0;
+    // What stands there while it is empty, in the language of the window.
+    void setHint(std::function<QString()> hint) { hint_ = std::move(hint); }
 
+signals:
+    void dropped(const QStringList& files);
+    void removalWanted(const QStringList& chosen);
+
+protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -31,6 +35,7 @@ protected:
 
 private:
     int most_rows_;
+    std::function<QString()> hint_;
 };
 
 }  // namespace vybeg::ui

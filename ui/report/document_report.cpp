@@ -1,11 +1,8 @@
 #include "ui/report/document_report.h"
 
 #include "ui/document/measured_set.h"
-#include "ui/report/budget_text.h"
-#include "ui/resonator/conditions_text.h"
+#include "ui/resonator/resonator_text.h"
 #include "ui/resonator/set_panel.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <iterator>

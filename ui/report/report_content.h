@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/analysis/identify_settings.h"
 #include "core/analysis/measurement_list.h"
+#include "core/analysis/settings.h"
 #include "core/base/error.h"
+#include "core/drift/drift_settings.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/results/parameter_limit.h"
 #include "core/track/events.h"
@@ -23,6 +26,11 @@
 #include <vector>
 
 namespace vybeg::ui {
+
+// Texts of context "Report" in the interface's language.
+struct ReportWords {
+    Q_DECLARE_TR_FUNCTIONS(Report)
+};
 
 // What no file tells. An empty text leaves a line to be filled in by hand.
 struct ReportTitle {
@@ -119,5 +127,16 @@ struct ReportContent {
 
 // Whether a report is about whole-angle logs without any recording.
 bool ofLogsAlone(const ReportContent& content);
+
+// The settings that have a part in the result and are not the defaults, as options of the command
+// line; empty: all are.
+
+// Without algorithm, window, hop and carrier, which the table of analyses has.
+QString optionsText(const Settings& settings);
+
+// Settings in which the recordings differ have the value of each, with semicolons between them.
+QString optionsText(const IdentifySettings& settings);
+
+QString optionsText(const DriftSettings& settings);
 
 }  // namespace vybeg::ui

@@ -4,8 +4,6 @@
 #include "ui/plots/plot_export.h"
 #include "ui/resonator/resonator_plots.h"
 
-#include <algorithm>
-
 namespace vybeg::ui {
 
 namespace {

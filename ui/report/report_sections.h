@@ -1,10 +1,27 @@
 #pragma once
 
+#include "core/analysis/identify.h"
 #include "ui/report/report_content.h"
+#include "ui/widgets/quantity_table.h"
 
 #include <QString>
 
 namespace vybeg::ui {
+
+// The drift of the whole-angle logs, as HTML: logs, settings, the drift against the angle, its
+// harmonics, and what they say of the resonator. Empty without logs.
+QString wholeAngleSection(const ReportContent& content, bool new_page);
+
+// The result for the page to be signed: values with their expanded uncertainties, limits and
+// verdict.
+QString resultSection(const ReportContent& content);
+
+// The pages of the resonator, as HTML: parameters with their uncertainties, rim, drift, budget,
+// modes, and what is known of each recording; or why there are none.
+QString resonatorSection(const ReportContent& content);
+
+// Why a content has no identification.
+QString absenceText(const ReportContent& content);
 
 // What a report tells of one set or recording, as HTML.
 
@@ -13,5 +30,11 @@ QString titleBlock(const ReportTitle& title, const QString& made);
 
 // From the recordings to the warnings; figures stand in it by their names (report_figures.h).
 QString reportSections(const ReportContent& content);
+
+// The uncertainty budget as a table: a row for each given parameter; columns: the statistical
+// part, the tolerances that have a part in any of them, u and the expanded uncertainty. Empty where
+// no parameter is given.
+QStringList budgetHeaders(const Identification& found);
+std::vector<QuantityRow> budgetRows(const Identification& found, const DisplayUnits& units);
 
 }  // namespace vybeg::ui

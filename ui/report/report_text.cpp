@@ -1,19 +1,15 @@
 #include "ui/report/report_text.h"
 
-#include "ui/report/budget_text.h"
 #include "ui/report/report_html.h"
 #include "ui/report/report_sections.h"
-#include "ui/report/resonator_section.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QDateTime>
-#include <QLocale>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vybeg::ui {
 

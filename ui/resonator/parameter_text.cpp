@@ -5,8 +5,10 @@
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -60,6 +62,15 @@ QString symbolOf(const std::string& parameter) {
                                   : QStringLiteral("Q");
 }
 
+// "Mode 1: f" of "modes[0].f_hz", "Run 11: f of its direction" of "runs[10].direction.f_hz".
+QString numberedTitle(const std::string& name) {
+    const int place = std::stoi(name.substr(name.find('[') + 1));
+    return (name.starts_with("modes[") ? ResonatorWords::tr("Mode %1: %2")
+                                       : ResonatorWords::tr("Run %1: %2 of its direction"))
+        .arg(place + 1)
+        .arg(symbolOf(name.substr(name.rfind('.') + 1)));
+}
+
 }  // namespace
 
 QuantityCell valueCell(double value, double sd, double u) {
@@ -86,6 +97,9 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
             shown.tip = ResonatorWords::tr(texts.tip);
         }
     }
+    if (name.find('[') != std::string::npos) {
+        shown.title = numberedTitle(name);
+    }
     if (QLatin1String(unit) == QLatin1String("rad")) {
         shown.unit = angleUnit(units);
         shown.factor = angleFactor(units);
@@ -98,14 +112,8 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
     return shown;
 }
 
-QString modeTitle(int index, const std::string& parameter) {
-    return ResonatorWords::tr("Mode %1: %2").arg(index + 1).arg(symbolOf(parameter));
-}
-
-QString directionTitle(int index, const std::string& parameter) {
-    return ResonatorWords::tr("Run %1: %2 of its direction")
-        .arg(index + 1)
-        .arg(symbolOf(parameter));
+QuantityRow rowOf(const Shown& shown, std::vector<QuantityCell> cells) {
+    return {withUnit(shown.title, shown.unit), shown.tip, std::move(cells)};
 }
 
 QString angleUnit(const DisplayUnits& units) {
@@ -123,6 +131,135 @@ QString angleRateUnit(const DisplayUnits& units) {
 
 double angleRateFactor(const DisplayUnits& units) {
     return units.angle == AngleUnit::degrees ? degrees * hour_s : 1;
+}
+
+namespace {
+
+// Signed, with one decimal; zero has no sign.
+QString deviationsText(double deviations) {
+    const QString size = QLocale().toString(std::abs(deviations), 'f', 1);
+    if (std::abs(deviations) < 0.05) {
+        return size;
+    }
+    return (deviations < 0 ? QChar(0x2212) : QLatin1Char('+')) + size;
+}
+
+// Percent, or ppm for small values.
+QuantityCell relativeCell(double relative) {
+    if (std::isnan(relative)) {
+        return {QStringLiteral("—"), {QString()}, {}};
+    }
+    const bool small = std::abs(relative) < 1e-4;
+    QString text = QLocale().toString(std::abs(relative) * (small ? 1e6 : 1e2), 'g', 3);
+    if (relative != 0) {
+        text.prepend(relative < 0 ? QChar(0x2212) : QLatin1Char('+'));
+    }
+    return {
+        text + (small ? QStringLiteral(" ppm") : QStringLiteral(" %")), {exactText(relative)}, {}};
+}
+
+// Reasons are below the table, because its columns are too narrow.
+QuantityCell sideCell(const Estimate& estimate, double factor) {
+    QuantityCell cell = cellOf(estimate, factor);
+    if (!estimate.given()) {
+        cell.text = QStringLiteral("—");
+    }
+    return cell;
+}
+
+QString verdictWord(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::unchanged: return ResonatorWords::tr("unchanged");
+        case Verdict::changed: return ResonatorWords::tr("changed");
+        case Verdict::not_comparable: break;
+    }
+    return ResonatorWords::tr("not comparable");
+}
+
+// Sign, word and an Okabe-Ito colour are redundant.
+QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
+    const Verdict verdict = difference.verdict;
+    const QColor color = verdict == Verdict::unchanged ? readable(QColor("#009e73"), theme)
+                         : verdict == Verdict::changed ? readable(QColor("#d55e00"), theme)
+                                                       : theme.mutedText;
+    return {verdictText(verdict), {verdictWord(verdict)}, color};
+}
+
+QString whyText(const Difference& difference) {
+    switch (difference.why) {
+        case Incomparable::now_unknown: return reasonText(difference.now.reason);
+        case Incomparable::then_unknown:
+            return ResonatorWords::tr("in the passport: %1")
+                .arg(reasonText(difference.then.reason));
+        default:
+            return QCoreApplication::translate("Reason", incomparable_sentence(difference.why));
+    }
+}
+
+}  // namespace
+
+QString verdictText(Verdict verdict) {
+    const char* const sign = verdict == Verdict::unchanged ? "= "
+                             : verdict == Verdict::changed ? "≠ "
+                                                           : "? ";
+    return QString::fromUtf8(sign) + verdictWord(verdict);
+}
+
+QString differenceSymbol(const std::string& name) {
+    const QString title = shownAs(name, "", {}).title;
+    return name.starts_with("modes[")  ? ResonatorWords::tr("Modes")
+           : name.starts_with("runs[") ? title
+                                       : title.section(QLatin1Char(' '), -1);
+}
+
+QStringList incomparableTexts(const std::vector<Difference>& differences) {
+    std::vector<std::pair<QString, QStringList>> reasons;  // and the names of their parameters
+    for (const Difference& difference : differences) {
+        if (difference.verdict != Verdict::not_comparable) {
+            continue;
+        }
+        const QString reason = whyText(difference);
+        const QString symbol = differenceSymbol(difference.name);
+        const auto same =
+            std::ranges::find(reasons, reason, &std::pair<QString, QStringList>::first);
+        if (same == reasons.end()) {
+            reasons.push_back({reason, {symbol}});
+        } else if (!same->second.contains(symbol)) {
+            same->second << symbol;
+        }
+    }
+    QStringList texts;
+    for (const auto& [reason, symbols] : reasons) {
+        texts << QStringLiteral("%1: %2").arg(symbols.join(QStringLiteral(", ")), reason);
+    }
+    return texts;
+}
+
+QStringList differenceHeaders() {
+    return {ResonatorWords::tr("Verdict"),    ResonatorWords::tr("Difference, u"),
+            ResonatorWords::tr("Difference"), ResonatorWords::tr("Relative"),
+            ResonatorWords::tr("Passport"),   ResonatorWords::tr("Now")};
+}
+
+std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
+                                        const DisplayUnits& units, const Theme& theme) {
+    std::vector<QuantityRow> rows;
+    for (const Difference& difference : differences) {
+        const Shown shown = shownAs(difference.name, difference.unit, units);
+        const double sds =
+            difference.change < 0 ? -difference.deviations() : difference.deviations();
+        const bool known = difference.verdict != Verdict::not_comparable;
+        const QuantityCell deviations{known ? deviationsText(sds) : QStringLiteral("—"),
+                                      {known ? exactText(sds) : QString()},
+                                      {}};
+        const double factor = shown.factor;
+        const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
+        rows.push_back(rowOf(
+            shown,
+            {verdictCell(difference, theme), deviations, change, relativeCell(difference.relative),
+             sideCell(difference.then, factor), sideCell(difference.now, factor)}));
+    }
+    return rows;
 }
 
 }  // namespace vybeg::ui

@@ -2,9 +2,7 @@
 
 #include "core/output/passport_json.h"
 #include "ui/document/measured_set.h"
-#include "ui/resonator/comparison_view.h"
-#include "ui/resonator/figures_view.h"
-#include "ui/resonator/numbers_view.h"
+#include "ui/resonator/outcome_views.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/wheel_guard.h"

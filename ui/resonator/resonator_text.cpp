@@ -19,6 +19,32 @@
 
 namespace vybeg::ui {
 
+QStringList conditionsText(const RecordingRef& recording) {
+    QStringList lines;
+    const auto add = [&lines](const QString& name, const QString& text) {
+        if (!text.isEmpty()) {
+            lines << QStringLiteral("%1: %2").arg(name, text);
+        }
+    };
+    const auto number = [](const std::optional<double>& value, const QString& with_unit) {
+        return value ? with_unit.arg(QLocale().toString(*value, 'g', 6)) : QString();
+    };
+    const Conditions& told = recording.conditions;
+    add(ResonatorWords::tr("gyro"), QString::fromStdString(told.gyro));
+    add(ResonatorWords::tr("date"), QString::fromStdString(told.date));
+    add(ResonatorWords::tr("bias voltage"), number(told.bias_v, ResonatorWords::tr("%1 V")));
+    add(ResonatorWords::tr("temperature"), number(told.temperature_c, ResonatorWords::tr("%1 °C")));
+    if (told.exchanged) {
+        lines << ResonatorWords::tr("the amplifiers are exchanged");
+    }
+    add(ResonatorWords::tr("operator"), QString::fromStdString(told.operator_name));
+    add(ResonatorWords::tr("comment"), QString::fromStdString(told.comment));
+    for (const auto& [column, field] : recording.others) {
+        add(QString::fromStdString(column), QString::fromStdString(field));
+    }
+    return lines;
+}
+
 namespace {
 
 // Change of a parameter, in its standard deviations, below which it is not shown.
@@ -73,6 +99,23 @@ QuantityCell limitCell(const Estimate& estimate, const ParameterLimit& limit, do
     return {text, {text}, look.color};
 }
 
+// One row with the reason if the modes are not separated.
+template <class Cell>
+std::vector<QuantityRow> rowsOfModes(const ResonatorFit& fit, const Cell& cell) {
+    std::vector<QuantityRow> rows;
+    if (fit.modes.empty()) {
+        rows.push_back({ResonatorWords::tr("Modes"), {}, {sentenceCell(reasonText(fit.no_modes))}});
+    }
+    for (std::size_t k = 0; k < fit.modes.size(); ++k) {
+        for (const ModeParameter& parameter : mode_parameters) {
+            const std::string name = "modes[" + std::to_string(k) + "]." + parameter.name;
+            rows.push_back(
+                rowOf(shownAs(name, parameter.unit, {}), {cell(fit.modes[k].*parameter.member)}));
+        }
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units,
@@ -84,9 +127,7 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
     }
     for (const ResonatorParameter& parameter : resonator_parameters) {
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
-        rows.push_back({withUnit(shown.title, shown.unit),
-                        shown.tip,
-                        {cellOf(found.fit.resonator.*parameter.member, shown.factor)}});
+        rows.push_back(rowOf(shown, {cellOf(found.fit.resonator.*parameter.member, shown.factor)}));
         if (!limits.empty()) {
             const ParameterLimit* limit = limit_of(limits, parameter.name);
             rows.back().cells.push_back(limit ? limitCell(found.fit.resonator.*parameter.member,
@@ -107,16 +148,8 @@ std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUn
     };
     std::vector<QuantityRow> rows;
     if (found.fit.model == ResonatorModel::free) {
-        const auto& modes = found.fit.modes;
-        for (std::size_t k = 0; k < modes.size(); ++k) {
-            for (const ModeParameter& parameter : mode_parameters) {
-                rows.push_back({withUnit(modeTitle(static_cast<int>(k), parameter.name),
-                                         unitText(parameter.unit)),
-                                {},
-                                {expanded(modes[k].*parameter.member, 1)}});
-            }
-        }
-        return modes.empty() ? modeRows(found.fit) : rows;
+        return rowsOfModes(found.fit,
+                           [&](const Estimate& estimate) { return expanded(estimate, 1); });
     }
     for (const ResonatorParameter& parameter : resonator_parameters) {
         const Estimate& estimate = found.fit.resonator.*parameter.member;
@@ -125,8 +158,7 @@ std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUn
             continue;
         }
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
-        rows.push_back(
-            {withUnit(shown.title, shown.unit), shown.tip, {expanded(estimate, shown.factor)}});
+        rows.push_back(rowOf(shown, {expanded(estimate, shown.factor)}));
         if (!limits.empty()) {
             rows.back().cells.push_back(
                 limit ? limitCell(estimate, *limit, shown.factor, lightTheme()) : QuantityCell{});
@@ -162,14 +194,12 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
     std::vector<QuantityRow> rows;
     for (std::size_t k = 0; k < wave_parameters.size(); ++k) {
         const WaveParameter& parameter = wave_parameters[k];
-        const bool rate = QLatin1String(parameter.unit) == QLatin1String("rad/s");
-        const QString unit = rate ? angleRateUnit(units) : unitText(parameter.unit);
-        QuantityRow row{withUnit(ResonatorWords::tr(texts[k].first), unit),
-                        ResonatorWords::tr(texts[k].second),
-                        {}};
+        Shown shown = shownAs(parameter.name, parameter.unit, units);
+        shown.title = ResonatorWords::tr(texts[k].first);
+        shown.tip = ResonatorWords::tr(texts[k].second);
+        QuantityRow row = rowOf(shown);
         for (const IdentifiedRun& run : found.runs) {
-            row.cells.push_back(
-                cellOf(run.wave.*parameter.member, rate ? angleRateFactor(units) : 1));
+            row.cells.push_back(cellOf(run.wave.*parameter.member, shown.factor));
         }
         rows.push_back(std::move(row));
     }
@@ -209,7 +239,7 @@ std::vector<QuantityRow> sensitivityRows(const Identification& found, const Disp
             continue;
         }
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
-        QuantityRow row{withUnit(shown.title, shown.unit), shown.tip, {}};
+        QuantityRow row = rowOf(shown);
         for (const UsualError& error : usual_errors) {
             const double change = shown.factor * error.size * fit.sensitivities[k][error.source];
             const bool felt = std::abs(change) > negligible * shown.factor * estimate.sd;
@@ -222,20 +252,7 @@ std::vector<QuantityRow> sensitivityRows(const Identification& found, const Disp
 }
 
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit) {
-    std::vector<QuantityRow> rows;
-    if (fit.modes.empty()) {
-        rows.push_back({ResonatorWords::tr("Modes"), {}, {sentenceCell(reasonText(fit.no_modes))}});
-        return rows;
-    }
-    for (std::size_t k = 0; k < fit.modes.size(); ++k) {
-        for (const ModeParameter& parameter : mode_parameters) {
-            rows.push_back(
-                {withUnit(modeTitle(static_cast<int>(k), parameter.name), unitText(parameter.unit)),
-                 {},
-                 {cellOf(fit.modes[k].*parameter.member)}});
-        }
-    }
-    return rows;
+    return rowsOfModes(fit, [](const Estimate& estimate) { return cellOf(estimate); });
 }
 
 std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/measurement_list.h"
 #include "core/base/finding.h"
 #include "core/resonator/results/parameter_limit.h"
 #include "ui/values/recording_set.h"
@@ -7,9 +8,14 @@
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
+#include <QStringList>
+
 #include <vector>
 
 namespace vybeg::ui {
+
+// What a measurement list tells of a recording, a line each: "gyro: G7", "bias: 100 V", ...
+QStringList conditionsText(const RecordingRef& recording);
 
 // An identification as tables: names and units in the interface's language, values rounded by their
 // standard deviations, reasons for missing values. Angles in the units of display, their rates in

@@ -1,7 +1,8 @@
 #include "ui/resonator/set_panel.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/resonator/conditions_text.h"
+#include "ui/panels/file_list.h"
+#include "ui/resonator/resonator_text.h"
 #include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
@@ -51,34 +52,13 @@ QString setName(const Document& document, const RecordingSet& set) {
     return QCoreApplication::translate("SetPanel", "Set %1").arg(set.number);
 }
 
-SetMembers::SetMembers(Document& document, QWidget* parent)
-    : FileList(6, parent), document_(document) {}
-
-void SetMembers::take(const QStringList& files) {
-    document_.openIntoSet(files);
-}
-
-void SetMembers::remove(const QStringList& /*files*/) {
-    for (QListWidgetItem* item : selectedItems()) {
-        if (item->data(Qt::CheckStateRole).isValid()) {  // logs have none
-            item->setCheckState(Qt::Unchecked);
-        }
-    }
-}
-
-QString SetMembers::hint() const {
-    return SetPanel::tr(
-        "Drop recordings of one resonator here, best started at "
-        "four angles");
-}
-
 SetPanel::SetPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       sets_(withName(new QComboBox(this), "sets")),
       add_(new QToolButton(this)),
       remove_(new QToolButton(this)),
-      members_(new SetMembers(document, this)),
+      members_(withName(new FileList(6, this), "members")),
       listed_(withName(new QLabel(this), "listed")),
       model_label_(new QLabel(this)),
       model_(withName(new QComboBox(this), "model")),
@@ -109,6 +89,19 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(add_, &QToolButton::clicked, this, [this] { document_.sets().add(); });
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.sets().remove(document_.sets().current()->id); });
+    members_->setHint([] {
+        return tr(
+            "Drop recordings of one resonator here, best started at "
+            "four angles");
+    });
+    connect(members_, &FileList::dropped, &document_, &Document::openIntoSet);
+    connect(members_, &FileList::removalWanted, this, [this] {
+        for (QListWidgetItem* item : members_->selectedItems()) {
+            if (item->data(Qt::CheckStateRole).isValid()) {  // logs have none
+                item->setCheckState(Qt::Unchecked);
+            }
+        }
+    });
     connect(members_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         const auto id = static_cast<RecordingId>(item->data(Qt::UserRole).toInt());
         // Queued, because the response of the document fills the list again.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/panels/file_list.h"
 
 class QComboBox;
 class QLabel;
@@ -10,21 +9,7 @@ class QToolButton;
 
 namespace vybeg::ui {
 
-// The open recordings, those of a set checked; Delete unchecks.
-class SetMembers : public FileList {
-    Q_OBJECT
-
-public:
-    explicit SetMembers(Document& document, QWidget* parent = nullptr);
-
-protected:
-    void take(const QStringList& files) override;
-    void remove(const QStringList& files) override;
-    QString hint() const override;
-
-private:
-    Document& document_;
-};
+class FileList;
 
 // Recordings of a set and options of their identification.
 class SetPanel : public QWidget {
@@ -42,8 +27,8 @@ private:
     QComboBox* sets_;
     QToolButton* add_;
     QToolButton* remove_;
-    SetMembers* members_;
-    QLabel* listed_;  // where the settings are from
+    FileList* members_;  // the open recordings, those of the set checked; Delete unchecks
+    QLabel* listed_;     // where the settings are from
     QLabel* model_label_;
     QComboBox* model_;
     QPushButton* identify_;

@@ -4,10 +4,12 @@
 #include "core/analysis/settings.h"
 #include "core/recording/samples/open_options.h"
 #include "ui/document/analysis_store.h"
+#include "ui/document/document.h"
 #include "ui/document/drift_store.h"
 #include "ui/panels/fitted_trend.h"
 #include "ui/plots/track_view.h"
 #include "ui/values/dossier.h"
+#include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
 #include "ui/values/zoom_stack.h"
 #include "ui/words/display_units.h"
@@ -16,7 +18,6 @@
 #include <QString>
 
 #include <array>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -47,7 +48,7 @@ struct SessionView {
     DisplayUnits units;
     std::array<std::optional<double>, 2> cursors_s;  // A and B
     TrendKind trend = TrendKind::line;               // between them
-    QString page;                                    // its word, PageStack::word(); empty: any
+    QString page;                                    // its word, pageWord(); empty: any
 };
 
 // Everything that makes the same picture and numbers again when the recordings are there: their
@@ -67,5 +68,17 @@ struct Session {
     // Keys of the file that this program does not know, written again.
     QJsonObject unknown;
 };
+
+// The document and the view as a session.
+Session sessionOf(const Document& document, const TrackView& tracks);
+
+// Puts a session in the place of all recordings and sets of the document, and begins to compute its
+// analyses. Recordings with an empty path are left out. Returns the ids of the recordings in their
+// order, 0 for those left out.
+std::vector<RecordingId> restoreSession(const Session& session, Document& document);
+
+// What the plots of a session show; for the end of the computations, because plots begin with the
+// whole range of each recording that joins.
+void restoreView(const SessionView& view, TrackView& tracks);
 
 }  // namespace vybeg::ui

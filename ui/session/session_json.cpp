@@ -3,8 +3,6 @@
 #include "core/analysis/setting_table.h"
 #include "core/drift/drift_settings.h"
 #include "ui/import/open_options_json.h"
-#include "ui/session/listed_json.h"
-#include "ui/session/session_view_json.h"
 #include "ui/values/json_fields.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/program_name.h"
@@ -12,35 +10,85 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
 namespace vybeg::ui {
 
 namespace {
 
-const QString program_key = QStringLiteral("program");
 const QString settings_key = QStringLiteral("settings");
-const QString tolerance_key = QStringLiteral("tolerance");
-const QString live_key = QStringLiteral("live");
-const QString recordings_key = QStringLiteral("recordings");
-const QString current_key = QStringLiteral("current");
-const QString sets_key = QStringLiteral("sets");
-const QString current_set_key = QStringLiteral("current_set");
-const QString current_analysis_key = QStringLiteral("current_run");
+
+// Objects of a session. A view's ranges, variables and cursors.
+const QString time_key = QStringLiteral("time_s");
+const QString values_key = QStringLiteral("values");
+const QString variables_key = QStringLiteral("variables");
+const QString cursors_key = QStringLiteral("cursors_s");
+
+// What a measurement list says of a set.
+const QString columns_key = QStringLiteral("other_columns");
+const QString members_key = QStringLiteral("members");
+const QString place_key = QStringLiteral("recording");
+const QString signal_key = QStringLiteral("signal");
+const QString file_key = QStringLiteral("file");
+const QString others_key = QStringLiteral("others");
+
+// Recordings, analyses and sets.
+const QString path_key = QStringLiteral("path");
+const QString sha256_key = QStringLiteral("sha256");
+const QString options_key = QStringLiteral("options");
+const QString analyses_key = QStringLiteral("runs");
+const QString color_key = QStringLiteral("color");
+const QString name_key = QStringLiteral("name");
+const QString model_key = QStringLiteral("model");
 const QString listed_key = QStringLiteral("listed");
 const QString result_key = QStringLiteral("result");
 const QString up_to_date_key = QStringLiteral("result_up_to_date");
+
+// The session itself.
+const QString program_key = QStringLiteral("program");
+const QString tolerance_key = QStringLiteral("tolerance");
+const QString recordings_key = QStringLiteral("recordings");
+const QString sets_key = QStringLiteral("sets");
 const QString drift_key = QStringLiteral("drift");
 const QString logs_key = QStringLiteral("logs");
 const QString view_key = QStringLiteral("view");
 const QString gyro_key = QStringLiteral("gyro");
 const QString limits_key = QStringLiteral("limits");
-const QString path_key = QStringLiteral("path");
-const QString sha256_key = QStringLiteral("sha256");
-const QString options_key = QStringLiteral("options");
-const QString analyses_key = QStringLiteral("runs");
-const QString name_key = QStringLiteral("name");
-const QString model_key = QStringLiteral("model");
+
+template <class Archive, Described<SessionView> Owner>
+void describe(Archive&& archive, Owner& view) {
+    // As TrendKind.
+    constexpr std::array<const char*, trend_kinds> trends{"line", "parabola", "cubic", "beat"};
+    archive("page", view.page);
+    archive.word("trend", view.trend, trends);
+    archive("units", view.units);
+}
+
+template <class Archive, Described<AnalysisWish> Owner>
+void describe(Archive&& archive, Owner& analysis) {
+    archive("name", analysis.name);
+    archive("place", analysis.place);
+    archive.number("shade", analysis.shade, curve_shades - 1);
+    archive("visible", analysis.visible);
+    archive("live", analysis.live);
+}
+
+template <class Archive, Described<Session> Owner>
+void describe(Archive&& archive, Owner& session) {
+    archive("live", session.live);
+    archive("current", session.current);
+    archive("current_set", session.current_set);
+    archive("current_run", session.current_analysis);
+}
+
+template <class Owner>
+QStringList fieldsOf(const Owner& owner) {
+    QJsonObject json;
+    describe(JsonWriter(json), owner);
+    return json.keys();
+}
 
 QString text(const std::string& utf8) {
     return QString::fromStdString(utf8);
@@ -53,79 +101,176 @@ QJsonObject without(QJsonObject json, const QStringList& keys) {
     return json;
 }
 
-Result<Settings> analysisSettingsFromJson(const QJsonObject& json) {
-    Result<Settings> settings = settingsFromJson(analysis_settings(), json);
-    if (settings) {
-        TRY(validate(*settings));
+template <class Each, class ToJson, class... Args>
+QJsonArray listToJson(const std::vector<Each>& all, const ToJson& to_json, const Args&... args) {
+    QJsonArray list;
+    for (const Each& each : all) {
+        list.append(to_json(each, args...));
     }
+    return list;
+}
+
+template <class Each, class FromJson, class... Args>
+Status readList(const QJsonValue& list, std::vector<Each>& all, const FromJson& from_json,
+                const Args&... args) {
+    for (const auto& value : list.toArray()) {
+        auto each = TRY(from_json(value.toObject(), args...));
+        all.push_back(std::move(each));
+    }
+    return {};
+}
+
+// Relative below the folder of the session, so that both can be moved together.
+QString storedPath(const QString& path, const QDir& folder) {
+    const QString relative = folder.relativeFilePath(path);
+    return relative.startsWith(QLatin1String("..")) ? path : relative;
+}
+
+QString pathFromJson(const QJsonObject& json, const QDir& folder) {
+    return QDir::cleanPath(folder.absoluteFilePath(json[path_key].toString()));
+}
+
+QJsonArray rangeToJson(const AxisRange& range) {
+    return {range.lower, range.upper};
+}
+
+std::optional<AxisRange> rangeFromJson(const QJsonValue& value) {
+    const QJsonArray ends = value.toArray();
+    const AxisRange range{ends.at(0).toDouble(), ends.at(1).toDouble()};
+    return range.lower < range.upper ? std::optional(range) : std::nullopt;
+}
+
+QString columnOf(SlowVariable variable) {
+    return QLatin1String(info(variable).column);
+}
+
+// The unknown columns of a list, or their fields.
+using Others = std::vector<std::pair<std::string, std::string>>;
+
+QJsonArray textsToJson(const Others& others, std::string Others::value_type::*member) {
+    return listToJson(others, [member](const auto& each) { return text(each.*member); });
+}
+
+Others othersFromJson(const QJsonArray& columns, const QJsonArray& fields) {
+    Others others;
+    for (qsizetype k = 0; k < std::min(columns.size(), fields.size()); ++k) {
+        others.emplace_back(columns[k].toString().toStdString(),
+                            fields[k].toString().toStdString());
+    }
+    return others;
+}
+
+QJsonObject memberToJson(int place, const ListedMember& member, const QDir& folder) {
+    IdentifySettings signal;
+    signal.signal = member.signal;
+    const RecordingRef& row = member.row;
+    QJsonObject json{
+        {place_key, place},
+        {signal_key, settingsToJson(identify_settings(), signal)},
+        {file_key, text(row.file)},
+        {path_key, storedPath(QString::fromStdU16String(row.path.u16string()), folder)},
+        {options_key, optionsToJson(row.open)},
+        {others_key, textsToJson(row.others, &Others::value_type::second)}};
+    describe(JsonWriter(json), row.conditions);
+    return json;
+}
+
+Result<ListedMember> memberFromJson(const QJsonObject& json, const QJsonArray& columns,
+                                    const QDir& folder) {
+    const auto signal = TRY(settingsFromJson(identify_settings(), json[signal_key].toObject()));
+    ListedMember member;
+    member.signal = signal.signal;
+    RecordingRef& row = member.row;
+    row.file = json[file_key].toString().toStdString();
+    row.path = pathFromJson(json, folder).toStdU16String();
+    row.open = optionsFromJson(json[options_key].toObject());
+    row.others = othersFromJson(columns, json[others_key].toArray());
+    describe(JsonReader(json), row.conditions);
+    return member;
+}
+
+// Members by places in the session.
+QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder) {
+    QJsonArray members;
+    for (const auto& [place, member] : listed.members) {
+        members.append(memberToJson(place, member, folder));
+    }
+    const Others others =
+        listed.members.empty() ? Others() : listed.members.begin()->second.row.others;
+    return {{settings_key, settingsToJson(identify_settings(), listed.settings)},
+            {columns_key, textsToJson(others, &Others::value_type::first)},
+            {members_key, members}};
+}
+
+Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder) {
+    auto settings = TRY(settingsFromJson(identify_settings(), json[settings_key].toObject()));
+    ListedSetBy<int> listed{std::move(settings), {}};
+    const QJsonArray columns = json[columns_key].toArray();
+    for (const auto& value : json[members_key].toArray()) {
+        auto member = TRY(memberFromJson(value.toObject(), columns, folder));
+        listed.members.insert_or_assign(value.toObject()[place_key].toInt(-1), std::move(member));
+    }
+    return listed;
+}
+
+Result<Settings> analysisSettingsFromJson(const QJsonObject& json) {
+    auto settings = TRY(settingsFromJson(analysis_settings(), json[settings_key].toObject()));
+    TRY(validate(settings));
     return settings;
 }
 
-// One field of an identification, by the name of its row.
-const SettingRow<IdentifySettings>& identifyRow(const std::string& name) {
-    return *std::ranges::find(identify_settings(), name, &SettingRow<IdentifySettings>::name);
+// One field of an identification, by the name of its row, as text.
+QString identifyText(const char* name, const IdentifySettings& settings) {
+    return text(row_named(identify_settings(), name)->text(settings));
+}
+
+Status readIdentify(const char* name, const QJsonValue& json, IdentifySettings& settings) {
+    const std::string stored = json.toString().toStdString();
+    return stored.empty() ? Status() : row_named(identify_settings(), name)->read(stored, settings);
 }
 
 QJsonObject wishToJson(const AnalysisWish& analysis) {
-    return {{QStringLiteral("name"), analysis.name},
-            {QStringLiteral("place"), analysis.place},
-            {QStringLiteral("color"), analysis.color.name()},
-            {QStringLiteral("shade"), analysis.shade},
-            {QStringLiteral("visible"), analysis.visible},
-            {QStringLiteral("live"), analysis.live},
-            {settings_key, settingsToJson(analysis_settings(), analysis.settings)}};
+    QJsonObject json{{color_key, analysis.color.name()},
+                     {settings_key, settingsToJson(analysis_settings(), analysis.settings)}};
+    describe(JsonWriter(json), analysis);
+    return json;
 }
 
 Result<AnalysisWish> wishFromJson(const QJsonObject& json) {
-    const auto settings = TRY(analysisSettingsFromJson(json[settings_key].toObject()));
+    auto settings = TRY(analysisSettingsFromJson(json));
     AnalysisWish analysis;
-    analysis.settings = settings;
-    analysis.name = json[QStringLiteral("name")].toString();
-    analysis.place = json[QStringLiteral("place")].toInt();
-    analysis.color = QColor(json[QStringLiteral("color")].toString());
-    analysis.shade = std::clamp(json[QStringLiteral("shade")].toInt(), 0, curve_shades - 1);
-    analysis.visible = json[QStringLiteral("visible")].toBool(true);
-    analysis.live = json[live_key].toBool();
+    analysis.settings = std::move(settings);
+    analysis.color = QColor(json[color_key].toString());
+    describe(JsonReader(json), analysis);
     return analysis;
 }
 
 QJsonObject recordingToJson(const SessionRecording& recording, const QDir& folder) {
-    QJsonArray analyses;
-    for (const AnalysisWish& analysis : recording.analyses) {
-        analyses.append(wishToJson(analysis));
-    }
     QJsonObject json = recording.unknown;
     json[path_key] = storedPath(recording.path, folder);
     json[sha256_key] = recording.sha256;
     json[options_key] = optionsToJson(recording.options);
-    json[analyses_key] = analyses;
+    json[analyses_key] = listToJson(recording.analyses, wishToJson);
     return json;
 }
 
 Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& folder) {
     SessionRecording recording;
-    recording.path = QDir::cleanPath(folder.absoluteFilePath(json[path_key].toString()));
+    recording.path = pathFromJson(json, folder);
     recording.sha256 = json[sha256_key].toString();
     recording.options = optionsFromJson(json[options_key].toObject());
-    for (const auto& value : json[analyses_key].toArray()) {
-        auto analysis = TRY(wishFromJson(value.toObject()));
-        recording.analyses.push_back(std::move(analysis));
-    }
+    TRY(readList(json[analyses_key], recording.analyses, wishFromJson));
     recording.unknown = without(json, {path_key, sha256_key, options_key, analyses_key});
     return recording;
 }
 
 QJsonObject setToJson(const SessionSet& set, const QDir& folder) {
-    QJsonArray members;
-    for (const int place : set.recordings) {
-        members.append(place);
-    }
     IdentifySettings model;
     model.model = set.model;
     QJsonObject json = set.unknown;
     json[name_key] = set.name;
-    json[model_key] = text(identifyRow("model").text(model));
-    json[recordings_key] = members;
+    json[model_key] = identifyText("model", model);
+    json[recordings_key] = listToJson(set.recordings, [](int place) { return place; });
     if (set.listed) {
         json[listed_key] = listedToJson(*set.listed, folder);
     }
@@ -145,9 +290,7 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
         }
     }
     IdentifySettings model;
-    if (const QString word = json[model_key].toString(); !word.isEmpty()) {
-        TRY(identifyRow("model").read(word.toStdString(), model));
-    }
+    TRY(readIdentify("model", json[model_key], model));
     set.model = model.model;
     if (const QJsonValue listed = json[listed_key]; listed.isObject()) {
         auto read = TRY(listedFromJson(listed.toObject(), folder));
@@ -161,11 +304,9 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
 
 // `json` has the keys of a later version, which stay.
 QJsonObject driftToJson(const DriftInput& drift, QJsonObject json, const QDir& folder) {
-    QJsonArray logs;
-    for (const DriftLog& log : drift.logs) {
-        logs.append(
-            QJsonObject{{path_key, storedPath(log.path, folder)}, {sha256_key, log.sha256}});
-    }
+    const QJsonArray logs = listToJson(drift.logs, [&folder](const DriftLog& log) {
+        return QJsonObject{{path_key, storedPath(log.path, folder)}, {sha256_key, log.sha256}};
+    });
     const QJsonObject settings = settingsToJson(drift_settings(), drift.settings);
     if (!logs.isEmpty() || !settings.isEmpty()) {
         json[logs_key] = logs;
@@ -175,13 +316,11 @@ QJsonObject driftToJson(const DriftInput& drift, QJsonObject json, const QDir& f
 }
 
 Result<DriftInput> driftFromJson(const QJsonObject& json, const QDir& folder) {
-    DriftInput drift;
     auto settings = TRY(settingsFromJson(drift_settings(), json[settings_key].toObject()));
-    drift.settings = std::move(settings);
+    DriftInput drift{{}, std::move(settings)};
     for (const auto& value : json[logs_key].toArray()) {
         const QJsonObject log = value.toObject();
-        drift.logs.push_back({QDir::cleanPath(folder.absoluteFilePath(log[path_key].toString())),
-                              log[sha256_key].toString()});
+        drift.logs.push_back({pathFromJson(log, folder), log[sha256_key].toString()});
     }
     return drift;
 }
@@ -219,36 +358,68 @@ bool isListOfObjects(const QJsonValue& value) {
                                           [](const auto& element) { return element.isObject(); });
 }
 
-// A place in a list, -1 for one outside of it.
-int placeFromJson(const QJsonValue& value, std::size_t count) {
-    const int place = value.toInt(-1);
-    return place >= 0 && place < static_cast<int>(count) ? place : -1;
+// A place outside of its list is none.
+void keepWithin(int& place, std::size_t count) {
+    place = place >= 0 && place < static_cast<int>(count) ? place : -1;
 }
 
 }  // namespace
 
+QJsonObject viewToJson(const SessionView& view) {
+    QJsonObject values;
+    for (const auto& [variable, range] : view.zoom.fixed) {
+        values[columnOf(variable)] = rangeToJson(range);
+    }
+    QJsonArray cursors;
+    for (const auto& cursor : view.cursors_s) {
+        cursors.append(cursor ? QJsonValue(*cursor) : QJsonValue());
+    }
+    QJsonObject json{{time_key, rangeToJson(view.zoom.time)},
+                     {values_key, values},
+                     {variables_key, listToJson(view.variables, columnOf)},
+                     {cursors_key, cursors}};
+    describe(JsonWriter(json), view);
+    return json;
+}
+
+SessionView viewFromJson(const QJsonObject& json) {
+    SessionView view;
+    describe(JsonReader(json), view);
+    if (const auto time = rangeFromJson(json[time_key])) {
+        view.zoom.time = *time;
+    }
+    const QJsonObject values = json[values_key].toObject();
+    for (const SlowVariable variable : all_slow_variables) {
+        if (const auto range = rangeFromJson(values[columnOf(variable)])) {
+            view.zoom.fixed.emplace(variable, *range);
+        }
+    }
+    for (const auto& column : json[variables_key].toArray()) {
+        const auto found = std::ranges::find(all_slow_variables, column.toString(), columnOf);
+        if (found != all_slow_variables.end()) {
+            view.variables.push_back(*found);
+        }
+    }
+    const QJsonArray cursors = json[cursors_key].toArray();
+    for (int which = 0; which < 2; ++which) {
+        if (cursors.at(which).isDouble()) {
+            view.cursors_s[static_cast<std::size_t>(which)] = cursors.at(which).toDouble();
+        }
+    }
+    return view;
+}
+
 QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     IdentifySettings tolerance;
     tolerance.tolerance = session.tolerance;
-    QJsonArray recordings;
-    for (const SessionRecording& recording : session.recordings) {
-        recordings.append(recordingToJson(recording, folder));
-    }
-    QJsonArray sets;
-    for (const SessionSet& set : session.sets) {
-        sets.append(setToJson(set, folder));
-    }
     QJsonObject json = session.unknown;
     json[session_schema_key] = session_schema;
     json[program_key] = programName();
     json[settings_key] = settingsToJson(analysis_settings(), session.settings);
-    json[tolerance_key] = text(identifyRow("tolerance").text(tolerance));
-    json[live_key] = session.live;
-    json[recordings_key] = recordings;
-    json[current_key] = session.current;
-    json[sets_key] = sets;
-    json[current_set_key] = session.current_set;
-    json[current_analysis_key] = session.current_analysis;
+    json[tolerance_key] = identifyText("tolerance", tolerance);
+    json[recordings_key] = listToJson(session.recordings, recordingToJson, folder);
+    json[sets_key] = listToJson(session.sets, setToJson, folder);
+    describe(JsonWriter(json), session);
     // Keys of a later version stay in the gyro's object of the unknown keys.
     QJsonObject gyro = json[gyro_key].toObject();
     describe(JsonWriter(gyro), session.dossier.gyro);
@@ -279,30 +450,18 @@ QString misplacedKey(const QJsonObject& json) {
 }
 
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
+    auto settings = TRY(analysisSettingsFromJson(json));
     Session session;
-    const auto settings = TRY(analysisSettingsFromJson(json[settings_key].toObject()));
-    session.settings = settings;
+    session.settings = std::move(settings);
     IdentifySettings tolerance;
-    if (const QString stored = json[tolerance_key].toString(); !stored.isEmpty()) {
-        const Status read = identifyRow("tolerance").read(stored.toStdString(), tolerance);
-        if (!read) {
-            return read.error();
-        }
-    }
+    TRY(readIdentify("tolerance", json[tolerance_key], tolerance));
     session.tolerance = tolerance.tolerance;
-    session.live = json[live_key].toBool(true);
-    for (const auto& value : json[recordings_key].toArray()) {
-        auto recording = TRY(recordingFromJson(value.toObject(), folder));
-        session.recordings.push_back(std::move(recording));
-    }
-    for (const auto& value : json[sets_key].toArray()) {
-        auto set =
-            TRY(setFromJson(value.toObject(), static_cast<int>(session.recordings.size()), folder));
-        session.sets.push_back(std::move(set));
-    }
-    session.current = placeFromJson(json[current_key], session.recordings.size());
-    session.current_set = placeFromJson(json[current_set_key], session.sets.size());
-    session.current_analysis = json[current_analysis_key].toInt(-1);
+    TRY(readList(json[recordings_key], session.recordings, recordingFromJson, folder));
+    const auto recordings = static_cast<int>(session.recordings.size());
+    TRY(readList(json[sets_key], session.sets, setFromJson, recordings, folder));
+    describe(JsonReader(json), session);
+    keepWithin(session.current, session.recordings.size());
+    keepWithin(session.current_set, session.sets.size());
     const QJsonObject gyro = json[gyro_key].toObject();
     describe(JsonReader(gyro), session.dossier.gyro);
     session.dossier.limits = limitsFromJson(json[limits_key].toObject());
@@ -310,12 +469,10 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     auto read_drift = TRY(driftFromJson(drift, folder));
     session.drift = std::move(read_drift);
     session.view = viewFromJson(json[view_key].toObject());
-    session.unknown = without(json, {session_schema_key, program_key, settings_key, tolerance_key,
-                                     live_key, recordings_key, current_key, sets_key,
-                                     current_set_key, current_analysis_key, limits_key, view_key});
-    QJsonObject known;
-    describe(JsonWriter(known), session.dossier.gyro);
-    session.unknown[gyro_key] = without(gyro, known.keys());
+    session.unknown = without(without(json, fieldsOf(session)),
+                              {session_schema_key, program_key, settings_key, tolerance_key,
+                               recordings_key, sets_key, limits_key, view_key});
+    session.unknown[gyro_key] = without(gyro, fieldsOf(session.dossier.gyro));
     session.unknown[drift_key] = without(drift, {logs_key, settings_key});
     return session;
 }

@@ -8,6 +8,11 @@
 
 namespace vybeg::ui {
 
+// What the plots of a session show. Values that are missing or out of their range keep their
+// defaults.
+QJsonObject viewToJson(const SessionView& view);
+SessionView viewFromJson(const QJsonObject& json);
+
 inline constexpr int session_schema = 1;
 inline const QString session_schema_key = QStringLiteral("vybeg_session");
 

@@ -1,10 +1,9 @@
 #include "ui/session/session_keeper.h"
 
 #include "core/recording/bytes/file_bytes.h"
+#include "core/recording/bytes/sha256.h"
 #include "ui/document/measured_set.h"
-#include "ui/session/session_file.h"
 #include "ui/session/session_json.h"
-#include "ui/session/session_state.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -25,6 +24,45 @@ template <class Id>
 QJsonObject valueOf(const std::map<Id, QJsonObject>& values, Id id) {
     const auto found = values.find(id);
     return found == values.end() ? QJsonObject() : found->second;
+}
+
+// Of files under another name so much is read, which takes half a second.
+constexpr qint64 most_bytes_read = 256'000'000;
+
+// The session's folder and the folders in it.
+QList<QDir> foldersOf(const QDir& folder) {
+    QList<QDir> folders{folder};
+    for (const QString& each : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+        folders << QDir(folder.absoluteFilePath(each));
+    }
+    return folders;
+}
+
+// A file in the session's folder or a folder in it for a recording that is not at its path: one of
+// its name, otherwise one of its ending and content, as far as 256 MB tell. Empty: none.
+QString foundNear(const QDir& folder, const QString& path, const QString& sha256) {
+    const QFileInfo missing(path);
+    const QList<QDir> folders = foldersOf(folder);
+    for (const QDir& each : folders) {
+        const QString candidate = each.absoluteFilePath(missing.fileName());
+        if (QFileInfo(candidate).isFile()) {
+            return QDir::cleanPath(candidate);
+        }
+    }
+    qint64 read = 0;
+    for (const QDir& each : folders) {
+        const QString ending = QStringLiteral("*.") + missing.suffix();
+        for (const QFileInfo& file : each.entryInfoList({ending}, QDir::Files, QDir::Name)) {
+            if (sha256.isEmpty() || (read += file.size()) > most_bytes_read) {
+                return {};
+            }
+            const auto hash = file_sha256(file.absoluteFilePath().toStdU16String(), JobControl());
+            if (hash && QString::fromStdString(*hash) == sha256) {
+                return QDir::cleanPath(file.absoluteFilePath());
+            }
+        }
+    }
+    return {};
 }
 
 }  // namespace

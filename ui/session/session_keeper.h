@@ -3,7 +3,6 @@
 #include "core/base/result.h"
 #include "ui/document/document.h"
 #include "ui/session/session.h"
-#include "ui/session/session_backup.h"
 #include "ui/session/session_writer.h"
 #include "ui/values/ids.h"
 

@@ -1,7 +1,15 @@
 #include "ui/session/session_writer.h"
 
 #include "core/output/output_file.h"
-#include "ui/session/session_file.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <string_view>
@@ -23,7 +31,9 @@ SessionWriter::Disk& disk() {
 
 }  // namespace
 
-SessionWriter::SessionWriter(QObject* parent) : QObject(parent) {}
+QByteArray digest(const QByteArray& bytes) {
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+}
 
 SessionWriter::~SessionWriter() {
     for (Waiting& each : waiting_) {
@@ -56,7 +66,7 @@ void SessionWriter::begin() {
         0,
         [path = waiting_.front().path, state = waiting_.front().state,
          put = disk()](const JobControl&) -> Result<QByteArray> {
-            const QByteArray bytes = bytesOf(state);
+            const QByteArray bytes = QJsonDocument(state).toJson(QJsonDocument::Indented);
             const Status written = put(path, bytes);
             return written ? Result<QByteArray>(digest(bytes)) : written.error();
         },
@@ -72,8 +82,107 @@ void SessionWriter::begin() {
         });
 }
 
-void SessionWriter::finish() {
-    job_.finish();
+namespace {
+
+constexpr int interval_ms = 10000;
+constexpr int soon_ms = 500;
+
+QDir folder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                QStringLiteral("/backups"));
+}
+
+QString lockOf(const QString& path) {
+    return path + QStringLiteral(".lock");
+}
+
+}  // namespace
+
+SessionBackup::SessionBackup(std::function<QJsonObject()> content) : content_(std::move(content)) {
+    timer_.setInterval(interval_ms);
+    soon_.setInterval(soon_ms);
+    soon_.setSingleShot(true);
+    connect(&timer_, &QTimer::timeout, this, &SessionBackup::write);
+    connect(&soon_, &QTimer::timeout, this, &SessionBackup::write);
+    timer_.start();
+}
+
+void SessionBackup::soon() {
+    if (timer_.isActive() && !soon_.isActive()) {
+        soon_.start();
+    }
+}
+
+void SessionBackup::take(const QString& path) {
+    taken_ << path;
+    soon();
+}
+
+void SessionBackup::write() {
+    QJsonObject content = content_();
+    if (content == written_ || content.isEmpty()) {
+        return;
+    }
+    if (!lock_) {
+        folder().mkpath(QStringLiteral("."));
+        path_ = folder().filePath(QStringLiteral("%1-%2.vybeg")
+                                      .arg(QDateTime::currentDateTimeUtc().toString(
+                                          QStringLiteral("yyyyMMdd-hhmmss-zzz")))
+                                      .arg(QCoreApplication::applicationPid()));
+        lock_ = std::make_unique<QLockFile>(lockOf(path_));
+        lock_->setStaleLockTime(0);  // stale as soon as its program is gone
+        if (!lock_->tryLock(0)) {
+            lock_.reset();  // a folder that cannot be written: without copies
+            timer_.stop();
+            return;
+        }
+    }
+    written_ = std::move(content);
+    writer_.write(path_, written_, [this](const Result<QByteArray>& result) {
+        if (!result) {
+            written_ = {};  // no failure of the work: the next copy may succeed
+            return;
+        }
+        for (const QString& copy : std::exchange(taken_, {})) {
+            discard(copy);
+        }
+    });
+}
+
+void SessionBackup::end() {
+    timer_.stop();
+    soon_.stop();
+    writer_.finish();
+    if (lock_) {
+        QFile::remove(path_);
+        lock_->unlock();
+        lock_.reset();
+    }
+}
+
+QStringList SessionBackup::abandoned() {
+    QStringList found;
+    const QStringList names =
+        folder().entryList({QStringLiteral("*.vybeg")}, QDir::Files, QDir::Name);
+    for (const QString& name : names) {
+        const QString path = folder().filePath(name);
+        QLockFile lock(lockOf(path));
+        lock.setStaleLockTime(0);
+        if (lock.tryLock(0)) {
+            found << path;
+        }
+    }
+    return found;
+}
+
+void SessionBackup::discard(const QString& path) {
+    QFile::remove(path);
+    QFile::remove(lockOf(path));
+}
+
+void SessionBackup::setAside(const QString& path) {
+    QFile::rename(path, path + QStringLiteral(".declined"));
+    QFile::remove(lockOf(path));
 }
 
 }  // namespace vybeg::ui

@@ -4,20 +4,23 @@
 #include "core/output/drift_json.h"
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
+#include "core/output/sample_files.h"
+#include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "ui/import/import_dialog.h"
 #include "ui/import/log_dialog.h"
 #include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
-#include "ui/window/demonstration.h"
-#include "ui/window/export_dialog.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_questions.h"
-#include "ui/window/report_dialog.h"
 #include "ui/words/program_name.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <filesystem>
@@ -30,24 +33,24 @@ namespace {
 
 // Whether a file would take the place of an open recording or log.
 Status stayAsTheyAre(const Document& document, const QString& path) {
+    std::vector<std::filesystem::path> open;
     for (const RecordingEntry& entry : document.recordings()) {
-        if (same_file(entry.path.toStdU16String(), path.toStdU16String())) {
-            return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
-        }
+        open.emplace_back(entry.path.toStdU16String());
     }
     for (const RecordingSet& set : document.sets().all()) {
         for (const RecordingRef& log : document.sets().measured(set).recordings) {
-            if (same_file(log.path, path.toStdU16String())) {
-                return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
-            }
+            open.push_back(log.path);
         }
     }
     for (const DriftLog& log : document.drift().logs()) {
-        if (same_file(log.path.toStdU16String(), path.toStdU16String())) {
-            return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
-        }
+        open.emplace_back(log.path.toStdU16String());
     }
-    return {};
+    const auto taken = [target = std::filesystem::path(path.toStdU16String())](const auto& each) {
+        return same_file(each, target);
+    };
+    return std::ranges::any_of(open, taken)
+               ? Status(Error{ErrorCode::output_is_recording, path.toStdString(), {}})
+               : Status();
 }
 
 // "rec_maximum-likelihood_60" for the track of an analysis: recording, algorithm and window.
@@ -57,6 +60,19 @@ QString trackName(const ShownAnalysis& shown) {
         .arg(QFileInfo(shown.recording).completeBaseName(),
              QString::fromUtf8(algorithm.data(), std::ssize(algorithm)),
              QString::number(shown.analysis->plan.length));
+}
+
+// The article's case, simulated, in the program's own folder, unless it is there already.
+Status writeDemonstration(const QString& path, const JobControl& job) {
+    if (QFileInfo::exists(path)) {
+        return {};
+    }
+    QDir().mkpath(QFileInfo(path).path());
+    const FreeDecay decay = demo_decay();
+    const auto samples = TRY(simulate(decay, job));
+    auto file = TRY(OutputFile::create(std::filesystem::path(path.toStdU16String()), job));
+    TRY(write_samples(file, SampleFormat::wav, {samples.c, samples.d, decay.rate_hz}, job));
+    return file.commit();
 }
 
 }  // namespace
@@ -117,11 +133,19 @@ void FileCommands::openTogether(const QStringList& paths) {
 }
 
 void FileCommands::openDemonstration() {
-    makeDemonstration(this, [this](const Result<QString>& path) {
-        if (path) {
-            open({*path});
+    const QString path =
+        QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation))
+            .filePath(QStringLiteral("demonstration.wav"));
+    const auto write = [path](const JobControl& job) {
+        const Status done = writeDemonstration(path, job);
+        return done ? Result<QString>(path) : done.error();
+    };
+    constexpr int key = 1;
+    imports_.run<QString>(key, write, [this](const Result<QString>& written) {
+        if (written) {
+            open({*written});
         } else {
-            document_.report(errorMessage(path.error()));
+            document_.report(errorMessage(written.error()));
         }
     });
 }
@@ -360,18 +384,18 @@ void FileCommands::exportDriftTo(const QString& path) {
     if (!outcome) {
         return;
     }
-    const std::filesystem::path target(path.toStdU16String());
-    Status done = stayAsTheyAre(document_, path);
-    done = done ? check_ending(target, {".csv", ".json"}) : done;
-    if (done) {
-        const std::string program = programName().toStdString();
-        const std::string text =
-            file_ending(target) == ".json"
-                ? drift_json(program, outcome->logs, outcome->settings, outcome->drift)
-                : drift_csv(program, outcome->logs, outcome->settings, outcome->drift);
-        done = write_file(target, text, JobControl());
-    }
-    reportSaved(done, path);
+    put(path, [&](const Done& done) {
+        const std::filesystem::path target(path.toStdU16String());
+        if (const Status known = check_ending(target, {".csv", ".json"}); !known) {
+            done(known);
+            return;
+        }
+        const auto text = file_ending(target) == ".json" ? drift_json : drift_csv;
+        done(write_file(
+            target,
+            text(programName().toStdString(), outcome->logs, outcome->settings, outcome->drift),
+            JobControl()));
+    });
 }
 
 void FileCommands::savePassportTo(const QString& path) {

@@ -3,7 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/history/history_export.h"
 #include "ui/plots/figure_source.h"
-#include "ui/report/report_writer.h"
+#include "ui/report/report_pdf.h"
 #include "ui/values/ids.h"
 
 #include <QObject>
@@ -96,7 +96,7 @@ private:
     Ledger& ledger_;
     FileQuestions& ask_;
     QWidget* window_;
-    BackgroundJobs imports_;  // previews of the dialogs for files
+    BackgroundJobs imports_;  // previews of the dialogs for files; the demonstration
     QPointer<ImportDialog> import_;
     QPointer<LogDialog> logs_;
     ReportWriter reports_;

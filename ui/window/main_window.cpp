@@ -16,19 +16,13 @@
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/window/about.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/help_view.h"
+#include "ui/window/help.h"
 #include "ui/window/overview.h"
-#include "ui/window/page_stack.h"
-#include "ui/window/recent_files.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tracks_page.h"
-#include "ui/window/welcome_page.h"
-#include "ui/window/window_commands.h"
 #include "ui/window/window_menus.h"
-#include "ui/window/window_title.h"
 
 #include <QAction>
 #include <QDropEvent>
@@ -38,6 +32,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QStringList>
 #include <QTabBar>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -45,6 +40,27 @@
 #include <algorithm>
 
 namespace vybeg::ui {
+
+namespace {
+
+// "session.vybeg — HRG-17 — run.wav — Vybeg", as far as there are these. `session`: its path.
+QString titleOf(const Document& document, const QString& session) {
+    const RecordingEntry* entry = document.currentRecording();
+    QStringList parts;
+    if (!session.isEmpty()) {
+        parts << QFileInfo(session).fileName();
+    }
+    if (const QString& serial = document.dossier().dossier().gyro.serial; !serial.isEmpty()) {
+        parts << serial;
+    }
+    if (entry && (entry->recording || entry->envelope)) {
+        parts << entry->name;
+    }
+    parts << QStringLiteral("Vybeg");
+    return parts.join(QStringLiteral(" — "));
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Document& document, QWidget* parent)
     : QMainWindow(parent), document_(document) {
@@ -61,24 +77,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     statusBar()->addWidget(times_);
     statusBar()->addWidget(status_, 1);
     statusBar()->setSizeGripEnabled(false);
-    commands_ = new Commands(
-        windowCommands({document_, *tracks_, *ledger_, *settings_, *status_, *files_, *batch_,
-                        [this](const DisplayUnits& units) { setUnits(units); },
-                        [this](Page page) { pages_->showPage(page); },
-                        [this](bool shown) {
-                            sidebar_wanted_ = shown;
-                            showPanels();
-                        },
-                        [this](bool shown) {
-                            wave_wanted_ = shown;
-                            showPanels();
-                        },
-                        [this](bool shown) { signals_->setWave(shown); },
-                        [this] { return pages_->page(); }, [this] { return figures(); },
-                        [this] { return tracks_page_->articleFigure(); }, [this] { showHelp(); },
-                        [this] { showAbout(this, action(Command::copy_diagnostics)); },
-                        [this] { return diagnosticsText(); }, [this] { close(); }}),
-        this);
+    commands_ = new Commands(windowCommands(*this), this);
     menus_ = new WindowMenus(*commands_, *tracks_, static_cast<int>(storedThemeMode()), menu_bar_);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
     action(Command::fitted_wave)->setChecked(true);
@@ -222,7 +221,7 @@ void MainWindow::connectPanels() {
             [this](const QString& path) { files_->open({path}); });
     connect(welcome_, &WelcomePage::demonstrationWanted, files_, &FileCommands::openDemonstration);
     connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
-    connect(menus_, &WindowMenus::recentChosen, this,
+    connect(menus_->recentFiles(), &RecentFiles::chosen, this,
             [this](const QString& path) { files_->open({path}); });
     connect(menus_, &WindowMenus::unitsChosen, this, &MainWindow::setUnits);
     connect(menus_, &WindowMenus::themeChosen, this,

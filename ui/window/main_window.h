@@ -24,18 +24,18 @@ class BatchCommands;
 class CursorTimes;
 class DriftPage;
 class FileCommands;
-class HistoryPage;
 class HelpView;
+class HistoryPage;
 class Ledger;
 class MessageBar;
 class Overview;
 class ResidualsPage;
 class ResonatorPage;
-class SweepPage;
 class SessionKeeper;
 class SettingsPanel;
 class SignalsPage;
 class StatusLine;
+class SweepPage;
 class TrackView;
 class TracksPage;
 class WavePanel;
@@ -88,6 +88,9 @@ private:
     // Of the page that is shown.
     FigureSource figures() const;
     void showHelp();
+
+    // main_window_commands.cpp
+    friend std::vector<CommandRow> windowCommands(MainWindow& w);
 
     // main_window_state.cpp
     static ThemeMode storedThemeMode();

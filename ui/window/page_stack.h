@@ -4,10 +4,38 @@
 
 #include <optional>
 
+class QLabel;
+class QListWidget;
+class QPushButton;
 class QStackedWidget;
 class QTabBar;
 
 namespace vybeg::ui {
+
+// What stands in the middle of the window while no recording is open: ways to open one.
+class WelcomePage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit WelcomePage(QWidget* parent = nullptr);
+
+    // Paths of the last files, the newest first.
+    void setRecent(const QStringList& paths);
+
+signals:
+    void openWanted();
+    void demonstrationWanted();
+    void recentChosen(const QString& path);
+
+private:
+    void retranslate();
+
+    QLabel* text_;
+    QPushButton* open_;
+    QPushButton* demonstration_;
+    QLabel* recent_name_;
+    QListWidget* recent_;
+};
 
 // The pages in the order of their tabs. All but the last two are about the open recordings.
 enum class Page { tracks, samples, residuals, windows, resonator, drift, history };
@@ -19,8 +47,6 @@ struct PageNeeds {
     bool overview = false;  // of the current recording
     bool wave = false;      // may stand beside
 };
-
-PageNeeds needsOf(Page page);
 
 // The word of a page in a session, and the page of a word; nothing for another word.
 QString pageWord(Page page);

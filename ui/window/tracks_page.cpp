@@ -19,7 +19,6 @@ namespace vybeg::ui {
 
 namespace {
 
-// "2θ_A" as "2θA", for texts without indices.
 QString settingsText(const AnalysisEntry& entry) {
     const Analysis& analysis = *entry.shown.analysis;
     QString text = TracksPage::tr("%1: %2; window %3, hop %4 samples; f0 = %5 Hz")

@@ -1,15 +1,70 @@
 #include "ui/window/window_menus.h"
 
 #include "ui/plots/track_view.h"
-#include "ui/window/recent_files.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/words/rich_text.h"
 
 #include <QAction>
 #include <QActionGroup>
+#include <QDir>
+#include <QFileInfo>
 #include <QMenuBar>
+#include <QSettings>
 
 #include <algorithm>
 
 namespace vybeg::ui {
+
+namespace {
+
+constexpr int most_files = 10;
+const QString key = QStringLiteral("recent_files");
+
+}  // namespace
+
+RecentFiles::RecentFiles(QWidget* parent) : QMenu(parent) {
+    setToolTipsVisible(true);
+    connect(this, &QMenu::aboutToShow, this, &RecentFiles::rebuild);
+    keepTranslated(*this, [this] { rebuild(); });
+}
+
+QStringList RecentFiles::paths() const {
+    return QSettings().value(key).toStringList();
+}
+
+void RecentFiles::add(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList files = paths();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    while (files.size() > most_files) {
+        files.removeLast();
+    }
+    QSettings().setValue(key, files);
+    rebuild();
+}
+
+void RecentFiles::rebuild() {
+    clear();
+    const QStringList files = paths();
+    setEnabled(!files.isEmpty());
+    for (qsizetype i = 0; i < files.size(); ++i) {
+        const QString& path = files[i];
+        QString name = QFileInfo(path).fileName();
+        name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+        QAction* action = addAction(i < 9 ? QStringLiteral("&%1 %2").arg(i + 1).arg(name) : name);
+        action->setToolTip(plainTip(QDir::toNativeSeparators(path)));
+        connect(action, &QAction::triggered, this, [this, path] { emit chosen(path); });
+    }
+    if (!files.isEmpty()) {
+        addSeparator();
+        connect(addAction(tr("Clear this list")), &QAction::triggered, this, [this] {
+            QSettings().remove(key);
+            // Queued: the action that was triggered belongs to the menu being rebuilt.
+            QMetaObject::invokeMethod(this, &RecentFiles::rebuild, Qt::QueuedConnection);
+        });
+    }
+}
 
 WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme, QMenuBar* bar)
     : QObject(bar),
@@ -18,7 +73,6 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme,
       bar_(bar),
       recent_(new RecentFiles(bar)),
       languages_(new QActionGroup(this)) {
-    connect(recent_, &RecentFiles::chosen, this, &WindowMenus::recentChosen);
     addFile();
     QMenu* edit = top(QT_TR_NOOP("&Edit"));
     add(edit, {Command::undo, Command::redo});

@@ -3,6 +3,7 @@
 #include "ui/window/commands.h"
 #include "ui/words/display_units.h"
 
+#include <QMenu>
 #include <QObject>
 
 #include <functional>
@@ -10,13 +11,29 @@
 #include <vector>
 
 class QActionGroup;
-class QMenu;
 class QMenuBar;
 
 namespace vybeg::ui {
 
-class RecentFiles;
 class TrackView;
+
+// The "Open recent" menu: the last recordings that could be opened, newest first, kept between
+// sessions.
+class RecentFiles : public QMenu {
+    Q_OBJECT
+
+public:
+    explicit RecentFiles(QWidget* parent = nullptr);
+
+    void add(const QString& path);
+    QStringList paths() const;
+
+signals:
+    void chosen(const QString& path);
+
+private:
+    void rebuild();
+};
 
 // The menu bar: the commands, and choices of units, plots, theme and language.
 class WindowMenus : public QObject {
@@ -31,7 +48,6 @@ public:
     void retranslate();
 
 signals:
-    void recentChosen(const QString& path);
     void unitsChosen(const DisplayUnits& units);
     void themeChosen(int theme);
     void languageChosen(const QString& code);

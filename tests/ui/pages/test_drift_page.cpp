@@ -7,8 +7,8 @@
 #include "tests/ui/gui_test.h"
 #include "ui/document/document.h"
 #include "ui/drift/drift_page.h"
-#include "ui/drift/drift_panel.h"
 #include "ui/drift/drift_text.h"
+#include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/report/document_report.h"
@@ -270,7 +270,7 @@ private slots:
         QCOMPARE(drift().outcome()->drift.left_out, std::optional<std::size_t>(1));
         QVERIFY2(text("driftWarnings").contains("other.csv does not fit the other logs"),
                  qPrintable(text("driftWarnings")));
-        QCOMPARE(the<DriftLogs>().item(1)->text(), QString("other.csv (left out)"));
+        QCOMPARE(the<FileList>("driftLogs").item(1)->text(), QString("other.csv (left out)"));
         QVERIFY(cell("driftHarmonics", 3, 1).contains("±"));
     }
 
@@ -282,7 +282,7 @@ private slots:
         QVERIFY(!drift().outcome());
         QVERIFY2(messages().contains("there is no column"), qPrintable(messages()));
         QVERIFY2(text("driftHint").contains("there is no column"), qPrintable(text("driftHint")));
-        auto& list = the<DriftLogs>();
+        auto& list = the<FileList>("driftLogs");
         QCOMPARE(list.count(), 2);
         QVERIFY(!the<QPushButton>("driftRemove").isEnabled());
         list.setCurrentRow(1);

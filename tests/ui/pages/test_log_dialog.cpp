@@ -6,8 +6,9 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
-#include "ui/history/stored_set.h"
+#include "ui/history/history_database.h"
 #include "ui/import/log_dialog.h"
+#include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/document_report.h"
 #include "ui/report/report_text.h"
@@ -122,7 +123,8 @@ private slots:
         QVERIFY(set.recordings.empty() && document().recordings().empty());
         QCOMPARE(setName(document(), set), QString("one.phasors"));
         QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
-        QCOMPARE(childOf<SetMembers>(*window_).item(0)->text(), QString("one.phasors.csv"));
+        QCOMPARE(childOf<FileList>(*window_, "members").item(0)->text(),
+                 QString("one.phasors.csv"));
         // As core has it.
         MeasurementSet same;
         same.recordings.push_back({"one.phasors.csv", log.toStdU16String()});
@@ -301,7 +303,7 @@ private slots:
         QTRY_COMPARE(document().recordings().size(), std::size_t(1));
         QVERIFY(isOfLogs(sets().all()[0]) && !isOfLogs(sets().all()[1]));
         QVERIFY(childOf<QLabel>(*window_, "listed").text().contains("phasors fixed"));
-        QVERIFY(childOf<SetMembers>(*window_).item(0)->toolTip().contains("G7"));
+        QVERIFY(childOf<FileList>(*window_, "members").item(0)->toolTip().contains("G7"));
         window_->action(Command::identify)->trigger();
         waitForOutcome();
         QCOMPARE(outcome().set.recordings.front().conditions.gyro, std::string("G7"));

@@ -3,15 +3,16 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
+#include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/document_report.h"
-#include "ui/report/options_text.h"
+#include "ui/report/report_content.h"
 #include "ui/report/report_text.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/session/session_keeper.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/report_dialog.h"
 
 #include <QComboBox>
 #include <QDropEvent>
@@ -74,7 +75,7 @@ private slots:
         QCOMPARE(sets().current()->id, whole.id);
         QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
         QVERIFY(childOf<QLabel>(*window_, "listed").isVisible());
-        const QString tip = childOf<SetMembers>(*window_).item(0)->toolTip();
+        const QString tip = childOf<FileList>(*window_, "members").item(0)->toolTip();
         for (const char* told : {"G7", "2026-03-31", "100 V", "22.5 °C", "Bench: B1"}) {
             QVERIFY2(tip.contains(told), qPrintable(tip));
         }

@@ -4,6 +4,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
+#include "ui/panels/file_list.h"
 #include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/xy_plot_view.h"
@@ -59,7 +60,7 @@ class TestResonatorTab : public QObject, private WindowTest {
     }
 
     void drop(QMimeData& data) {
-        QWidget* target = the<SetMembers>().viewport();
+        QWidget* target = the<FileList>("members").viewport();
         QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton,
                               Qt::NoModifier);
         QCoreApplication::sendEvent(target, &enter);
@@ -174,13 +175,13 @@ private slots:
         setStore().addToCurrent(ids());
         QCOMPARE(setStore().current()->recordings, ids());
         setStore().addToCurrent(ids());  // once more changes nothing
-        QCOMPARE(the<SetMembers>().count(), 2);
+        QCOMPARE(the<FileList>("members").count(), 2);
         QMimeData urls;
         urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
         drop(urls);
         QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
         QCOMPARE(setStore().current()->recordings, ids());
-        QCOMPARE(the<SetMembers>().count(), 3);
+        QCOMPARE(the<FileList>("members").count(), 3);
         QVERIFY(setStore().canIdentify());
         // The list follows the current recording with one row, however many were dragged.
         QCOMPARE(the<Ledger>().selectedRecordings(),
@@ -196,7 +197,7 @@ private slots:
         QTest::keyClick(&list, Qt::Key_Insert);
         QCOMPARE(setStore().current()->recordings, ids());
         window_->action(Command::page_resonator)->trigger();
-        auto& members = the<SetMembers>();
+        auto& members = the<FileList>("members");
         members.setFocus();
         members.setCurrentRow(1);
         QTest::keyClick(&members, Qt::Key_Space);

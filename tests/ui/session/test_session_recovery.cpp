@@ -3,8 +3,8 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/message_bar.h"
-#include "ui/session/session_backup.h"
 #include "ui/session/session_keeper.h"
+#include "ui/session/session_writer.h"
 #include "ui/window/main_window.h"
 
 #include <QDir>

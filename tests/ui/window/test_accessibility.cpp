@@ -7,7 +7,7 @@
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"
-#include "ui/window/export_dialog.h"
+#include "ui/window/export_dialogs.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -3,9 +3,8 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
-#include "ui/resonator/limits_dialog.h"
+#include "ui/resonator/dossier_dialogs.h"
 #include "ui/widgets/quantity_table.h"
-#include "ui/window/gyro_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QLineEdit>

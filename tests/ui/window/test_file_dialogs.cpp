@@ -4,7 +4,7 @@
 #include "tests/ui/gui_test.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/track_view.h"
-#include "ui/window/export_dialog.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 

@@ -10,11 +10,11 @@
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/widgets/number_field.h"
-#include "ui/window/export_dialog.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/help_view.h"
+#include "ui/window/help.h"
 #include "ui/window/main_window.h"
-#include "ui/window/recent_files.h"
+#include "ui/window/window_menus.h"
 
 #include <QClipboard>
 #include <QComboBox>

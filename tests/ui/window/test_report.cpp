@@ -6,13 +6,13 @@
 #include "tests/ui/heartbeat.h"
 #include "tests/ui/resonator_runs.h"
 #include "ui/plots/track_view.h"
-#include "ui/report/budget_text.h"
 #include "ui/report/document_report.h"
 #include "ui/report/report_html.h"
 #include "ui/report/report_pdf.h"
+#include "ui/report/report_sections.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/report_dialog.h"
 #include "ui/words/language.h"
 
 #include <QAction>

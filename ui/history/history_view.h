@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/resonator/results/parameter_limit.h"
+#include "ui/history/history_charts.h"
+#include "ui/plots/xy_plot.h"
+#include "ui/resonator/parameter_text.h"
+#include "ui/words/display_units.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace vybeg::ui {
+
+// Texts of the page History in the language of the window.
+struct HistoryWords {
+    Q_DECLARE_TR_FUNCTIONS(History)
+};
+
+enum class HistoryAxis { date, frequency, order };
+
+// A history, and how it is shown.
+struct HistoryView {
+    const StoredHistory& history;
+    const HistoryCharts& charts;
+    std::size_t baseline = 0;  // results that set the limits
+    HistoryParameter parameter;
+    HistoryAxis axis = HistoryAxis::date;
+    DisplayUnits units;
+    std::optional<std::size_t> chosen;    // point
+    Estimate passport;                    // of the parameter; NaN: none is open
+    std::optional<ParameterLimit> limit;  // of the session's dossier
+};
+
+// The axis against which results are shown: their order where none has a date, so that the first
+// one is seen.
+HistoryAxis shownAxis(const StoredHistory& history, HistoryAxis chosen);
+
+// A plot whose first series has the points of these places in the history.
+struct HistoryPlot {
+    XYPlot plot;
+    std::vector<std::size_t> points;
+};
+
+// The parameter as it is shown: "Decay time τ" or "Mode 1: f", with its unit.
+Shown shownIn(const HistoryView& view);
+
+// Values with their uncertainties u, limits of the chart, limits of the dossier and passport
+// against the chosen axis. The others are sequences: against the order where the axis is the
+// frequency.
+HistoryPlot valuesPlot(const HistoryView& view);
+HistoryPlot rangesPlot(const HistoryView& view);
+HistoryPlot averagePlot(const HistoryView& view);
+XYPlot distributionPlot(const HistoryView& view);
+
+// "HRG-17, 2026-03-31, set A: τ = 21.3(1) s; f = 5300.1 Hz; 22.5 °C; outside the limits, above".
+QString pointText(const HistoryView& view, std::size_t point);
+
+// What the charts say: which results lie outside, and what is missing for an answer.
+QString verdictText(const HistoryView& view);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,350 @@
+#include "ui/resonator/outcome_views.h"
+
+#include "ui/charts/round_view.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/resonator/parameter_text.h"
+#include "ui/resonator/resonator_plots.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/resonator/warning_list.h"
+#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/widgets/section.h"
+#include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QResizeEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Names of the recordings, with a mark at those with a finding below the table.
+QStringList markedNames(const ResonatorOutcome& outcome) {
+    QStringList names;
+    for (std::size_t k = 0; k < outcome.set.recordings.size(); ++k) {
+        const bool warned =
+            count_warnings(findings_of(outcome.identification.runs[k].diagnostics)) > 0;
+        names << (warned ? QStringLiteral("⚠ ") : QString()) +
+                     QString::fromStdString(outcome.set.recordings[k].name());
+    }
+    return names;
+}
+
+}  // namespace
+
+NumbersView::NumbersView(QWidget* parent)
+    : OutcomeView(parent),
+      findings_(withName(new WarningList(this), "findings")),
+      warnings_(withName(new WarningList(this), "warnings")),
+      statistical_(sentence(this, "statistical")),
+      waves_(withName(new QuantityTable(this), "waves")),
+      resonator_(withName(new QuantityTable(this), "resonator")),
+      sensitivities_(withName(new QuantityTable(this), "sensitivities")),
+      modes_(withName(new QuantityTable(this), "modes")),
+      runs_(withName(new QuantityTable(this), "runs")) {
+    statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(statistical_, &QLabel::linkActivated, this,
+            [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(warnings_);
+    resonator_section_ = addSection(*column, {resonator_, statistical_});
+    waves_section_ = addSection(*column, {waves_, findings_});
+    sensitivities_section_ = addSection(*column, {sensitivities_});
+    modes_section_ = addSection(*column, {modes_});
+    runs_section_ = addSection(*column, {runs_});
+    keepTranslated(*this, [this] { retranslate(); });
+}
+
+void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
+    limits_ = limits;
+    rebuild();
+}
+
+void NumbersView::rebuild() {
+    setVisible(shown_ != nullptr);
+    if (!shown_) {
+        return;
+    }
+    const ResonatorOutcome& outcome = *shown_;
+    const Identification& found = outcome.identification;
+    const std::vector<Finding> findings = recordingFindings(outcome);
+    const bool has_findings = !findings.empty();
+    warnings_->setFindings(findings_of(found.fit.warnings));
+    findings_->setFindings(findings);
+    waves_->setContent(markedNames(outcome), waveRows(found, units_));
+    // The result of a session holds no motion of the waves.
+    const bool has_motion = std::ranges::any_of(found.runs, [](const IdentifiedRun& run) {
+        return !run.wave.f_hz.given() || std::isfinite(run.wave.f_hz.value);
+    });
+    waves_->setVisible(has_motion);
+    waves_section_->setVisible(has_motion || has_findings);
+    const auto rows = resonatorRows(found, units_, limits_, theme_);
+    const QStringList headers{tr("Value"), tr("Limits")};
+    resonator_->setContent(limits_.empty() ? QStringList() : headers, rows);
+    resonator_section_->setVisible(!rows.empty());
+    const QString offer = gainRatioOffer(found);
+    statistical_->setText(offer.isEmpty()
+                              ? uncertaintyText(found)
+                              : offer + QStringLiteral("<br>") + uncertaintyText(found));
+    const auto sensitivities = sensitivityRows(found, units_);
+    sensitivities_->setContent(sensitivityHeaders(), sensitivities);
+    sensitivities_section_->setVisible(!sensitivities.empty());
+    modes_section_->setTitle(modesTitle(found.fit));
+    modes_->setContent({}, modeRows(found.fit));
+    runs_->setContent(markedNames(outcome), runRows(found, units_));
+}
+
+QString NumbersView::modesTitle(const ResonatorFit& fit) {
+    if (fit.modes.empty()) {
+        return tr("Modes");
+    }
+    return fit.mode_order == ModeOrder::decay ? tr("Modes, by decay") : tr("Modes, by frequency");
+}
+
+void NumbersView::retranslate() {
+    const auto name = [](Section* section, QWidget* widget, const QString& title) {
+        section->setTitle(title);
+        widget->setAccessibleName(title);
+    };
+    name(waves_section_, waves_, tr("Motion of the waves"));
+    name(resonator_section_, resonator_, tr("Resonator"));
+    name(sensitivities_section_, sensitivities_,
+         tr("Sensitivity: by how much a value would be wrong"));
+    name(modes_section_, modes_, tr("Modes"));
+    name(runs_section_, runs_, tr("Recordings of the set"));
+    rebuild();
+}
+
+FiguresView::FiguresView(QWidget* parent) : OutcomeView(parent), hint_(sentence(this, "hint")) {
+    plots_ = buildPlots();
+    hint_->setAlignment(Qt::AlignCenter);
+    hint_->setMinimumHeight(120);
+    fill(new QVBoxLayout(this), {}, 2, {hint_, plots_});
+    connect(rim_, &RoundView::exportWanted, this, &FiguresView::exportWanted);
+    for (XYPlotView* plot : {drift_plot_, balance_plot_}) {
+        connect(plot, &XYPlotView::exportWanted, this, &FiguresView::exportWanted);
+    }
+    connect(balance_axis_, &QComboBox::activated, this, &FiguresView::showBalance);
+    keepTranslated(*this, [this] { retranslate(); });
+}
+
+QWidget* FiguresView::buildPlots() {
+    auto* plots = new QWidget(this);
+    auto* grid = new QGridLayout(plots);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(2);
+    for (QLabel** name : {&rim_name_, &drift_name_, &balance_name_}) {
+        *name = sentence(plots, "");
+    }
+    rim_ = withName(new RoundView(true, plots), "rim");
+    rim_->setMinimumSize(240, 300);
+    drift_plot_ = withName(new XYPlotView(plots), "drift");
+    drift_ = withName(new QuantityTable(plots), "harmonics");
+    balance_plot_ = withName(new XYPlotView(plots), "balance");
+    balance_axis_ = new QComboBox(plots);
+    balance_axis_->addItems({QString(), QString()});  // in the order of BalanceAxis
+    balance_name_->setBuddy(balance_axis_);
+    auto* balance_head = fill(new QHBoxLayout, {{balance_name_, 1}, balance_axis_});
+    grid->addLayout(balance_head, 5, 0, 1, 2);
+    grid->addWidget(balance_plot_, 6, 0, 1, 2);
+    grid_ = grid;
+    place(true);
+    return plots;
+}
+
+void FiguresView::place(bool side_by_side) {
+    side_by_side_ = side_by_side;
+    const int span = side_by_side ? 1 : 2;
+    const int drift_row = side_by_side ? 0 : 2;
+    const int drift_column = side_by_side ? 1 : 0;
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{rim_name_, rim_, drift_name_, drift_plot_, drift_}) {
+        grid_->removeWidget(part);
+    }
+    grid_->addWidget(rim_name_, 0, 0, 1, span);
+    grid_->addWidget(rim_, 1, 0, side_by_side ? 2 : 1, span);
+    grid_->addWidget(drift_name_, drift_row, drift_column, 1, span);
+    grid_->addWidget(drift_plot_, drift_row + 1, drift_column, 1, span);
+    grid_->addWidget(drift_, drift_row + 2, drift_column, 1, span, Qt::AlignTop);
+    grid_->setColumnStretch(0, 2);
+    grid_->setColumnStretch(1, 3);
+}
+
+void FiguresView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    constexpr int wide = 620;
+    if (side_by_side_ != (width() >= wide)) {
+        place(width() >= wide);
+    }
+}
+
+void FiguresView::setTheme(const Theme& theme) {
+    rim_->setTheme(theme);
+    drift_plot_->setTheme(theme);
+    balance_plot_->setTheme(theme);
+}
+
+FigureSource FiguresView::figures() const {
+    if (plots_->isHidden()) {
+        return {};
+    }
+    return sourceOf({{rim_->accessibleName(), rim_->figure()},
+                     {drift_plot_->accessibleName(), drift_plot_->figure()},
+                     {balance_plot_->accessibleName(), balance_plot_->figure()}},
+                    QStringLiteral("resonator"), QString());
+}
+
+void FiguresView::rebuild() {
+    const bool structured =
+        shown_ && shown_->identification.fit.model == ResonatorModel::structured;
+    plots_->setVisible(structured);
+    hint_->setVisible(!structured);
+    hint_->setText(shown_ ? reasonText({ReasonCode::free_model, {}})
+                          : tr("Rim, drift and balance of the channels appear here when the "
+                               "resonator is identified."));
+    if (structured) {
+        rim_->setContent(rimPlot(*shown_));
+        drift_plot_->setContent(driftPlot(*shown_, units_));
+        drift_->setContent({}, driftRows(shown_->identification, units_));
+        showBalance();
+    }
+}
+
+void FiguresView::showBalance() {
+    if (shown_) {
+        const auto axis = static_cast<BalanceAxis>(balance_axis_->currentIndex());
+        balance_plot_->setContent(balancePlot(*shown_, axis, units_));
+    }
+}
+
+void FiguresView::retranslate() {
+    const auto head = [](QLabel* label, QWidget* widget, const QString& title) {
+        label->setText(QStringLiteral("<b>%1</b>").arg(title));
+        widget->setAccessibleName(title);
+    };
+    head(rim_name_, rim_, tr("Rim"));
+    head(drift_name_, drift_plot_, tr("Drift function"));
+    head(balance_name_, balance_plot_, tr("Channel balance, condition (30)"));
+    rim_->setToolTip(
+        richTip(tr("The rim from the side of the electrodes, clockwise from C: electrodes, the "
+                   "axes of the faster mode (θ_w) and of larger damping (θ_τ) as wide as their "
+                   "standard deviations, and the wave of each recording at its start, out of "
+                   "scale")));
+    balance_axis_->setAccessibleName(tr("What the balance is drawn against"));
+    setTexts(*balance_axis_, {tr("over time"), tr("over the wave angle")});
+    drift_->setAccessibleName(tr("Harmonics of the drift function"));
+    drift_plot_->setToolTip(richTip(
+        tr("Drift of the wave angle against the angle: measured points with their standard "
+           "deviations, and the harmonics fitted to them with their combined uncertainty u as "
+           "a band; dashed: by the fitted resonator. Without what the quadrature adds")));
+    balance_plot_->setToolTip(
+        richTip(tr("Zero within its band while the channels are balanced as the fit has them")));
+    rebuild();
+}
+
+ComparisonView::ComparisonView(Document& document, QWidget* parent)
+    : OutcomeView(parent),
+      document_(document),
+      passport_(sentence(this, "passport")),
+      other_gyro_(sentence(this, "otherGyro")),
+      differences_(withName(new QuantityTable(this), "differences")),
+      incomparable_(sentence(this, "incomparable")),
+      track_choice_(new QComboBox(this)),
+      tracks_(withName(new XYPlotView(this), "tracks")),
+      close_(new QPushButton(this)) {
+    auto* limit = new QWidget(this);
+    limit_label_ = new QLabel(limit);
+    limit_ = new NumberField(limit);
+    limit_->setLimits(0, 1e6);
+    limit_->setUnit(QStringLiteral("ppm"));
+    limit_label_->setBuddy(limit_);
+    fill(new QHBoxLayout(limit), {6, 0, 6, 0}, {limit_label_, {limit_, 1}});
+    track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    section_ = addSection(*column, {passport_, other_gyro_, limit, differences_, incomparable_,
+                                    track_choice_, tracks_, close_});
+    connect(close_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
+    connect(limit_, &NumberField::valueEdited, this,
+            [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
+    connect(track_choice_, &QComboBox::activated, this, &ComparisonView::rebuild);
+    connect(tracks_, &XYPlotView::exportWanted, this, &ComparisonView::exportWanted);
+    connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
+    connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::rebuild);
+    keepTranslated(*this, [this] { retranslate(); });
+}
+
+void ComparisonView::setTheme(const Theme& theme) {
+    tracks_->setTheme(theme);
+    OutcomeView::setTheme(theme);
+}
+
+void ComparisonView::open() {
+    section_->setOpen(true);
+}
+
+void ComparisonView::rebuild() {
+    const OpenPassport* passport = document_.sets().passport();
+    setVisible(passport != nullptr);
+    if (!passport) {
+        return;
+    }
+    const QString name = passport->name.toHtmlEscaped();
+    const std::vector<Difference> differences = document_.sets().differences();
+    const auto other = document_.sets().otherGyro(document_.dossier().dossier().gyro);
+    other_gyro_->setText(other ? QStringLiteral("⚠ ") + diagnosticText(*other) : QString());
+    other_gyro_->setVisible(other.has_value());
+    passport_->setText(
+        shown_
+            ? tr("Compared with %1. Changed: by %2 uncertainties u of the "
+                 "difference or more; by chance in one comparison of 370.")
+                  .arg(name, QLocale().toString(changed_from(count_compared(differences)), 'f', 1))
+            : tr("%1 is open: identify the set to compare.").arg(name));
+    limit_->setValue(document_.sets().frequencyLimit());
+    const QStringList reasons = incomparableTexts(differences);
+    for (QWidget* part : std::initializer_list<QWidget*>{differences_, track_choice_, tracks_}) {
+        part->setVisible(shown_ != nullptr);
+    }
+    incomparable_->setVisible(!reasons.isEmpty());
+    if (shown_) {
+        differences_->setContent(differenceHeaders(), differenceRows(differences, units_, theme_));
+        incomparable_->setText(paragraphs(reasons, tr("Not comparable: %1")));
+        tracks_->setContent(trackPlot(*shown_, passport->passport,
+                                      static_cast<TrackVariable>(track_choice_->currentIndex()),
+                                      units_));
+    }
+}
+
+void ComparisonView::retranslate() {
+    section_->setTitle(tr("Comparison with the passport"));
+    differences_->setAccessibleName(tr("Comparison with the passport"));
+    limit_label_->setText(tr("Frequencies change from"));
+    limit_->setAccessibleName(tr("Frequencies change from"));
+    limit_->setToolTip(
+        richTip(tr("Frequencies follow the temperature: smaller changes, in parts per million, are "
+                   "none of the gyro")));
+    tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));
+    tracks_->setToolTip(
+        richTip(tr("In the colours of the recordings; further from the background: the passport")));
+    track_choice_->setAccessibleName(tr("What to overlay"));
+    setTexts(*track_choice_, {tr("Amplitude of the working wave"),
+                              tr("Amplitude of the quadrature wave"), tr("Wave angle")});
+    close_->setText(tr("Close the passport"));
+    rebuild();
+}
+
+}  // namespace vybeg::ui
