@@ -6,8 +6,6 @@
 #include "ui/resonator/warning_list.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
-#include "ui/widgets/section.h"
-#include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 

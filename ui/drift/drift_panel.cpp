@@ -2,7 +2,6 @@
 
 #include "core/recording/samples/open_table.h"
 #include "ui/drift/drift_text.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"

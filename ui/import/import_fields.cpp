@@ -1,10 +1,9 @@
 #include "ui/import/import_fields.h"
 
 #include "core/recording/samples/open_table.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/widgets/wheel_guard.h"
+#include "ui/widgets/theme.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -2,7 +2,6 @@
 
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
-#include "ui/words/format_text.h"
 
 #include <QEvent>
 #include <QHeaderView>

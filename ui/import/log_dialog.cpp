@@ -7,11 +7,9 @@
 #include "core/recording/samples/partner_file.h"
 #include "ui/import/import_preview.h"
 #include "ui/import/log_files.h"
-#include "ui/widgets/icons.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/widgets/wheel_guard.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 

@@ -1,7 +1,6 @@
 #include "ui/panels/cursor_times.h"
 
 #include "ui/panels/measuring.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/number_label.h"

@@ -1,8 +1,7 @@
 #include "ui/panels/findings_flag.h"
 
-#include "ui/panels/recording_facts.h"
+#include "ui/panels/ledger_rows.h"
 #include "ui/widgets/check_list.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"

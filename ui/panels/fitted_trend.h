@@ -5,7 +5,7 @@
 #include "core/track/polynomial_trend.h"
 #include "core/track/trend.h"
 #include "ui/panels/reading.h"
-#include "ui/values/trend_curve.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
 #include <QString>

@@ -1,12 +1,10 @@
 #include "ui/panels/ledger.h"
 
 #include "ui/panels/ledger_cells.h"
-#include "ui/panels/ledger_head.h"
-#include "ui/panels/recording_facts.h"
+#include "ui/panels/ledger_rows.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/words/algorithm_text.h"
-#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/settings_text.h"
 
 #include <QAction>
 #include <QClipboard>

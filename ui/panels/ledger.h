@@ -5,7 +5,7 @@
 #include "ui/panels/ledger_rows.h"
 #include "ui/panels/measuring.h"
 #include "ui/values/ids.h"
-#include "ui/values/trend_curve.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
 #include <QTreeWidget>

@@ -4,9 +4,14 @@
 
 #include <QString>
 #include <QStringList>
+#include <QWidget>
 
+#include <array>
 #include <utility>
 #include <vector>
+
+class QComboBox;
+class QToolButton;
 
 namespace vybeg::ui {
 
@@ -32,5 +37,25 @@ CellColumn variableColumn(const LedgerReader& reader, const std::vector<const An
 // What the trend of an analysis says, or why there is nothing to read, and the whole of it for a
 // tooltip.
 std::pair<QString, QString> trendCell(const LedgerReader& reader, const AnalysisEntry* entry);
+
+// The switch in the ledger's header: where its columns read, and the kind of the trend.
+class LedgerHead : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LedgerHead(QWidget* parent = nullptr);
+
+    void show(ReadAt at, const Measuring& measuring);
+
+signals:
+    void readAtChosen(vybeg::ui::ReadAt at);
+    void kindChosen(vybeg::ui::TrendKind kind);
+
+private:
+    void retranslate();
+
+    std::array<QToolButton*, 5> buttons_{};  // as ReadAt
+    QComboBox* kind_;
+};
 
 }  // namespace vybeg::ui

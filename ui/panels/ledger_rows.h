@@ -1,14 +1,24 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/document/recording_store.h"
 #include "ui/values/ids.h"
 #include "ui/words/short_names.h"
 
+#include <QString>
+#include <QStringList>
 #include <QTreeWidgetItem>
 
 #include <vector>
 
 namespace vybeg::ui {
+
+// What is known of a recording, a line each: file, format, rate, length, channels, start, carrier,
+// SHA-256.
+QString recordingFacts(const RecordingEntry& entry);
+
+// Whether its check or its reading found something worse than a note.
+bool hasFindings(const RecordingEntry& entry);
 
 // Of the names, by which the ledger knows its rows.
 inline constexpr int name_column = 0;

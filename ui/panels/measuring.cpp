@@ -1,6 +1,6 @@
 #include "ui/panels/measuring.h"
 
-#include "ui/values/covered_time.h"
+#include "ui/values/curve_data.h"
 #include "ui/words/error_text.h"
 
 #include <QCoreApplication>

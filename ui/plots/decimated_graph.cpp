@@ -1,7 +1,7 @@
 #include "ui/plots/decimated_graph.h"
 
 #include "core/numerics/median.h"
-#include "ui/plots/value_range.h"
+#include "ui/values/curve_data.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,14 +2,61 @@
 
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
-#include "ui/widgets/panel_focus.h"
-#include "ui/words/index_text.h"
+#include "ui/words/rich_text.h"
 
 #include <QCoreApplication>
+#include <QFocusEvent>
+#include <QPainter>
+#include <QWidget>
 
 #include <algorithm>
 
 namespace vybeg::ui {
+
+// Representative of a plot for keyboard and screen reader: an invisible widget over a panel with
+// the focus, the accessible name and the focus frame. Transparent for the mouse.
+class PanelFocus : public QWidget {
+public:
+    PanelFocus(SlowVariable variable, QWidget* parent) : QWidget(parent), variable_(variable) {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setFocusPolicy(Qt::TabFocus);
+    }
+
+    SlowVariable variable() const { return variable_; }
+    void setColor(const QColor& color) {
+        color_ = color;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        if (!framed_) {
+            return;
+        }
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(color_, 1.5));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 4, 4);
+    }
+
+    // The frame is shown only for focus by keyboard.
+    void focusInEvent(QFocusEvent* event) override {
+        framed_ = event->reason() == Qt::TabFocusReason ||
+                  event->reason() == Qt::BacktabFocusReason ||
+                  event->reason() == Qt::ShortcutFocusReason;
+        update();
+    }
+
+    void focusOutEvent(QFocusEvent*) override {
+        framed_ = false;
+        update();
+    }
+
+private:
+    SlowVariable variable_;
+    QColor color_;
+    bool framed_ = false;
+};
 
 void PlotFocus::match(const PlotContent& content) {
     const bool same = std::ranges::equal(frames_, content.variables, {}, &PanelFocus::variable);

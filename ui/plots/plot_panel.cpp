@@ -1,7 +1,7 @@
 #include "ui/plots/plot_panel.h"
 
 #include "ui/plots/decimated_graph.h"
-#include "ui/plots/value_range.h"
+#include "ui/values/curve_data.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "ui/plots/time_gestures.h"
 
-#include "ui/plots/time_overlay.h"
+#include "ui/plots/time_stack.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QKeyEvent>

@@ -1,7 +1,7 @@
 #include "ui/plots/time_panel.h"
 
 #include "ui/plots/panel_frame.h"
-#include "ui/words/index_text.h"
+#include "ui/words/rich_text.h"
 
 #include <algorithm>
 #include <cmath>

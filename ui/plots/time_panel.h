@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/plots/panel_ticker.h"
-#include "ui/values/zoom_stack.h"
+#include "ui/plots/panel_frame.h"
+#include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"
 
 #include <qcustomplot.h>

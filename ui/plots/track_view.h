@@ -67,7 +67,7 @@ public:
     // Fitted curves drawn over the plots, displayed units.
     void setTrends(std::vector<TrendCurve> trends);
 
-    // Present content with the time range, input of plot_export.h.
+    // Present content with the time range, input of plotsDrawing().
     PlotContent content() const;
 
     QSize sizeHint() const override { return {900, 700}; }

@@ -3,7 +3,7 @@
 #include "ui/plots/panel_frame.h"
 #include "ui/plots/plot_strip.h"
 #include "ui/plots/time_stack.h"
-#include "ui/words/index_text.h"
+#include "ui/words/rich_text.h"
 
 #include <qcustomplot.h>
 

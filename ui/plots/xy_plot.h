@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/plots/plot_file.h"
-#include "ui/values/zoom_stack.h"
+#include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"
 
 #include <QSize>

@@ -9,6 +9,8 @@ namespace {
 
 // Longest pause between steps of one entry of the zoom history.
 constexpr int gesture_pause_ms = 600;
+// Longest useful history; its memory is negligible.
+constexpr std::size_t longest = 200;
 
 }  // namespace
 
@@ -31,23 +33,33 @@ void ZoomNavigator::visit(ZoomState state, Gesture gesture) {
     const bool same = gesture != Gesture::none && gesture == gesture_ && pause_.isActive();
     gesture_ = gesture;
     pause_.start();
-    goTo(state, same);
+    goTo(std::move(state), same);
 }
 
-void ZoomNavigator::goTo(const ZoomState& state, bool same_entry) {
-    history_.visit(state, same_entry);
+void ZoomNavigator::goTo(ZoomState state, bool same_entry) {
+    if (state != current()) {
+        states_.resize(position_ + 1);
+        if (same_entry) {
+            states_.pop_back();
+        } else if (states_.size() == longest) {
+            states_.erase(states_.begin());
+        }
+        states_.push_back(std::move(state));
+        position_ = states_.size() - 1;
+    }
     announce();
 }
 
 void ZoomNavigator::restart(const ZoomState& state) {
-    history_ = ZoomStack(state);
+    states_ = {state};
+    position_ = 0;
     announce();
 }
 
 void ZoomNavigator::back() {
     if (canBack()) {
         endGesture();
-        history_.back();
+        --position_;
         announce();
     }
 }
@@ -55,7 +67,7 @@ void ZoomNavigator::back() {
 void ZoomNavigator::forward() {
     if (canForward()) {
         endGesture();
-        history_.forward();
+        ++position_;
         announce();
     }
 }

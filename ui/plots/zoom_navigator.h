@@ -1,12 +1,14 @@
 #pragma once
 
-#include "ui/values/zoom_stack.h"
+#include "ui/values/zoom_state.h"
 
 #include <QObject>
 #include <QTimer>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 class QKeyEvent;
 
@@ -23,7 +25,8 @@ enum class Gesture : std::uint8_t {
     outside
 };
 
-// The view that plots show, with its history. Successive steps of one gesture are one entry.
+// The view that plots show, with its history, as in a browser. Successive steps of one gesture are
+// one entry.
 class ZoomNavigator : public QObject {
     Q_OBJECT
 
@@ -31,13 +34,14 @@ public:
     // `clipped`: a view limited to what can be shown.
     explicit ZoomNavigator(std::function<ZoomState(ZoomState)> clipped, QObject* parent = nullptr);
 
-    const ZoomState& current() const { return history_.current(); }
-    bool canBack() const { return history_.canBack(); }
-    bool canForward() const { return history_.canForward(); }
+    const ZoomState& current() const { return states_[position_]; }
+    bool canBack() const { return position_ > 0; }
+    bool canForward() const { return position_ + 1 < states_.size(); }
 
     void visit(ZoomState state, Gesture gesture);
-    // Goes there unclipped; with `same_entry` in the place of the current entry.
-    void goTo(const ZoomState& state, bool same_entry);
+    // Goes there unclipped, and forgets what was forward; with `same_entry` in the place of the
+    // current entry.
+    void goTo(ZoomState state, bool same_entry);
     void restart(const ZoomState& state);
     void back();
     void forward();
@@ -62,7 +66,8 @@ private:
     void announce();
 
     std::function<ZoomState(ZoomState)> clipped_;
-    ZoomStack history_;
+    std::vector<ZoomState> states_{ZoomState()};
+    std::size_t position_ = 0;
     QTimer pause_;  // active while the next step belongs to the same gesture
     Gesture gesture_ = Gesture::none;
 };

@@ -1,6 +1,6 @@
 #include "ui/report/report_content.h"
 
-#include "ui/words/format_text.h"
+#include "ui/words/error_text.h"
 
 namespace vybeg::ui {
 

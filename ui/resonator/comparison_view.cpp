@@ -3,11 +3,9 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/difference_text.h"
 #include "ui/resonator/resonator_plots.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
-#include "ui/widgets/section.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 

@@ -1,10 +1,9 @@
 #include "ui/resonator/figures_view.h"
 
-#include "ui/charts/round_view.h"
+#include "ui/charts/round_plot.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"

@@ -2,10 +2,8 @@
 
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/warning_list.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
-#include "ui/widgets/section.h"
 
 #include <QLabel>
 #include <QVBoxLayout>

@@ -2,7 +2,6 @@
 
 #include "core/analysis/setting_table.h"
 #include "ui/resonator/conditions_text.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 

@@ -1,7 +1,7 @@
 #include "ui/session/listed_json.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/import/open_options_json.h"
+#include "ui/import/import_memory.h"
 #include "ui/values/json_fields.h"
 
 #include <QJsonArray>

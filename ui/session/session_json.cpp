@@ -2,7 +2,7 @@
 
 #include "core/analysis/setting_table.h"
 #include "core/drift/drift_settings.h"
-#include "ui/import/open_options_json.h"
+#include "ui/import/import_memory.h"
 #include "ui/session/listed_json.h"
 #include "ui/session/session_view_json.h"
 #include "ui/values/json_fields.h"

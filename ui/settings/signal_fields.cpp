@@ -1,7 +1,6 @@
 #include "ui/settings/signal_fields.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QCheckBox>

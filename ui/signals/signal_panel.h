@@ -3,9 +3,54 @@
 #include "ui/plots/time_panel.h"
 #include "ui/signals/signal_picture.h"
 
+#include <qcustomplot.h>
+
 namespace vybeg::ui {
 
-class SignalGraph;
+// What one plot of the signals draws: minima and maxima with the amplitude of the fitted wave, or
+// samples as dots with thin lines between them and the wave itself; of the residual the rms of the
+// windows or its samples.
+class SignalGraph : public QCPAbstractPlottable {
+    Q_OBJECT
+
+public:
+    SignalGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, SignalPart part);
+
+    // Both outlive the graph or are replaced before the next drawing.
+    void setPicture(const SignalContent* content, const SignalPicture* picture) {
+        content_ = content;
+        picture_ = picture;
+    }
+
+    double selectTest(const QPointF& pos, bool onlySelectable,
+                      QVariant* details = nullptr) const override;
+    QCPRange getKeyRange(bool& foundRange, QCP::SignDomain inSignDomain) const override;
+    QCPRange getValueRange(bool& foundRange, QCP::SignDomain inSignDomain,
+                           const QCPRange& inKeyRange) const override;
+
+protected:
+    void draw(QCPPainter* painter) override;
+    void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override;
+
+private:
+    bool isD() const { return part_ == SignalPart::d; }
+    double x(double time_s) const { return mKeyAxis->coordToPixel(time_s); }
+    double y(double value) const { return mValueAxis->coordToPixel(value); }
+    // Visible samples, by a value of the excerpt, as points of the plot.
+    template <class Value>
+    QPolygonF points(Value value) const;
+    double samplesApart() const;  // pixels
+    void drawColumns(QCPPainter& painter) const;
+    void drawRms(QCPPainter& painter) const;
+    void drawCurve(QCPPainter& painter, double sign) const;
+    void drawLines(QCPPainter& painter, const QPolygonF& points, const QColor& color) const;
+    void drawDots(QCPPainter& painter, const QPolygonF& points, const QColor& color) const;
+    void drawLost(QCPPainter& painter) const;
+
+    SignalPart part_;
+    const SignalContent* content_ = nullptr;
+    const SignalPicture* picture_ = nullptr;
+};
 
 // One plot of the signals.
 class SignalPanel : public TimePanel {

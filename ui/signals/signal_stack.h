@@ -41,4 +41,19 @@ private:
 // A figure of some plots in the light theme, with its proposed size.
 Figure signalFigure(SignalContent content, const std::vector<SignalPart>& parts);
 
+// Over the signals: the values of the sample nearest to the tracker.
+class SignalOverlay : public TimeOverlay {
+public:
+    SignalOverlay(const SignalStack& stack, std::function<HairLines()> hairs);
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    QString note(const SignalPanel& panel) const;
+    void drawNote(QCPPainter& painter, const SignalPanel& panel) const;
+
+    const SignalStack& stack_;
+};
+
 }  // namespace vybeg::ui

@@ -4,7 +4,6 @@
 #include "ui/plots/track_view.h"
 #include "ui/signals/signal_stack.h"
 #include "ui/signals/signals_view.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
-#include "ui/plots/figure_source.h"
+#include "ui/plots/plot_file.h"
 #include "ui/signals/signal_picture.h"
 #include "ui/values/ids.h"
 

@@ -1,6 +1,5 @@
 #include "ui/signals/signals_view.h"
 
-#include "ui/signals/signal_overlay.h"
 #include "ui/signals/signal_panel.h"
 #include "ui/signals/signal_stack.h"
 

@@ -1,8 +1,8 @@
 #include "ui/sweep/sweep_text.h"
 
 #include "ui/words/error_text.h"
-#include "ui/words/index_text.h"
 #include "ui/words/number_label.h"
+#include "ui/words/rich_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

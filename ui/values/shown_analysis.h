@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/track/slow_variables.h"
 #include "ui/values/curve_data.h"
 #include "ui/values/ids.h"
 
@@ -8,6 +9,7 @@
 #include <QString>
 
 #include <memory>
+#include <vector>
 
 namespace vybeg::ui {
 
@@ -26,6 +28,16 @@ struct ShownAnalysis {
     double seconds_taken = 0;  // estimators only
     std::shared_ptr<const Analysis> analysis;
     Curves curves;  // of the analysis; computed on drawing if empty
+};
+
+// A fitted curve over one plot: displayed units against seconds.
+struct TrendCurve {
+    AnalysisId of = AnalysisId::none;
+    SlowVariable variable = SlowVariable::a_A;
+    std::vector<double> time_s;
+    std::vector<double> value;
+
+    friend bool operator==(const TrendCurve&, const TrendCurve&) = default;
 };
 
 }  // namespace vybeg::ui

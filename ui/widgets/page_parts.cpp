@@ -1,14 +1,52 @@
 #include "ui/widgets/page_parts.h"
 
-#include "ui/widgets/section.h"
 #include "ui/words/rich_text.h"
 
+#include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace vybeg::ui {
+
+namespace {
+
+class Translator : public QObject {
+public:
+    Translator(QWidget& widget, std::function<void()> translate)
+        : QObject(&widget), translate_(std::move(translate)) {
+        widget.installEventFilter(this);
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::LanguageChange) {
+            translate_();
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    std::function<void()> translate_;
+};
+
+class WheelGuard : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) {
+            return QObject::eventFilter(watched, event);
+        }
+        event->ignore();  // passed on to the parent
+        return true;
+    }
+};
+
+}  // namespace
 
 void addParts(QBoxLayout& layout, LayoutParts parts) {
     for (const LayoutPart& part : parts) {
@@ -78,6 +116,55 @@ QScrollArea* scrolled(QWidget* content, QWidget* parent) {
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     return scroll;
+}
+
+Section::Section(QWidget* content, QWidget* parent)
+    : QWidget(parent), title_(new QToolButton(this)), content_(content) {
+    title_->setCheckable(true);
+    title_->setChecked(true);
+    title_->setAutoRaise(true);
+    title_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    title_->setArrowType(Qt::DownArrow);
+    title_->setFocusPolicy(Qt::TabFocus);
+    title_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QFont bold = title_->font();
+    bold.setBold(true);
+    title_->setFont(bold);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(title_);
+    layout->addWidget(content_);
+    connect(title_, &QToolButton::toggled, this, [this](bool open) {
+        content_->setVisible(open);
+        title_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    });
+}
+
+void Section::setTitle(const QString& title) {
+    title_->setText(title);
+    title_->setToolTip(tr("Folds this part away, and opens it again"));
+}
+
+void Section::setOpen(bool open) {
+    title_->setChecked(open);
+}
+
+void keepTranslated(QWidget& widget, std::function<void()> translate) {
+    translate();
+    new Translator(widget, std::move(translate));
+}
+
+void guardFromWheel(QWidget& panel) {
+    auto* guard = new WheelGuard(&panel);
+    for (QWidget* field : panel.findChildren<QWidget*>()) {
+        if (qobject_cast<QComboBox*>(field) || qobject_cast<QAbstractSpinBox*>(field)) {
+            // Qt's default also takes the focus by the wheel.
+            field->setFocusPolicy(Qt::StrongFocus);
+            field->installEventFilter(guard);
+        }
+    }
 }
 
 }  // namespace vybeg::ui

@@ -1,14 +1,18 @@
 #include "ui/widgets/theme.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QPainter>
+#include <QPixmap>
 #include <QProxyStyle>
 #include <QStyleOption>
+#include <QSvgRenderer>
 
 #include <array>
 #include <cmath>
 
 namespace vybeg::ui {
+
 namespace {
 
 struct WidgetColors {
@@ -86,6 +90,17 @@ double luminance(const QColor& color) {
     };
     return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
            0.0722 * linear(color.blueF());
+}
+
+QPixmap drawn(const QByteArray& svg, const QColor& color, int size) {
+    QByteArray recolored = svg;
+    recolored.replace("#000000", color.name().toLatin1());
+    QSvgRenderer renderer(recolored);
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    renderer.render(&painter);
+    return pixmap;
 }
 
 }  // namespace
@@ -209,6 +224,21 @@ QColor inkColor(Ink ink, int style, const Theme& theme, int shades) {
         case Ink::warning: return theme.warning;
     }
     return {};
+}
+
+QIcon themedIcon(const QString& name, const QPalette& palette) {
+    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QByteArray svg = file.readAll();
+    QIcon icon;
+    for (const int size : {16, 20, 24, 32, 48, 64}) {
+        icon.addPixmap(drawn(svg, palette.color(QPalette::ButtonText), size));
+        icon.addPixmap(drawn(svg, palette.color(QPalette::Disabled, QPalette::ButtonText), size),
+                       QIcon::Disabled);
+    }
+    return icon;
 }
 
 }  // namespace vybeg::ui

@@ -1,6 +1,5 @@
 #include "ui/window/help_view.h"
 
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QAction>

@@ -1,6 +1,6 @@
 #include "ui/window/recent_files.h"
 
-#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QDir>

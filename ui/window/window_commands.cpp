@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/panels/ledger.h"
-#include "ui/plots/plot_export.h"
+#include "ui/plots/figure.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
 #include "ui/resonator/limits_dialog.h"

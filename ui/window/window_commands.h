@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/plots/figure_source.h"
+#include "ui/plots/plot_file.h"
 #include "ui/window/commands.h"
 #include "ui/window/page_stack.h"
 #include "ui/words/display_units.h"
