@@ -7,7 +7,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -133,7 +132,8 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
     time_column_->setItemData(1, 0);
     setOptions({});
     guardFromWheel(*this);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { showChoices(); });
     connect(this, &ImportFields::edited, this, &ImportFields::showRows);
 }
 
@@ -358,15 +358,6 @@ void ImportFields::showChannels(QComboBox& box) {
                     channel);
     }
     select(box, chosen);
-}
-
-void ImportFields::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        showChoices();
-    }
 }
 
 // The signs in the fields of files.

@@ -46,9 +46,6 @@ signals:
     // Files are to be chosen, which `take` names in a field.
     void filesWanted(const vybeg::ui::TakeFiles& take);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     enum Row {
         read_as,

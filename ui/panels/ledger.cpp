@@ -8,7 +8,6 @@
 
 #include <QAction>
 #include <QClipboard>
-#include <QEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLocale>
@@ -86,7 +85,9 @@ Ledger::Ledger(Document& document, QWidget* parent)
             setCurrentAnalysis(id);
         }
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
+    // The icons are drawn in the theme's colours.
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { rebuild(); });
 }
 
 void Ledger::addActions() {
@@ -433,15 +434,6 @@ void Ledger::enableActions() {
     remove_->setEnabled(currentItem() && !(entry && entry->live && document_.live()));
     for (QAction* action : {add_to_set_, reopen_, copy_facts_}) {
         action->setEnabled(currentItem());
-    }
-}
-
-void Ledger::changeEvent(QEvent* event) {
-    QTreeWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        rebuild();  // the icons are drawn in the theme's colours
     }
 }
 

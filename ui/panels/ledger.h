@@ -61,7 +61,6 @@ signals:
     void reopenWanted(const QString& path, const OpenOptions& options);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:

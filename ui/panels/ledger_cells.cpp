@@ -3,6 +3,7 @@
 #include "ui/plots/axis_ticks.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -59,8 +60,7 @@ QString headOf(const LedgerReader& reader, SlowVariable variable, int exponent) 
         unit = unit.isEmpty() ? CellWords::tr("1/s") : CellWords::tr("%1/s").arg(unit);
     }
     const QString scaled = scaledUnit(unit, beat || takesPrefix(variable, reader.units), exponent);
-    const QString symbol = displaySymbol(variable, reader.units);
-    return scaled.isEmpty() ? symbol : QStringLiteral("%1, %2").arg(symbol, scaled);
+    return withUnit(displaySymbol(variable, reader.units), scaled);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include "ui/panels/ledger_rows.h"
 
+#include "ui/widgets/check_list.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -30,9 +32,7 @@ QString channelText(const Recording& recording, int number) {
     if (name != QString::number(number)) {
         text = QStringLiteral("%1 (%2)").arg(name, text);
     }
-    return channel.unit.empty()
-               ? text
-               : QStringLiteral("%1, %2").arg(text, QString::fromStdString(channel.unit));
+    return withUnit(text, QString::fromStdString(channel.unit));
 }
 
 QString rateText(const Recording& recording) {
@@ -137,12 +137,8 @@ QString recordingFacts(const RecordingEntry& entry) {
 }
 
 bool hasFindings(const RecordingEntry& entry) {
-    const auto isWorthAWarning = [](const Diagnostic& diagnostic) {
-        return severity(diagnostic.kind) != Severity::note;
-    };
-    return entry.faults ? std::ranges::any_of(entry.faults->findings, isWorthAWarning)
-                        : entry.recording &&
-                              std::ranges::any_of(entry.recording->diagnostics, isWorthAWarning);
+    return entry.faults ? findingsIn(entry.faults->findings) > 0
+                        : entry.recording && findingsIn(entry.recording->diagnostics) > 0;
 }
 
 std::vector<LedgerRow> ledgerRows(const Document& document) {

@@ -118,9 +118,7 @@ void forPieces(const std::vector<CurveColumn>& columns, Draw draw) {
 
 DecimatedGraph::DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis,
                                std::shared_ptr<const CurveData> data)
-    : QCPAbstractPlottable(keyAxis, valueAxis), data_(std::move(data)) {
-    setSelectable(QCP::stNone);
-}
+    : TimeGraph(keyAxis, valueAxis), data_(std::move(data)) {}
 
 void DecimatedGraph::setLook(const QColor& color, const QColor& missing) {
     color_ = color;
@@ -134,29 +132,6 @@ const std::vector<CurveColumn>& DecimatedGraph::columns(const AxisRange& time, i
         cached_width_ = width;
     }
     return cached_;
-}
-
-double DecimatedGraph::selectTest(const QPointF&, bool, QVariant*) const {
-    return -1;
-}
-
-QCPRange DecimatedGraph::getKeyRange(bool& foundRange, QCP::SignDomain) const {
-    foundRange = data_->rows() > 0;
-    return foundRange ? QCPRange(data_->time(0), data_->time(data_->rows() - 1)) : QCPRange();
-}
-
-QCPRange DecimatedGraph::getValueRange(bool& foundRange, QCP::SignDomain,
-                                       const QCPRange& inKeyRange) const {
-    bool has_time = false;
-    const QCPRange all = getKeyRange(has_time, QCP::sdBoth);
-    const QCPRange time = inKeyRange == QCPRange() ? all : inKeyRange;
-    ValueRange range;
-    if (has_time && time.size() > 0) {
-        range.add(data_->columns({time.lower, time.upper}, 1000), scale_, false);
-    }
-    const auto found = range.range(scale_.logarithmic);
-    foundRange = found.has_value();
-    return found ? QCPRange(found->lower, found->upper) : QCPRange();
 }
 
 double DecimatedGraph::pixelX(const CurveColumn& column) const {
@@ -396,11 +371,6 @@ void DecimatedGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColum
         painter.drawPolygon(each);
     }
     painter.setBrush(Qt::NoBrush);
-}
-
-void DecimatedGraph::drawLegendIcon(QCPPainter* painter, const QRectF& rect) const {
-    painter->setPen(QPen(color_, line_width));
-    painter->drawLine(QLineF(rect.left(), rect.center().y(), rect.right(), rect.center().y()));
 }
 
 }  // namespace vybeg::ui

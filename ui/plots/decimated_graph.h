@@ -1,9 +1,8 @@
 #pragma once
 
+#include "ui/plots/time_panel.h"
 #include "ui/values/curve_data.h"
 #include "ui/words/display_units.h"
-
-#include <qcustomplot.h>
 
 #include <memory>
 
@@ -15,9 +14,7 @@ namespace vybeg::ui {
 // the greatest with their running mean on it, so that curves over each other stay apart. Missing
 // windows leave a gap and a mark at the foot of the plot, however narrow the gap is; values outside
 // the axis leave a mark at the edge that they cross.
-class DecimatedGraph : public QCPAbstractPlottable {
-    Q_OBJECT
-
+class DecimatedGraph : public TimeGraph {
 public:
     DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, std::shared_ptr<const CurveData> data);
 
@@ -39,15 +36,8 @@ public:
     // The columns of a time range over a width in pixels; cached for the last arguments.
     const std::vector<CurveColumn>& columns(const AxisRange& time, int width) const;
 
-    double selectTest(const QPointF& pos, bool onlySelectable,
-                      QVariant* details = nullptr) const override;
-    QCPRange getKeyRange(bool& foundRange, QCP::SignDomain inSignDomain) const override;
-    QCPRange getValueRange(bool& foundRange, QCP::SignDomain inSignDomain,
-                           const QCPRange& inKeyRange) const override;
-
 protected:
     void draw(QCPPainter* painter) override;
-    void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override;
 
 private:
     double pixelX(const CurveColumn& column) const;

@@ -29,12 +29,7 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
         if (!shown.visible || !shown.analysis || shown.analysis->track.rows() == 0) {
             continue;
         }
-        const auto made = std::ranges::find(shown.curves, variable_,
-                                            [](const auto& curve) { return curve->variable(); });
-        auto* graph = new DecimatedGraph(
-            timeAxis(), valueAxis(),
-            made == shown.curves.end() ? std::make_shared<CurveData>(shown.analysis, variable_)
-                                       : *made);
+        auto* graph = new DecimatedGraph(timeAxis(), valueAxis(), shown.curve(variable_));
         graph->setScale(scale);
         graph->setBand(units_.sigma_bands && info(variable_).has_sd);
         graph->setPointers(static_cast<double>(graphs_.size()) /

@@ -13,6 +13,27 @@ namespace vybeg::ui {
 // Where symbol and unit of a plot stand: on the screen in the left margin, on paper above it.
 enum class PlotHead { margin, line };
 
+// A curve that its panel scales and a strip names: QCustomPlot looks for no ranges of it.
+class TimeGraph : public QCPAbstractPlottable {
+public:
+    TimeGraph(QCPAxis* keyAxis, QCPAxis* valueAxis) : QCPAbstractPlottable(keyAxis, valueAxis) {
+        setSelectable(QCP::stNone);
+    }
+
+    double selectTest(const QPointF&, bool, QVariant*) const override { return -1; }
+    QCPRange getKeyRange(bool& foundRange, QCP::SignDomain) const override {
+        foundRange = false;
+        return {};
+    }
+    QCPRange getValueRange(bool& foundRange, QCP::SignDomain, const QCPRange&) const override {
+        foundRange = false;
+        return {};
+    }
+
+protected:
+    void drawLegendIcon(QCPPainter*, const QRectF&) const override {}
+};
+
 // One of the plots over one time axis, with its symbol and unit.
 class TimePanel : public QCPAxisRect {
 public:

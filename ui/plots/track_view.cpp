@@ -2,8 +2,8 @@
 
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/widgets/page_parts.h"
 
-#include <QEvent>
 #include <QKeyEvent>
 #include <qcustomplot.h>
 
@@ -67,6 +67,10 @@ TrackView::TrackView(QWidget* parent)
     });
     connect(&zoom_, &ZoomNavigator::historyChanged, this, &TrackView::zoomHistoryChanged);
     rebuild();
+    whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange}, [this] {
+        setAccessibleName(tr("Slow variables over time"));
+        rebuild();
+    });
 }
 
 TrackView::~TrackView() {
@@ -165,10 +169,8 @@ QSize TrackView::minimumSizeHint() const {
 }
 
 void TrackView::rebuild() {
-    PlotContent content = content_;
-    content.zoom = zoom_.current();
     stack_->prepare(plot().size());
-    stack_->setContent(content);
+    stack_->setContent(content());
     overlay_->setHint(coveredTime(content_.analyses)
                           ? QString()
                           : tr("No analysis yet.\nOpen a recording and press Analyse."));
@@ -208,15 +210,6 @@ void TrackView::resizeEvent(QResizeEvent* event) {
 void TrackView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     redraw();
-}
-
-void TrackView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange ||
-        event->type() == QEvent::FontChange) {
-        setAccessibleName(tr("Slow variables over time"));
-        rebuild();
-    }
 }
 
 void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,

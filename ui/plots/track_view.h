@@ -90,7 +90,6 @@ signals:
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     bool hasTime() const override { return coveredTime(content_.analyses).has_value(); }

@@ -6,7 +6,6 @@
 #include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <cmath>
 
@@ -14,21 +13,12 @@ namespace vybeg::ui {
 
 namespace {
 
-QString counted(std::int64_t count) {
-    return numberLabel(static_cast<double>(count), 0);
-}
-
 QString hertz(double f_hz, int decimals = 2) {
     return numberLabel(f_hz, decimals);
 }
 
 QString significant(double value, int digits) {
     return std::abs(value) < 10 ? shortNumberText(value, digits) : numberLabel(value, 0);
-}
-
-QuantityCell cellOf(double value, double sd, const QColor& alarm = {}) {
-    const auto exact = [](double number) { return QLocale().toString(number, 'g', 12); };
-    return {valueText(value, sd), {exact(value), exact(sd)}, alarm};
 }
 
 bool isHarmonic(LineOrigin origin) {
@@ -105,15 +95,15 @@ QString explanation(const ResidualLine& line) {
 
 QString coverageText(const Residuals& found) {
     QStringList sentences;
-    sentences << ResidualWords::tr("Samples per channel: %1.").arg(counted(found.used()));
+    sentences << ResidualWords::tr("Samples per channel: %1.").arg(countLabel(found.used()));
     if (found.examined < found.frames) {
         sentences << ResidualWords::tr(
                          "The range has %1; blocks at even distances stand for all of them.")
-                         .arg(counted(found.frames));
+                         .arg(countLabel(found.frames));
     }
     if (found.without > 0) {
         sentences << ResidualWords::tr("Left out, because no wave was found there: %1.")
-                         .arg(counted(found.without));
+                         .arg(countLabel(found.without));
     }
     constexpr double worth_saying = 0.01;
     if (found.taken_up > worth_saying) {
@@ -131,7 +121,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
         return QuantityRow{withUnit(name, of_unit), tip, {cell(found.c), cell(found.d)}};
     };
     const auto flagged = [&](double value, double sd) {
-        return cellOf(value, sd, std::abs(value) > doubtful * sd ? alarm : QColor());
+        return valueCell(value, sd, std::abs(value) > doubtful * sd ? alarm : QColor());
     };
     const auto of_count = [](const ResidualChannel& channel, double factor) {
         return factor / std::sqrt(static_cast<double>(channel.moments.count));
@@ -141,7 +131,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
             ResidualWords::tr("Standard deviation of the residual about its mean"),
             [&](const ResidualChannel& channel) {
                 const double sd = channel.moments.sd;
-                return cellOf(sd, sd * of_count(channel, M_SQRT1_2));
+                return valueCell(sd, sd * of_count(channel, M_SQRT1_2));
             }),
         row(ResidualWords::tr("Noise per sample"), unit,
             ResidualWords::tr(
@@ -149,7 +139,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                 "window take up a part of it. Unknown after a band-pass filter."),
             [&](const ResidualChannel& channel) {
                 const double sd = channel.noise_sd;
-                return cellOf(sd, sd * of_count(channel, M_SQRT1_2));
+                return valueCell(sd, sd * of_count(channel, M_SQRT1_2));
             }),
         row(ResidualWords::tr("Mean"), unit,
             ResidualWords::tr("Mean of the residual. Beyond four standard deviations: an offset of "
@@ -178,12 +168,12 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                     return QuantityCell{QStringLiteral("—"), {QString(), QString()}, {}};
                 }
                 constexpr double seldom = 1e-3;
-                return QuantityCell{ResidualWords::tr("%1 (expected beyond: %2)")
-                                        .arg(significant(moments.largest_z, 3),
-                                             significant(moments.expected_beyond, 2)),
-                                    {QLocale().toString(moments.largest_z, 'g', 12),
-                                     QLocale().toString(moments.expected_beyond, 'g', 12)},
-                                    moments.expected_beyond < seldom ? alarm : QColor()};
+                return QuantityCell{
+                    ResidualWords::tr("%1 (expected beyond: %2)")
+                        .arg(significant(moments.largest_z, 3),
+                             significant(moments.expected_beyond, 2)),
+                    {cellNumber(moments.largest_z), cellNumber(moments.expected_beyond)},
+                    moments.expected_beyond < seldom ? alarm : QColor()};
             }),
     };
 }

@@ -2,6 +2,7 @@
 
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -123,8 +124,7 @@ void SettingsFields::retranslate() {
         const QString label = translated(entry.texts.label);
         if (entry.label) {
             const QString unit = entry.unit_in_label ? translated(entry.texts.unit) : QString();
-            entry.label->setText(
-                richText(unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit)));
+            entry.label->setText(richText(withUnit(label, unit)));
             entry.label->setToolTip(tip);
         }
         entry.widget->setToolTip(tip);

@@ -51,27 +51,6 @@ QVector<QLineF> columnsOf(const QPolygonF& points) {
 
 }  // namespace
 
-SignalGraph::SignalGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, SignalPart part)
-    : QCPAbstractPlottable(keyAxis, valueAxis), part_(part) {
-    setSelectable(QCP::stNone);
-}
-
-double SignalGraph::selectTest(const QPointF&, bool, QVariant*) const {
-    return -1;
-}
-
-QCPRange SignalGraph::getKeyRange(bool& foundRange, QCP::SignDomain) const {
-    foundRange = false;
-    return {};
-}
-
-QCPRange SignalGraph::getValueRange(bool& foundRange, QCP::SignDomain, const QCPRange&) const {
-    foundRange = false;
-    return {};
-}
-
-void SignalGraph::drawLegendIcon(QCPPainter*, const QRectF&) const {}
-
 template <class Value>
 QPolygonF SignalGraph::points(Value value) const {
     QPolygonF list;

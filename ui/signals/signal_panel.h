@@ -3,18 +3,15 @@
 #include "ui/plots/time_panel.h"
 #include "ui/signals/signal_picture.h"
 
-#include <qcustomplot.h>
-
 namespace vybeg::ui {
 
 // What one plot of the signals draws: minima and maxima with the amplitude of the fitted wave, or
 // samples as dots with thin lines between them and the wave itself; of the residual the rms of the
 // windows or its samples.
-class SignalGraph : public QCPAbstractPlottable {
-    Q_OBJECT
-
+class SignalGraph : public TimeGraph {
 public:
-    SignalGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, SignalPart part);
+    SignalGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, SignalPart part)
+        : TimeGraph(keyAxis, valueAxis), part_(part) {}
 
     // Both outlive the graph or are replaced before the next drawing.
     void setPicture(const SignalContent* content, const SignalPicture* picture) {
@@ -22,15 +19,8 @@ public:
         picture_ = picture;
     }
 
-    double selectTest(const QPointF& pos, bool onlySelectable,
-                      QVariant* details = nullptr) const override;
-    QCPRange getKeyRange(bool& foundRange, QCP::SignDomain inSignDomain) const override;
-    QCPRange getValueRange(bool& foundRange, QCP::SignDomain inSignDomain,
-                           const QCPRange& inKeyRange) const override;
-
 protected:
     void draw(QCPPainter* painter) override;
-    void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override;
 
 private:
     bool isD() const { return part_ == SignalPart::d; }

@@ -59,13 +59,9 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     keepTranslated(*this, [this] { retranslate(); });
 }
 
-const RecordingEntry* SignalsPage::recording() const {
-    return document_.currentRecording();
-}
-
 const AnalysisEntry* SignalsPage::fitted() const {
     const AnalysisEntry* chosen = document_.analysis(analysis_id_);
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     const bool whole = chosen && entry && chosen->recording_id == entry->id && !chosen->partial() &&
                        chosen->shown.analysis->track.rows() > 0;
     return whole ? chosen : nullptr;
@@ -87,7 +83,7 @@ void SignalsPage::showCursors() {
 
 SignalContent SignalsPage::content() const {
     SignalContent content;
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     if (entry) {
         content.envelope = entry->envelope;
         content.rate_hz = entry->envelope_rate_hz;
@@ -105,11 +101,7 @@ SignalContent SignalsPage::content() const {
     if (const AnalysisEntry* chosen = fitted()) {
         content.analysis = chosen->shown.analysis;
         content.calibration = chosen->shown.analysis->settings.calibration;
-        const auto rms = std::ranges::find(chosen->shown.curves, SlowVariable::rms,
-                                           [](const auto& curve) { return curve->variable(); });
-        content.rms = rms == chosen->shown.curves.end()
-                          ? std::make_shared<CurveData>(chosen->shown.analysis, SlowVariable::rms)
-                          : *rms;
+        content.rms = chosen->shown.curve(SlowVariable::rms);
     }
     content.wave = wave_;
     content.no_residual = tr("The residual is what an analysis leaves of the samples.");
@@ -120,7 +112,7 @@ SignalContent SignalsPage::content() const {
 
 // Shows what is there, and asks for the samples that are missing. Hidden, the page waits.
 void SignalsPage::refresh() {
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     const auto samples = entry && entry->recording ? entry->recording->source : nullptr;
     if (!entry || entry->id != source_recording_ || samples != source_samples_) {
         // Of another recording nothing is kept.
@@ -143,7 +135,7 @@ void SignalsPage::refresh() {
 }
 
 void SignalsPage::request() {
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     if (!isVisible() || !entry || !entry->recording || reading_) {
         return;
     }
@@ -206,7 +198,7 @@ void SignalsPage::showState() {
 
 // What the plots and the chosen row do not say.
 QString SignalsPage::stateText() const {
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     if (!entry) {
         return tr("No recording is open.");
     }
@@ -250,7 +242,8 @@ FigureSource SignalsPage::figures() const {
     source.figure = [shown, parts](const std::vector<int>& places) {
         return signalFigure(shown, atPlaces(parts, places));
     };
-    source.title = recording() ? recording()->name : QString();
+    const RecordingEntry* entry = document_.currentRecording();
+    source.title = entry ? entry->name : QString();
     return source;
 }
 

@@ -54,7 +54,6 @@ private:
         std::shared_ptr<const SignalExcerpt> samples;
     };
 
-    const RecordingEntry* recording() const;
     // The chosen analysis, if it is one of the current recording and has all its windows.
     const AnalysisEntry* fitted() const;
     void refresh();

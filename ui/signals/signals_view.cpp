@@ -2,8 +2,8 @@
 
 #include "ui/signals/signal_panel.h"
 #include "ui/signals/signal_stack.h"
+#include "ui/widgets/page_parts.h"
 
-#include <QEvent>
 #include <QLayout>
 #include <QPainter>
 
@@ -18,6 +18,8 @@ SignalsView::SignalsView(TrackView& tracks, QWidget* parent)
     setPlots(*stack_, *overlay_);
     layout()->setContentsMargins(1, 1, 1, 1);  // the frame of the keyboard focus
     setFocusPolicy(Qt::StrongFocus);
+    whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange},
+                [this] { setContent(content()); });
 }
 
 SignalsView::~SignalsView() {
@@ -51,14 +53,6 @@ void SignalsView::moveTracker(std::optional<double> time_s) {
 void SignalsView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     emit resized();
-}
-
-void SignalsView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange ||
-        event->type() == QEvent::LocaleChange) {
-        setContent(content());
-    }
 }
 
 // The frame shows the keyboard focus.

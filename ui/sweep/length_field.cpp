@@ -2,11 +2,11 @@
 
 #include "core/analysis/setting_table.h"
 #include "core/sweep/sweep_windows.h"
+#include "ui/widgets/number_field.h"
 #include "ui/words/rich_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QPainter>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -84,10 +84,7 @@ void LengthField::retranslate() {
 void LengthField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
     if (!list().refusal.isEmpty() && isEnabled()) {
-        QPainter painter(this);
-        painter.setPen(QPen(QColor(0xd5, 0x3e, 0x2a), 2));
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);
+        frameFault(*this);
     }
 }
 

@@ -245,8 +245,8 @@ void SweepPage::showFound() {
     const WindowSweep* shown = sweep();
     const SweepView view = this->view();
     content_->setVisible(shown != nullptr);
-    scatter_->setContent(scatterPlot(shown, view, {}));
-    residual_->setContent(residualPlot(shown, view, {}));
+    scatter_->setContent(scatterPlot(shown, view));
+    residual_->setContent(residualPlot(shown, view));
     point_->setVisible(shown && chosen_);
     emit figuresChanged();
     if (!shown) {

@@ -68,13 +68,12 @@ void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
     }
 }
 
-XYPlot emptyPlot(const QString& empty) {
+XYPlot emptyPlot() {
     XYPlot plot;
     plot.x_name = QStringLiteral("n");
     plot.x_unit = SweepWords::tr("samples");
     plot.x_logarithmic = true;
     plot.y_logarithmic = true;
-    plot.empty = empty;
     return plot;
 }
 
@@ -95,8 +94,8 @@ QString sweepUnit(const SweepView& view, std::size_t variable) {
     return amplitude && unit.isEmpty() ? view.channel_unit : unit;
 }
 
-XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QString& empty) {
-    XYPlot plot = emptyPlot(empty);
+XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view) {
+    XYPlot plot = emptyPlot();
     plot.y_name = SweepWords::tr("Standard deviation of %1")
                       .arg(displaySymbol(main_slow_variables[view.variable], view.units));
     plot.y_unit = sweepUnit(view, view.variable);
@@ -148,8 +147,8 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
     return plot;
 }
 
-XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view, const QString& empty) {
-    XYPlot plot = emptyPlot(empty);
+XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view) {
+    XYPlot plot = emptyPlot();
     plot.y_name = SweepWords::tr("Residual");
     plot.y_unit = view.channel_unit;
     if (sweep == nullptr || sweep->lengths.empty()) {

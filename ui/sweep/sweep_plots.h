@@ -29,8 +29,8 @@ QString sweepUnit(const SweepView& view, std::size_t variable);
 
 // Scatter, stated deviation, bound, shift by motion and leakage of one variable over the length of
 // the window, both axes logarithmic. Series 0: the scatter, with a point for each length.
-XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QString& empty);
+XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view);
 // Root mean square of the residual and the noise per sample from it. Series 0: the noise.
-XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view, const QString& empty);
+XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view);
 
 }  // namespace vybeg::ui

@@ -3,9 +3,9 @@
 #include "ui/words/error_text.h"
 #include "ui/words/number_label.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,6 @@
 namespace vybeg::ui {
 
 namespace {
-
-QString counted(std::int64_t count) {
-    return numberLabel(static_cast<double>(count), 0);
-}
 
 QString shortText(double value) {
     return std::isfinite(value) ? shortNumberText(value, 3) : QStringLiteral("—");
@@ -48,14 +44,14 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
             return SweepWords::tr(
                        "Longer windows blur %1: at n = %2 its bend inside the window shifts the "
                        "mean by %3, with a scatter of %4.")
-                .arg(symbol, counted(next().length),
+                .arg(symbol, countLabel(next().length),
                      valueText(next().values[advice.variable].motion),
                      valueText(next().values[advice.variable].scatter));
         case WindowAdvice::Limit::scatter:
             return SweepWords::tr(
                        "Longer windows are not better: at n = %2 the expected error of %1 is %3, "
                        "here %4.")
-                .arg(symbol, counted(next().length),
+                .arg(symbol, countLabel(next().length),
                      valueText(next().values[advice.variable].error()),
                      valueText(sweep.lengths[advice.best].values[advice.variable].error()));
         case WindowAdvice::Limit::flat:
@@ -120,7 +116,7 @@ std::vector<Column> shownColumns(const WindowSweep& sweep, const SweepView& view
 QString lengthText(const WindowSweep& sweep, std::size_t length) {
     const auto n = static_cast<double>(sweep.lengths[length].length);
     return SweepWords::tr("n = %1, %2 ms, %3 periods")
-        .arg(counted(sweep.lengths[length].length), shortText(1e3 * n / sweep.rate_hz),
+        .arg(countLabel(sweep.lengths[length].length), shortText(1e3 * n / sweep.rate_hz),
              shortText(n * sweep.f0_hz / sweep.rate_hz));
 }
 
@@ -144,8 +140,8 @@ QString adviceText(const WindowSweep& sweep, const SweepView& view) {
     } else if (advice.shortest < advice.longest) {
         text += SweepWords::tr(
                     "From n = %1 to %2 no expected error exceeds %3 times its least in the list.")
-                    .arg(counted(sweep.lengths[advice.shortest].length),
-                         counted(sweep.lengths[advice.longest].length),
+                    .arg(countLabel(sweep.lengths[advice.shortest].length),
+                         countLabel(sweep.lengths[advice.longest].length),
                          shortText(loss_span * advice.loss));
     }
     return text + coloredNoise(sweep, view);
@@ -154,7 +150,8 @@ QString adviceText(const WindowSweep& sweep, const SweepView& view) {
 QString refusedText(const WindowSweep& sweep) {
     QStringList sentences;
     for (const WindowSweep::Refused& each : sweep.refused) {
-        sentences << QStringLiteral("n = %1: %2").arg(counted(each.length), errorText(each.error));
+        sentences
+            << QStringLiteral("n = %1: %2").arg(countLabel(each.length), errorText(each.error));
     }
     return sentences.join(QLatin1Char(' '));
 }
@@ -183,7 +180,7 @@ QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view) {
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
     const double factor = sweepFactor(sweep, view, view.variable);
     const auto cell = [](double value) {
-        return QuantityCell{noiseText(value), {QLocale().toString(value, 'g', 12)}, {}};
+        return QuantityCell{noiseText(value), {cellNumber(value)}, {}};
     };
     const std::vector<Column> shown = shownColumns(sweep, view);
     std::vector<QuantityRow> rows;
@@ -192,12 +189,9 @@ std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& vi
         const SweepValue& value = each.values[view.variable];
         const double scatter = factor * value.scatter;
         const double sd = factor * value.sd_scatter;
-        QuantityRow row{counted(each.length), lengthText(sweep, k), {}};
-        row.cells.push_back({counted(each.used), {QString::number(each.used)}, {}});
-        row.cells.push_back(
-            {valueText(scatter, sd),
-             {QLocale().toString(scatter, 'g', 12), QLocale().toString(sd, 'g', 12)},
-             {}});
+        QuantityRow row{countLabel(each.length), lengthText(sweep, k), {}};
+        row.cells.push_back({countLabel(each.used), {QString::number(each.used)}, {}});
+        row.cells.push_back(valueCell(scatter, sd));
         for (const Column& column : shown) {
             row.cells.push_back(cell(factor * value.*column.member));
         }
@@ -209,15 +203,13 @@ std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& vi
 }
 
 QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
-    const auto number = [](double value) { return QLocale().toString(value, 'g', 12); };
     QStringList head{QStringLiteral("n"), SweepWords::tr("windows"), SweepWords::tr("rms"),
                      SweepWords::tr("noise")};
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {
         const QString unit = sweepUnit(view, v);
         const QString symbol = indexPlain(symbolOf(v, view));
         const auto add = [&](const QString& what) {
-            head << symbol + QStringLiteral(": ") + what +
-                        (unit.isEmpty() ? QString() : QStringLiteral(", ") + unit);
+            head << withUnit(symbol + QStringLiteral(": ") + what, unit);
         };
         add(SweepWords::tr("scatter"));
         add(SweepWords::tr("sd of the scatter"));
@@ -231,16 +223,16 @@ QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
     QStringList lines{head.join(QLatin1Char('\t'))};
     for (const SweepLength& each : sweep.lengths) {
         QStringList cells{QString::number(each.length), QString::number(each.used),
-                          number(each.rms), number(each.noise)};
+                          cellNumber(each.rms), cellNumber(each.noise)};
         for (std::size_t v = 0; v < sweep_variable_count; ++v) {
             const double factor = sweepFactor(sweep, view, v);
             const SweepValue& value = each.values[v];
-            cells << number(factor * value.scatter) << number(factor * value.sd_scatter);
+            cells << cellNumber(factor * value.scatter) << cellNumber(factor * value.sd_scatter);
             for (const Column& column : columns) {
-                cells << number(factor * value.*column.member);
+                cells << cellNumber(factor * value.*column.member);
             }
             for (const double leakage : value.leakage) {
-                cells << number(factor * leakage);
+                cells << cellNumber(factor * leakage);
             }
         }
         lines << cells.join(QLatin1Char('\t'));

@@ -8,6 +8,7 @@
 #include <QColor>
 #include <QString>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct ShownAnalysis {
     double seconds_taken = 0;  // estimators only
     std::shared_ptr<const Analysis> analysis;
     Curves curves;  // of the analysis; computed on drawing if empty
+
+    std::shared_ptr<const CurveData> curve(SlowVariable variable) const {
+        const auto made = std::ranges::find_if(
+            curves, [variable](const auto& each) { return each->variable() == variable; });
+        return made == curves.end() ? std::make_shared<const CurveData>(analysis, variable) : *made;
+    }
 };
 
 // A fitted curve over one plot: displayed units against seconds.

@@ -9,28 +9,30 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace vybeg::ui {
 
 namespace {
 
-class Translator : public QObject {
+class ChangeWatch : public QObject {
 public:
-    Translator(QWidget& widget, std::function<void()> translate)
-        : QObject(&widget), translate_(std::move(translate)) {
+    ChangeWatch(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react)
+        : QObject(&widget), types_(std::move(types)), react_(std::move(react)) {
         widget.installEventFilter(this);
     }
 
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() == QEvent::LanguageChange) {
-            translate_();
+        if (std::ranges::count(types_, event->type()) > 0) {
+            react_();
         }
         return QObject::eventFilter(watched, event);
     }
 
 private:
-    std::function<void()> translate_;
+    std::vector<QEvent::Type> types_;
+    std::function<void()> react_;
 };
 
 class WheelGuard : public QObject {
@@ -151,9 +153,13 @@ void Section::setOpen(bool open) {
     title_->setChecked(open);
 }
 
+void whenChanged(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react) {
+    new ChangeWatch(widget, std::move(types), std::move(react));
+}
+
 void keepTranslated(QWidget& widget, std::function<void()> translate) {
     translate();
-    new Translator(widget, std::move(translate));
+    whenChanged(widget, {QEvent::LanguageChange}, std::move(translate));
 }
 
 void guardFromWheel(QWidget& panel) {

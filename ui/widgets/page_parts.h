@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QEvent>
 #include <QMargins>
 #include <QString>
 #include <QStringList>
@@ -8,6 +9,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <vector>
 
 class QBoxLayout;
 class QComboBox;
@@ -90,6 +92,8 @@ Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts);
 QScrollArea* scrolled(QVBoxLayout* column);
 QScrollArea* scrolled(QWidget* content, QWidget* parent = nullptr);
 
+// Calls `react` before each event of one of these types reaches the widget.
+void whenChanged(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react);
 // Sets the texts of a widget by `translate`: now, and again in each further language.
 void keepTranslated(QWidget& widget, std::function<void()> translate);
 

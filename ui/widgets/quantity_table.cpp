@@ -1,6 +1,7 @@
 #include "ui/widgets/quantity_table.h"
 
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -10,6 +11,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLayout>
+#include <QLocale>
 #include <QPainter>
 #include <QResizeEvent>
 #include <QScrollBar>
@@ -76,6 +78,14 @@ int WrappingDelegate::heightFor(const QString& text, const QFont& font, int widt
     prepare(document, text, font);
     document.setTextWidth(std::max(20, width - 2 * padding - 1));
     return static_cast<int>(std::ceil(document.size().height())) + 5;
+}
+
+QString cellNumber(double value) {
+    return QLocale().toString(value, 'g', 12);
+}
+
+QuantityCell valueCell(double value, double sd, const QColor& color) {
+    return {valueText(value, sd), {cellNumber(value), cellNumber(sd)}, color};
 }
 
 QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new QAction(this)) {
