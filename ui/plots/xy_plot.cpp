@@ -215,6 +215,33 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
 
 }  // namespace
 
+XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x, std::vector<double> y) {
+    XYSeries line;
+    line.name = name;
+    line.ink = ink;
+    line.dashed = true;
+    line.x = std::move(x);
+    line.y = std::move(y);
+    return line;
+}
+
+XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink) {
+    XYSeries steps;
+    steps.name = name;
+    steps.ink = ink;
+    steps.steps = true;
+    const auto add = [&](double bin, double count) {
+        steps.x.push_back(histogram.low + (bin + 0.5) * histogram.width);
+        steps.y.push_back(count);
+    };
+    add(-1, 0);
+    for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
+        add(static_cast<double>(k), static_cast<double>(histogram.counts[k]));
+    }
+    add(static_cast<double>(histogram.counts.size()), 0);
+    return steps;
+}
+
 XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink) {
     XYSeries mark;
     mark.points = true;

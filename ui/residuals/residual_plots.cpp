@@ -25,30 +25,18 @@ XYSeries channelSeries(const char* name, Ink ink) {
 }
 
 XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink ink) {
-    XYSeries series = channelSeries(name, ink);
-    series.steps = true;
-    const Histogram& histogram = channel.histogram;
-    const double whole = histogram.width * static_cast<double>(channel.moments.count);
-    // The last steps fall to zero.
-    const auto add = [&](double bin, double count) {
-        series.x.push_back(histogram.low + (bin + 0.5) * histogram.width);
-        series.y.push_back(count / whole);
-    };
-    add(-1, 0);
-    for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
-        add(static_cast<double>(k), static_cast<double>(histogram.counts[k]));
+    XYSeries series = histogramSteps(channel.histogram, QLatin1String(name), ink);
+    const double whole = channel.histogram.width * static_cast<double>(channel.moments.count);
+    for (double& count : series.y) {
+        count /= whole;
     }
-    add(static_cast<double>(histogram.counts.size()), 0);
     return series;
 }
 
 XYSeries normalCurve() {
     constexpr int points = 161;
     constexpr double reach = 4;
-    XYSeries curve;
-    curve.name = ResidualWords::tr("normal");
-    curve.ink = Ink::text;
-    curve.dashed = true;
+    XYSeries curve = dashedLine(ResidualWords::tr("normal"), Ink::text);
     for (int k = 0; k < points; ++k) {
         const double z = reach * (2.0 * k / (points - 1) - 1);
         curve.x.push_back(z);
@@ -163,13 +151,11 @@ XYPlot correlationPlot(const Residuals* found, const QString& empty) {
     plot.series = {correlationSeries(*found, found->c, "C", Ink::channel_c),
                    correlationSeries(*found, found->d, "D", Ink::channel_d)};
     for (const double side : {1.0, -1.0}) {
-        XYSeries limit;
-        limit.name = side > 0 ? QStringLiteral("±%1/√N").arg(numberLabel(1.96, 2)) : QString();
-        limit.ink = Ink::text;
-        limit.dashed = true;
-        limit.x = {plot.series.front().x.front(), plot.series.front().x.back()};
-        limit.y = {side * found->correlation_limit, side * found->correlation_limit};
-        plot.series.push_back(std::move(limit));
+        const QString name =
+            side > 0 ? QStringLiteral("±%1/√N").arg(numberLabel(1.96, 2)) : QString();
+        const std::vector<double>& x = plot.series.front().x;
+        const double limit = side * found->correlation_limit;
+        plot.series.push_back(dashedLine(name, Ink::text, {x.front(), x.back()}, {limit, limit}));
     }
     return plot;
 }

@@ -72,14 +72,14 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     hop_ = addField({QT_TR_NOOP("Hop"), QT_TR_NOOP("samples"),
                      QT_TR_NOOP("Samples between the starts of windows. Empty: windows one after "
                                 "the other (discrete identification); less than the window: "
-                                "sliding.")});
+                                "sliding.")},
+                    bounds_of("hop"));
     overlap_ = addField({QT_TR_NOOP("Overlap"), QT_TR_NOOP("%"),
                          QT_TR_NOOP("The same as a share of the window that the next one "
-                                    "repeats.")});
+                                    "repeats.")},
+                        Bounds{0, 99.999});
     hop_->setInteger(true);
     hop_->setOptional(true);
-    hop_->setLimits(bounds_of("hop"));
-    overlap_->setLimits(0, 99.999);
     overlap_->setDigits(4);
     overlap_->setStep(10);
 
@@ -203,23 +203,22 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
                                 "window before, or your own values.")});
     const char* tip =
         QT_TR_NOOP("Start value of the functional F's parameter, in the notation of (6).");
-    a_A_ = addField({QT_TR_NOOP("a_A"), "", tip});
-    a_B_ = addField({QT_TR_NOOP("a_B"), "", tip});
-    two_theta_A_ = addField({QT_TR_NOOP("2θ_A"), QT_TR_NOOP("rad"), tip});
-    alpha_ = addField({QT_TR_NOOP("α"), QT_TR_NOOP("rad"),
-                       QT_TR_NOOP("Phase at the centre of the first window; it is carried on to "
-                                  "the others with the frequency.")});
-    f_ = addField({QT_TR_NOOP("f"), QT_TR_NOOP("Hz"), tip});
+    const std::array<Texts, 5> texts{
+        Texts{QT_TR_NOOP("a_A"), "", tip}, Texts{QT_TR_NOOP("a_B"), "", tip},
+        Texts{QT_TR_NOOP("2θ_A"), QT_TR_NOOP("rad"), tip},
+        Texts{QT_TR_NOOP("α"), QT_TR_NOOP("rad"),
+              QT_TR_NOOP("Phase at the centre of the first window; it is carried on to the others "
+                         "with the frequency.")},
+        Texts{QT_TR_NOOP("f"), QT_TR_NOOP("Hz"), tip}};
+    for (std::size_t k = 0; k < typed_.size(); ++k) {
+        typed_[k] = addField(texts[k], bounds_of("initial", k));
+        typed_[k]->setStep(0.1);
+        connect(typed_[k], &NumberField::valueEdited, this, &StartFields::editTyped);
+    }
     every_window_ = new QCheckBox(this);
     addWide(every_window_);
 
     connect(start_, &QComboBox::activated, this, &StartFields::chooseStart);
-    std::size_t number = 0;
-    for (NumberField* field : {a_A_, a_B_, two_theta_A_, alpha_, f_}) {
-        field->setLimits(bounds_of("initial", number++));
-        field->setStep(0.1);
-        connect(field, &NumberField::valueEdited, this, &StartFields::editTyped);
-    }
     connect(every_window_, &QCheckBox::clicked, this, [this](bool every) {
         change([&](Settings& settings) {
             settings.start = every ? StartRule::first : StartRule::previous;
@@ -241,9 +240,8 @@ void StartFields::chooseStart(int start) {
 
 void StartFields::editTyped() {
     change([&](Settings& settings) {
-        settings.initial =
-            StartValues{{*a_A_->value(), *a_B_->value(), *two_theta_A_->value(), *alpha_->value()},
-                        *f_->value()};
+        const auto value = [this](std::size_t k) { return *typed_[k]->value(); };
+        settings.initial = StartValues{{value(0), value(1), value(2), value(3)}, value(4)};
     });
 }
 
@@ -264,16 +262,13 @@ void StartFields::refresh() {
                             : settings.start == StartRule::previous ? previous
                                                                     : automatic);
     const StartValues shown = settings.initial.value_or(StartValues{});
-    const auto show = [own](NumberField* field, double value) {
-        field->setEnabled(own);
-        field->setOptional(!own);
-        field->setValue(own ? std::optional(value) : std::nullopt);
-    };
-    show(a_A_, shown.state.a_A);
-    show(a_B_, shown.state.a_B);
-    show(two_theta_A_, shown.state.two_theta_A);
-    show(alpha_, shown.state.alpha);
-    show(f_, shown.f_hz);
+    const std::array values{shown.state.a_A, shown.state.a_B, shown.state.two_theta_A,
+                            shown.state.alpha, shown.f_hz};
+    for (std::size_t k = 0; k < typed_.size(); ++k) {
+        typed_[k]->setEnabled(own);
+        typed_[k]->setOptional(!own);
+        typed_[k]->setValue(own ? std::optional(values[k]) : std::nullopt);
+    }
     every_window_->setEnabled(own);
     every_window_->setChecked(own && settings.start == StartRule::first);
 }

@@ -2,6 +2,8 @@
 
 #include "ui/settings/settings_fields.h"
 
+#include <array>
+
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -57,11 +59,7 @@ private:
     void editTyped();
 
     QComboBox* start_;
-    NumberField* a_A_;
-    NumberField* a_B_;
-    NumberField* two_theta_A_;
-    NumberField* alpha_;
-    NumberField* f_;
+    std::array<NumberField*, 5> typed_{};  // as StartValues: a_A, a_B, 2θ_A, α, f
     QCheckBox* every_window_;
 };
 

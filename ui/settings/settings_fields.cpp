@@ -47,8 +47,9 @@ NumberField* SettingsFields::makeField(const Texts& texts) {
     return field;
 }
 
-NumberField* SettingsFields::addField(const Texts& texts) {
+NumberField* SettingsFields::addField(const Texts& texts, const Bounds& limits, double unit) {
     NumberField* field = makeField(texts);
+    field->setLimits(limits, unit);
     entries_.back().label = makeLabel(field);
     form_->addRow(entries_.back().label, field);
     addFaults({field});
@@ -104,6 +105,13 @@ NumberField* SettingsFields::faulty() const {
         }
     }
     return nullptr;
+}
+
+void SettingsFields::follow(NumberField* field, std::optional<double> Settings::*member) {
+    field->setOptional(true);
+    connect(field, &NumberField::valueEdited, this, [this, member](auto value) {
+        change([&](Settings& settings) { settings.*member = value; });
+    });
 }
 
 void SettingsFields::addWide(QWidget* widget) {

@@ -55,13 +55,8 @@ struct Extent {
 void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
     if (sweep.advice) {
         const auto n = static_cast<double>(sweep.lengths[sweep.advice->best].length);
-        XYSeries line;
-        line.name = SweepWords::tr("recommended");
-        line.ink = Ink::accent;
-        line.dashed = true;
-        line.x = {n, n};
-        line.y = {plot.y_range->lower, plot.y_range->upper};
-        plot.series.push_back(std::move(line));
+        plot.series.push_back(dashedLine(SweepWords::tr("recommended"), Ink::accent, {n, n},
+                                         {plot.y_range->lower, plot.y_range->upper}));
     }
     if (view.chosen) {
         plot.series.push_back(markOn(plot.series.front(), *view.chosen, Ink::warning));
