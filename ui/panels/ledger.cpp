@@ -320,9 +320,7 @@ void Ledger::measure() {
 void Ledger::fillCells() {
     const QSignalBlocker quiet(this);
     head_->show(read_at_, measuring_);
-    for (std::size_t k = 0; k < variables_.size(); ++k) {
-        fillVariable(first_variable + static_cast<int>(k), concise_);
-    }
+    fillVariables();
     bool narrow = false;
     for (int row = 0; row < topLevelItemCount(); ++row) {
         QTreeWidgetItem& item = *topLevelItem(row);
@@ -340,22 +338,24 @@ void Ledger::fillCells() {
     viewport()->update();
 }
 
-void Ledger::fillVariable(int column, bool concise) {
-    const SlowVariable variable = variables_[static_cast<std::size_t>(column - first_variable)];
+void Ledger::fillVariables() {
     std::vector<const AnalysisEntry*> rows;
     rows.reserve(static_cast<std::size_t>(topLevelItemCount()));
     for (int row = 0; row < topLevelItemCount(); ++row) {
         rows.push_back(document_.analysis(analysisIdOf(*topLevelItem(row))));
     }
-    const CellColumn read = variableColumn(reader(), rows, variable, concise);
-    for (int row = 0; row < topLevelItemCount(); ++row) {
-        topLevelItem(row)->setText(column, read.cells[row]);
-        topLevelItem(row)->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    for (const SlowVariable variable : variables_) {
+        const int column = columnOf(variable);
+        const CellColumn read = variableColumn(reader(), rows, variable, concise_);
+        for (int row = 0; row < topLevelItemCount(); ++row) {
+            topLevelItem(row)->setText(column, read.cells[row]);
+            topLevelItem(row)->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        }
+        headerItem()->setText(column, indexPlain(read.head));
+        headerItem()->setData(column, IndexHeader::title_role, read.head);
+        headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        headerItem()->setToolTip(column, displayMeaning(variable));
     }
-    headerItem()->setText(column, indexPlain(read.head));
-    headerItem()->setData(column, IndexHeader::title_role, read.head);
-    headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-    headerItem()->setToolTip(column, displayMeaning(variable));
 }
 
 // Names may be shortened, numbers may not: a column without room for its numbers gives way.
@@ -386,9 +386,7 @@ void Ledger::layoutColumns() {
     const QSignalBlocker quiet(this);
     for (const bool concise : {false, true}) {
         concise_ = concise;
-        for (std::size_t k = 0; k < variables_.size(); ++k) {
-            fillVariable(first_variable + static_cast<int>(k), concise);
-        }
+        fillVariables();
         std::vector<int> hidden;
         if (lay(hidden) || (!concise && (hidden = {algorithm, frequency}, lay(hidden)))) {
             break;

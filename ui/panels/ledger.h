@@ -73,7 +73,7 @@ private:
     void measure();
     void fillCells();
     LedgerReader reader() const { return {document_, read_at_, measuring_, trends_, units_}; }
-    void fillVariable(int column, bool concise);
+    void fillVariables();
     void layoutColumns();
     void fitHeight();
     void enableActions();

@@ -1,6 +1,6 @@
 #include "ui/plots/plot_stack.h"
 
-#include "ui/plots/decimated_graph.h"
+#include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_strip.h"
 #include "ui/values/curve_data.h"
 

@@ -78,10 +78,6 @@ CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable vari
     empty_ = std::none_of(value_.begin(), value_.end(), [](double v) { return std::isfinite(v); });
 }
 
-double CurveData::sd(std::size_t row) const {
-    return sd_.empty() ? std::numeric_limits<double>::quiet_NaN() : sd_[row];
-}
-
 // The time-critical loop of drawing, reduced to the needs of a row.
 void CurveData::addRows(CurveColumn& column, std::size_t begin, std::size_t end) const {
     CurveColumn sum = column;

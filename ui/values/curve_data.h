@@ -53,7 +53,6 @@ public:
     std::size_t nearest(double time_s) const;
     double time(std::size_t row) const { return time_[row]; }
     double value(std::size_t row) const { return value_[row]; }
-    double sd(std::size_t row) const;
 
     // Whether no window has a value.
     bool empty() const { return empty_; }

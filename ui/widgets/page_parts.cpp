@@ -91,14 +91,9 @@ QString paragraphs(const QStringList& texts, const QString& form) {
     return html;
 }
 
-Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts) {
+Section* addSection(QVBoxLayout& layout, LayoutParts parts) {
     auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 4);
-    column->setSpacing(2);
-    for (QWidget* part : parts) {
-        column->addWidget(part);
-    }
+    fill(new QVBoxLayout(content), {0, 0, 0, 4}, 2, parts);
     auto* section = new Section(content);
     layout.addWidget(section);
     return section;
@@ -133,11 +128,7 @@ Section::Section(QWidget* content, QWidget* parent)
     bold.setBold(true);
     title_->setFont(bold);
 
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addWidget(title_);
-    layout->addWidget(content_);
+    fill(new QVBoxLayout(this), {}, 2, {title_, content_});
     connect(title_, &QToolButton::toggled, this, [this](bool open) {
         content_->setVisible(open);
         title_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);

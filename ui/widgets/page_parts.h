@@ -87,7 +87,7 @@ private:
 };
 
 // One at the end of a layout, with these parts.
-Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts);
+Section* addSection(QVBoxLayout& layout, LayoutParts parts);
 // A column that scrolls up and down.
 QScrollArea* scrolled(QVBoxLayout* column);
 QScrollArea* scrolled(QWidget* content, QWidget* parent = nullptr);

@@ -1,5 +1,5 @@
 #include "tests/test_registry.h"
-#include "ui/plots/zoom_navigator.h"
+#include "ui/plots/time_gestures.h"
 
 #include <QtTest>
 
