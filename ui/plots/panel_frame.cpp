@@ -71,11 +71,10 @@ void PanelTicker::omitLabels(const AxisRange& range, QVector<QString>& labels) c
     }
 }
 
-void addFrame(QCPAxisRect& panel, const QSharedPointer<PanelTicker>& x,
-              const QSharedPointer<PanelTicker>& y) {
-    panel.setLayer(QStringLiteral("background"));  // below the grid
+FramedPanel::FramedPanel(QCustomPlot* plot, const QMargins& around) : QCPAxisRect(plot, false) {
+    setLayer(QStringLiteral("background"));  // below the grid
     for (const auto type : {QCPAxis::atLeft, QCPAxis::atBottom, QCPAxis::atRight, QCPAxis::atTop}) {
-        QCPAxis* side = panel.addAxis(type);
+        QCPAxis* side = addAxis(type);
         side->setLayer(QStringLiteral("axes"));
         side->grid()->setLayer(QStringLiteral("grid"));
         side->setSubTicks(false);
@@ -85,28 +84,44 @@ void addFrame(QCPAxisRect& panel, const QSharedPointer<PanelTicker>& x,
         side->setTicks(scale);
         side->setTickLabels(scale);
     }
-    panel.axis(QCPAxis::atBottom)->setTicker(x);
-    panel.axis(QCPAxis::atLeft)->setTicker(y);
-    panel.axis(QCPAxis::atBottom)->setTickLength(0, 4);
-    panel.axis(QCPAxis::atLeft)->setTickLength(0, 4);
+    axis(QCPAxis::atBottom)->setTicker(x_);
+    axis(QCPAxis::atLeft)->setTicker(y_);
+    axis(QCPAxis::atBottom)->setTickLength(0, 4);
+    axis(QCPAxis::atLeft)->setTickLength(0, 4);
+    setAutoMargins(QCP::msLeft);
+    setMinimumMargins({around.left(), 0, 0, 0});
+    setMargins(around);
 }
 
-void setFrameLook(QCPAxisRect& panel, const Theme& theme, const QFont& tick_font) {
-    panel.setBackground(QBrush(theme.panelBackground));
-    for (QCPAxis* side : panel.axes()) {
+void FramedPanel::setLook(const Theme& theme, const QFont& font) {
+    theme_ = theme;
+    font_ = font;
+    tick_font_ = font;
+    tick_font_.setPixelSize(std::max(9, font.pixelSize() - 1));
+    setBackground(QBrush(theme.panelBackground));
+    for (QCPAxis* side : axes()) {
         side->setBasePen(QPen(theme.axis, 1));
         side->setTickPen(QPen(theme.axis, 1));
         side->setTickLabelColor(theme.text);
-        side->setTickLabelFont(tick_font);
+        side->setTickLabelFont(tick_font_);
         side->grid()->setPen(QPen(theme.grid, 1));
         side->grid()->setZeroLinePen(QPen(theme.zeroLine, 1));
     }
 }
 
-QFont tickFont(const QFont& font) {
-    QFont smaller = font;
-    smaller.setPixelSize(std::max(9, font.pixelSize() - 1));
-    return smaller;
+void FramedPanel::update(UpdatePhase phase) {
+    if (phase == upPreparation) {
+        y_->setRoom(expected_.height(), tick_font_);
+        x_->setRoom(expected_.width(), tick_font_, margins().right() - 2);
+    }
+    QCPAxisRect::update(phase);
+}
+
+void FramedPanel::drawEmpty(QCPPainter& painter, const QString& text) const {
+    painter.setPen(theme_.mutedText);
+    painter.setFont(font_);
+    painter.drawText(QRectF(rect()).adjusted(12, 4, -12, -4),
+                     int(Qt::AlignCenter) | Qt::TextWordWrap, text);
 }
 
 }  // namespace vybeg::ui

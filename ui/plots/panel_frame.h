@@ -52,14 +52,38 @@ private:
     AxisTicks ticks_;
 };
 
-// A full frame with ticks at the left and bottom only, on the layers of preparePlot(). Labels under
-// the frame lie outside its margins.
-void addFrame(QCPAxisRect& panel, const QSharedPointer<PanelTicker>& x,
-              const QSharedPointer<PanelTicker>& y);
+// A panel in a full frame with ticks at the left and bottom only, on the layers of preparePlot().
+// Labels under the frame lie outside its margins.
+class FramedPanel : public QCPAxisRect {
+public:
+    // `around`: pixels around the frame; left: at least.
+    FramedPanel(QCustomPlot* plot, const QMargins& around);
 
-void setFrameLook(QCPAxisRect& panel, const Theme& theme, const QFont& tick_font);
+    // Size of the frame after the next layout, without exact left margin.
+    void setExpectedSize(QSize size) { expected_ = size; }
+    QSize expectedSize() const { return expected_; }
+    const Theme& theme() const { return theme_; }
+    const QFont& font() const { return font_; }
 
-// The font of tick labels beside texts of a font.
-QFont tickFont(const QFont& font);
+    void update(UpdatePhase phase) override;
+
+protected:
+    void setLook(const Theme& theme, const QFont& font);
+    PanelTicker& ticker(QCPAxis::AxisType side) const {
+        return side == QCPAxis::atBottom ? *x_ : *y_;
+    }
+    // Tick labels are smaller than other texts.
+    const QFont& tickFont() const { return tick_font_; }
+    // In the middle, where no curve is.
+    void drawEmpty(QCPPainter& painter, const QString& text) const;
+
+private:
+    QSharedPointer<PanelTicker> x_{new PanelTicker(Qt::Horizontal)};
+    QSharedPointer<PanelTicker> y_{new PanelTicker(Qt::Vertical)};
+    Theme theme_;
+    QFont font_;
+    QFont tick_font_;
+    QSize expected_{400, 100};
+};
 
 }  // namespace vybeg::ui
