@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/panels/ledger_cells.h"
 #include "ui/panels/ledger_rows.h"
 #include "ui/panels/measuring.h"
 #include "ui/values/ids.h"

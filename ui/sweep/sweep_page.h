@@ -3,7 +3,7 @@
 #include "core/sweep/window_sweep.h"
 #include "ui/document/background_jobs.h"
 #include "ui/plots/measured_page.h"
-#include "ui/sweep/sweep_plots.h"
+#include "ui/sweep/shown_sweep.h"
 #include "ui/values/ids.h"
 
 #include <QLineEdit>
