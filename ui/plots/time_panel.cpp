@@ -18,8 +18,8 @@ QMargins TimePanel::room(PlotHead head) {
     return head == PlotHead::line ? QMargins(60, 21, 16, 3) : QMargins(56, 0, 8, 4);
 }
 
-// The labels under the lowest panel have a separate row, so that all panels are equally high. On the
-// screen tick labels leave room for the lines in the margin and the name of the time axis.
+// The labels under the lowest panel have a separate row, so that all panels are equally high. On
+// the screen tick labels leave room for the lines in the margin and the name of the time axis.
 TimePanel::TimePanel(QCustomPlot* plot, PlotHead head)
     : FramedPanel(plot, room(head)), head_(head) {
     timeAxis()->setTickLabelPadding(5);
