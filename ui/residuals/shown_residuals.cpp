@@ -204,7 +204,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
         return QuantityRow{withUnit(name, of_unit), tip, {cell(found.c), cell(found.d)}};
     };
     const auto flagged = [&](double value, double sd) {
-        return valueCell(value, sd, std::abs(value) > doubtful * sd ? alarm : QColor());
+        return measuredCell(value, sd, std::abs(value) > doubtful * sd ? alarm : QColor());
     };
     const auto of_count = [](const ResidualChannel& channel, double factor) {
         return factor / std::sqrt(static_cast<double>(channel.moments.count));
@@ -214,7 +214,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
             ResidualWords::tr("Standard deviation of the residual about its mean"),
             [&](const ResidualChannel& channel) {
                 const double sd = channel.moments.sd;
-                return valueCell(sd, sd * of_count(channel, M_SQRT1_2));
+                return measuredCell(sd, sd * of_count(channel, M_SQRT1_2));
             }),
         row(ResidualWords::tr("Noise per sample"), unit,
             ResidualWords::tr(
@@ -222,7 +222,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                 "window take up a part of it. Unknown after a band-pass filter."),
             [&](const ResidualChannel& channel) {
                 const double sd = channel.noise_sd;
-                return valueCell(sd, sd * of_count(channel, M_SQRT1_2));
+                return measuredCell(sd, sd * of_count(channel, M_SQRT1_2));
             }),
         row(ResidualWords::tr("Mean"), unit,
             ResidualWords::tr("Mean of the residual. Beyond four standard deviations: an offset of "

@@ -355,7 +355,7 @@ std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& vi
         const double sd = factor * value.sd_scatter;
         QuantityRow row{countLabel(each.length), lengthText(sweep, k), {}};
         row.cells.push_back({countLabel(each.used), {QString::number(each.used)}, {}});
-        row.cells.push_back(valueCell(scatter, sd));
+        row.cells.push_back(measuredCell(scatter, sd));
         for (const Column& column : shown) {
             row.cells.push_back(cell(factor * value.*column.member));
         }

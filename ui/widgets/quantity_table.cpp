@@ -84,7 +84,7 @@ QString cellNumber(double value) {
     return QLocale().toString(value, 'g', 12);
 }
 
-QuantityCell valueCell(double value, double sd, const QColor& color) {
+QuantityCell measuredCell(double value, double sd, const QColor& color) {
     return {valueText(value, sd), {cellNumber(value), cellNumber(sd)}, color};
 }
 

@@ -42,7 +42,7 @@ struct QuantityCell {
 // A number of a cell with twelve digits, in the decimal sign of the interface's language.
 QString cellNumber(double value);
 // A value with its standard deviation.
-QuantityCell valueCell(double value, double sd, const QColor& color = {});
+QuantityCell measuredCell(double value, double sd, const QColor& color = {});
 
 struct QuantityRow {
     QString name;  // with its unit; an underscore introduces an index
