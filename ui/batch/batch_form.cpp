@@ -1,6 +1,5 @@
 #include "ui/batch/batch_form.h"
 
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 

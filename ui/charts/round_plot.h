@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/plots/plot_file.h"
+#include "ui/plots/plot_view.h"
 #include "ui/widgets/theme.h"
 
 #include <QString>
@@ -8,6 +9,8 @@
 #include <vector>
 
 class QChart;
+class QChartView;
+class QLabel;
 
 namespace vybeg::ui {
 
@@ -50,5 +53,28 @@ inline constexpr QSize round_paper_size{480, 480};
 
 // A plot in the light theme.
 Drawing roundDrawing(const RoundPlot& content);
+
+// A round plot in a panel.
+class RoundView : public PlotView {
+    Q_OBJECT
+
+public:
+    explicit RoundView(bool polar, QWidget* parent = nullptr);
+
+    void setContent(const RoundPlot& content);
+    // Hidden where the window names the curves already; a figure has a legend all the same.
+    void setLegendShown(bool shown);
+    const RoundPlot& content() const { return content_; }
+    QSize sizeHint() const override { return {260, 260}; }
+    Figure figure() const override;
+
+private:
+    void rebuild() override;
+
+    QChartView* view_;
+    QLabel* legend_;
+    bool legend_shown_ = true;
+    RoundPlot content_;
+};
 
 }  // namespace vybeg::ui

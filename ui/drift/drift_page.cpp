@@ -5,12 +5,9 @@
 #include "ui/panels/file_list.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/warning_list.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
-#include "ui/widgets/section.h"
-#include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 

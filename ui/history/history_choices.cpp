@@ -1,8 +1,6 @@
 #include "ui/history/history_choices.h"
 
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>

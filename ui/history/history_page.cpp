@@ -6,7 +6,6 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
-#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QFileInfo>

@@ -295,24 +295,9 @@ XYPlot distributionPlot(const HistoryView& view) {
     const auto value = [&](double z) {
         return parameter.factor * (view.charts.moments.mean + z * view.charts.moments.sd);
     };
-    XYSeries steps;
-    steps.name = HistoryWords::tr("results");
-    steps.steps = true;
-    steps.ink = Ink::channel_c;
-    const auto add = [&](double bin, double count) {
-        steps.x.push_back(value(found.low + (bin + 0.5) * found.width));
-        steps.y.push_back(count);
-    };
-    // The first and last steps fall to zero.
-    add(-1, 0);
-    for (std::size_t k = 0; k < found.counts.size(); ++k) {
-        add(static_cast<double>(k), static_cast<double>(found.counts[k]));
-    }
-    add(static_cast<double>(found.counts.size()), 0);
-    XYSeries normal;
-    normal.name = HistoryWords::tr("normal");
-    normal.ink = Ink::text;
-    normal.dashed = true;
+    XYSeries steps = histogramSteps(found, HistoryWords::tr("results"), Ink::channel_c);
+    std::ranges::transform(steps.x, steps.x.begin(), value);
+    XYSeries normal = dashedLine(HistoryWords::tr("normal"), Ink::text);
     constexpr int points = 121;
     constexpr double reach = 4;
     const double scale = found.width * static_cast<double>(view.charts.moments.count) /

@@ -3,7 +3,6 @@
 #include "core/recording/samples/partner_file.h"
 #include "ui/import/import_memory.h"
 #include "ui/import/import_preview.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QDialogButtonBox>

@@ -1,14 +1,12 @@
 #include "ui/import/import_fields.h"
 
 #include "core/recording/samples/open_table.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/widgets/wheel_guard.h"
+#include "ui/widgets/theme.h"
 
 #include <QAction>
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -73,68 +71,88 @@ QString named(int number, const Channel& channel) {
 
 }  // namespace
 
+void FormRows::add(const char* name, QWidget* field) const {
+    auto* label = new QLabel(parent);
+    label->setBuddy(field);
+    form->addRow(label, withName(field, name));
+}
+
+QComboBox* FormRows::list(const char* name, int entries) const {
+    auto* box = new QComboBox(parent);
+    add(name, box);
+    box->addItems(QStringList(entries));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(characters);
+    QObject::connect(box, &QComboBox::currentIndexChanged, parent,
+                     [told = changed, box] { told(box); });
+    return box;
+}
+
+NumberField* FormRows::number(const char* name, const Bounds& limits) const {
+    auto* field = new NumberField(parent);
+    add(name, field);
+    field->setLimits(limits);
+    const auto tell = [told = changed, field] { told(field); };
+    QObject::connect(field, &QLineEdit::textEdited, parent, tell);
+    QObject::connect(field, &NumberField::valueEdited, parent, tell);
+    return field;
+}
+
+QLineEdit* FormRows::words(const char* name) const {
+    auto* field = new QLineEdit(parent);
+    add(name, field);
+    QObject::connect(field, &QLineEdit::textEdited, parent,
+                     [told = changed, field] { told(field); });
+    return field;
+}
+
+void setRowTexts(const QFormLayout& form, QWidget* field, const QString& label,
+                 const QString& tip) {
+    static_cast<QLabel*>(form.labelForField(field))->setText(label);
+    field->setAccessibleName(label);
+    field->setToolTip(tip);
+}
+
 ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    const auto add = [this](Row row, const char* name, auto* field) {
-        labels_[row] = new QLabel(this);
-        labels_[row]->setBuddy(field);
-        field->setObjectName(QLatin1String(name));
-        fields_[row] = field;
-        form_->addRow(labels_[row], field);
-        return field;
+    const FormRows rows{this, form_, 16, [this](QWidget*) { emit edited(); }};
+    const auto bounds = [](const char* option) -> const Bounds& {
+        return bounds_in(open_settings(), option);
     };
-    const auto list = [this, &add](Row row, const char* name, int entries) {
-        auto* box = add(row, name, new QComboBox(this));
-        box->addItems(QStringList(entries));
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(16);
-        connect(box, &QComboBox::currentIndexChanged, this, &ImportFields::edited);
-        return box;
-    };
-    const auto number = [this, &add](Row row, const char* name, const char* option) {
-        auto* field = add(row, name, new NumberField(this));
-        field->setLimits(bounds_in(open_settings(), option));
-        connect(field, &QLineEdit::textEdited, this, &ImportFields::edited);
-        connect(field, &NumberField::valueEdited, this, &ImportFields::edited);
-        return field;
-    };
-    const auto words = [this, &add](Row row, const char* name) {
-        auto* field = add(row, name, new QLineEdit(this));
-        connect(field, &QLineEdit::textEdited, this, &ImportFields::edited);
-        return field;
-    };
-    read_as_ = list(read_as, "read_as", 3);
-    delimiter_ = list(delimiter, "delimiter", static_cast<int>(delimiters.size()) + 1);
-    decimal_ = list(decimal, "decimal", 3);
-    skip_lines_ = number(skip_lines, "skip_lines", "skip-lines");
+    read_as_ = rows.list("read_as", 3);
+    delimiter_ = rows.list("delimiter", static_cast<int>(delimiters.size()) + 1);
+    decimal_ = rows.list("decimal", 3);
+    skip_lines_ = rows.number("skip_lines", bounds("skip-lines"));
     skip_lines_->setInteger(true);
     skip_lines_->setOptional(true);
-    time_column_ = list(time_column, "time_column", 2);
-    time_unit_ = list(time_unit, "time_unit", static_cast<int>(time_units.size()) + 1);
-    raw_type_ = list(raw_type, "raw_type", 4);
-    raw_order_ = list(raw_order, "raw_order", 2);
-    raw_channels_ = add(raw_channels, "raw_channels", new QSpinBox(this));
-    const Bounds& channels = bounds_in(open_settings(), "raw-channels");
+    time_column_ = rows.list("time_column", 2);
+    time_unit_ = rows.list("time_unit", static_cast<int>(time_units.size()) + 1);
+    raw_type_ = rows.list("raw_type", 4);
+    raw_order_ = rows.list("raw_order", 2);
+    raw_channels_ = new QSpinBox(this);
+    rows.add("raw_channels", raw_channels_);
+    const Bounds& channels = bounds("raw-channels");
     raw_channels_->setRange(static_cast<int>(channels.least), static_cast<int>(channels.most));
     connect(raw_channels_, &QSpinBox::valueChanged, this, &ImportFields::edited);
-    raw_skip_ = number(raw_skip, "raw_skip", "skip");
+    raw_skip_ = rows.number("raw_skip", bounds("skip"));
     raw_skip_->setInteger(true);
-    variables_ = words(variables, "variables");
-    channel_d_file_ = words(channel_d_file, "channel_d_file");
-    join_ = words(join, "join");
+    variables_ = rows.words("variables");
+    channel_d_file_ = rows.words("channel_d_file");
+    join_ = rows.words("join");
     addChoice(*channel_d_file_);
     addChoice(*join_);
-    channel_c_ = list(channel_c, "channel_c", 0);
-    channel_d_ = list(channel_d, "channel_d", 0);
-    rate_ = number(rate, "rate", "rate");
+    channel_c_ = rows.list("channel_c", 0);
+    channel_d_ = rows.list("channel_d", 0);
+    rate_ = rows.number("rate", bounds("rate"));
     rate_->setOptional(true);
-    scale_ = number(scale, "scale", "scale");
-    unit_ = words(unit, "unit");
+    scale_ = rows.number("scale", bounds("scale"));
+    unit_ = rows.words("unit");
     time_column_->setItemData(1, 0);
     setOptions({});
     guardFromWheel(*this);
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { showChoices(); });
     connect(this, &ImportFields::edited, this, &ImportFields::showRows);
 }
 
@@ -271,13 +289,14 @@ void ImportFields::setPreview(const RecordingPreview& preview) {
 
 void ImportFields::showRows() {
     const bool raw = readAs() == ReadAs::raw;
-    for (const Row row : {delimiter, decimal, skip_lines, time_column, time_unit}) {
-        form_->setRowVisible(fields_[row], isText());
-    }
-    for (const Row row : {raw_type, raw_order, raw_channels, raw_skip}) {
-        form_->setRowVisible(fields_[row], raw);
-    }
-    form_->setRowVisible(variables_, hasVariables());
+    const auto show = [this](std::initializer_list<QWidget*> fields, bool shown) {
+        for (QWidget* field : fields) {
+            form_->setRowVisible(field, shown);
+        }
+    };
+    show({delimiter_, decimal_, skip_lines_, time_column_, time_unit_}, isText());
+    show({raw_type_, raw_order_, raw_channels_, raw_skip_}, raw);
+    show({variables_}, hasVariables());
     // A recording has a file for each channel, or pieces.
     const bool pair = !channel_d_file_->text().trimmed().isEmpty();
     join_->setEnabled(!pair);
@@ -361,15 +380,6 @@ void ImportFields::showChannels(QComboBox& box) {
     select(box, chosen);
 }
 
-void ImportFields::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        showChoices();
-    }
-}
-
 // The signs in the fields of files.
 void ImportFields::showChoices() {
     for (QAction* choose : choose_) {
@@ -380,37 +390,35 @@ void ImportFields::showChoices() {
 }
 
 void ImportFields::retranslate() {
-    const auto set = [this](Row row, const QString& label, const QString& tip) {
-        labels_[row]->setText(label);
-        labels_[row]->setToolTip(tip);
-        fields_[row]->setAccessibleName(label);
-        fields_[row]->setToolTip(tip);
+    const auto set = [this](QWidget* field, const QString& label, const QString& tip) {
+        setRowTexts(*form_, field, label, tip);
+        form_->labelForField(field)->setToolTip(tip);
     };
-    set(read_as, tr("Read as"), tr("By its content, or as what it is said to be"));
-    set(delimiter, tr("Separator"), tr("What stands between the columns"));
-    set(decimal, tr("Decimal sign"), tr("Of the numbers in the file"));
-    set(skip_lines, tr("Lines to skip"), tr("Above the first row of numbers"));
-    set(time_column, tr("Time column"),
+    set(read_as_, tr("Read as"), tr("By its content, or as what it is said to be"));
+    set(delimiter_, tr("Separator"), tr("What stands between the columns"));
+    set(decimal_, tr("Decimal sign"), tr("Of the numbers in the file"));
+    set(skip_lines_, tr("Lines to skip"), tr("Above the first row of numbers"));
+    set(time_column_, tr("Time column"),
         tr("Gives the sample rate and is no channel; all other columns are"));
-    set(time_unit, tr("Unit of time"), tr("Of the time column"));
-    set(raw_type, tr("Sample type"), tr("How each sample is stored"));
-    set(raw_order, tr("Byte order"), tr("Little endian: the lowest byte comes first"));
-    set(raw_channels, tr("Channels"), tr("Interleaved: a sample of each, then the next of each"));
-    set(raw_skip, tr("Header"), tr("Bytes before the first sample"));
-    set(variables, tr("Variables"),
+    set(time_unit_, tr("Unit of time"), tr("Of the time column"));
+    set(raw_type_, tr("Sample type"), tr("How each sample is stored"));
+    set(raw_order_, tr("Byte order"), tr("Little endian: the lowest byte comes first"));
+    set(raw_channels_, tr("Channels"), tr("Interleaved: a sample of each, then the next of each"));
+    set(raw_skip_, tr("Header"), tr("Bytes before the first sample"));
+    set(variables_, tr("Variables"),
         tr("Names of the variables that hold C and D and, third, the rate, with commas between "
            "them"));
-    set(channel_d_file, tr("File of channel D"),
+    set(channel_d_file_, tr("File of channel D"),
         tr("Where each channel has a file of its own: its name, or its path"));
-    set(join, tr("Further pieces"),
+    set(join_, tr("Further pieces"),
         tr("Where a recording is in pieces: the names or paths of the further ones, in their "
            "order, "
            "with commas between them"));
-    set(channel_c, tr("Channel C"), tr("Counted from 1; a time column does not count"));
-    set(channel_d, tr("Channel D"), tr("Counted from 1; a time column does not count"));
-    set(rate, tr("Sample rate"), tr("Used where the file has no rate of its own"));
-    set(scale, tr("Scale"), tr("Recording units per count or per unit of the file"));
-    set(unit, tr("Unit"), tr("Of the samples, once they are scaled"));
+    set(channel_c_, tr("Channel C"), tr("Counted from 1; a time column does not count"));
+    set(channel_d_, tr("Channel D"), tr("Counted from 1; a time column does not count"));
+    set(rate_, tr("Sample rate"), tr("Used where the file has no rate of its own"));
+    set(scale_, tr("Scale"), tr("Recording units per count or per unit of the file"));
+    set(unit_, tr("Unit"), tr("Of the samples, once they are scaled"));
     rate_->setUnit(tr("Hz"));
     raw_skip_->setUnit(tr("bytes"));
     variables_->setPlaceholderText(tr("the first that fit"));

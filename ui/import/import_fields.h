@@ -4,7 +4,6 @@
 
 #include <QWidget>
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,15 +12,33 @@
 class QAction;
 class QComboBox;
 class QFormLayout;
-class QLabel;
 class QLineEdit;
 class QSpinBox;
+
+namespace vybeg {
+struct Bounds;
+}
 
 namespace vybeg::ui {
 
 class NumberField;
 
 using TakeFiles = std::function<void(const QStringList&)>;
+
+// Adds rows to a form, each a label and a field with the name of its object.
+struct FormRows {
+    QWidget* parent;
+    QFormLayout* form;
+    int characters;                         // of a list, at least
+    std::function<void(QWidget*)> changed;  // follows each change of a field, also each key
+
+    void add(const char* name, QWidget* field) const;
+    QComboBox* list(const char* name, int entries) const;
+    NumberField* number(const char* name, const Bounds& limits) const;
+    QLineEdit* words(const char* name) const;
+};
+// The texts of a field's row.
+void setRowTexts(const QFormLayout& form, QWidget* field, const QString& label, const QString& tip);
 
 // Fields of an import. "Automatic" choices show the value from the content; only rows for the kind
 // of file are visible. The fields are its only state.
@@ -46,31 +63,7 @@ signals:
     // Files are to be chosen, which `take` names in a field.
     void filesWanted(const vybeg::ui::TakeFiles& take);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    enum Row {
-        read_as,
-        delimiter,
-        decimal,
-        skip_lines,
-        time_column,
-        time_unit,
-        raw_type,
-        raw_order,
-        raw_channels,
-        raw_skip,
-        variables,
-        channel_d_file,
-        join,
-        channel_c,
-        channel_d,
-        rate,
-        scale,
-        unit,
-        row_count
-    };
     enum class ReadAs { content, text, raw };
 
     ReadAs readAs() const;
@@ -88,8 +81,6 @@ private:
     void retranslate();
 
     QFormLayout* form_;
-    std::array<QLabel*, row_count> labels_{};
-    std::array<QWidget*, row_count> fields_{};
     QComboBox* read_as_;
     QComboBox* delimiter_;
     QComboBox* decimal_;

@@ -1,6 +1,6 @@
 #include "ui/import/import_memory.h"
 
-#include "ui/import/open_options_json.h"
+#include "ui/values/json_fields.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -22,6 +22,22 @@ QJsonArray imports() {
 }
 
 }  // namespace
+
+QJsonObject optionsToJson(const OpenOptions& options) {
+    QJsonObject json;
+    describe(JsonWriter(json), options);
+    return json;
+}
+
+OpenOptions optionsFromJson(const QJsonObject& json) {
+    OpenOptions options;
+    describe(JsonReader(json), options);
+    // Earlier versions kept the scale with the layout or the choice.
+    for (const char* part : {"raw", "text"}) {
+        options.scale *= json[QLatin1String(part)].toObject()[QStringLiteral("scale")].toDouble(1);
+    }
+    return options;
+}
 
 QString importKind(const QString& path, const RecordingPreview& preview, bool raw) {
     const QString ending = QFileInfo(path).suffix().toLower();

@@ -2,9 +2,7 @@
 
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
-#include "ui/words/format_text.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -66,30 +64,35 @@ ImportPreview::ImportPreview(QWidget* parent)
     parts->setStretchFactor(1, 2);
     fill(new QVBoxLayout(this), {}, {what_, {parts, 1}});
     applyLook();
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::PaletteChange}, [this] {
+        if (isDark(palette()) != theme_.dark) {
+            applyLook();
+            setPreview(RecordingPreview(preview_));
+        }
+    });
 }
 
 void ImportPreview::setPreview(const RecordingPreview& preview) {
     preview_ = preview;
-    error_ = preview.problem;
     showProblem();
     fillTable();
     drawSamples();
 }
 
 void ImportPreview::setError(const Error& error) {
-    preview_ = {};
-    preview_.problem = error;
-    setPreview(preview_);
+    RecordingPreview none;
+    none.problem = error;
+    setPreview(none);
 }
 
 void ImportPreview::showProblem() {
     QPalette palette = what_->parentWidget()->palette();
-    if (error_) {
+    if (preview_.problem) {
         palette.setColor(QPalette::WindowText, theme_.warning);
     }
     what_->setPalette(palette);
-    what_->setText(error_ ? errorText(*error_) : formatText(preview_.format));
+    what_->setText(preview_.problem ? errorText(*preview_.problem) : formatText(preview_.format));
 }
 
 void ImportPreview::fillTable() {
@@ -192,16 +195,6 @@ void ImportPreview::applyLook() {
     }
     plot_->graph(0)->setPen(theme_.signalC);
     plot_->graph(1)->setPen(QPen(theme_.signalD, 1));
-}
-
-void ImportPreview::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange && isDark(palette()) != theme_.dark) {
-        applyLook();
-        setPreview(RecordingPreview(preview_));
-    }
 }
 
 void ImportPreview::retranslate() {

@@ -5,8 +5,6 @@
 
 #include <QWidget>
 
-#include <optional>
-
 class QCustomPlot;
 class QLabel;
 class QTableWidget;
@@ -24,9 +22,6 @@ public:
     void setPreview(const RecordingPreview& preview);
     void setError(const Error& error);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void showProblem();
     void fillTable();
@@ -38,7 +33,6 @@ private:
     QTableWidget* table_;
     QCustomPlot* plot_;
     Theme theme_;
-    std::optional<Error> error_;
     RecordingPreview preview_;
 };
 

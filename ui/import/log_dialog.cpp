@@ -7,11 +7,9 @@
 #include "core/recording/samples/partner_file.h"
 #include "ui/import/import_preview.h"
 #include "ui/import/log_files.h"
-#include "ui/widgets/icons.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/widgets/wheel_guard.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
@@ -84,51 +82,28 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     lacking_->setTextFormat(Qt::PlainText);
     lacking_->setWordWrap(true);
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    const auto put = [this](Row row, const char* name, auto* field) {
-        labels_[row] = new QLabel(this);
-        labels_[row]->setBuddy(field);
-        field->setObjectName(QLatin1String(name));
-        fields_[row] = field;
-        form_->addRow(labels_[row], field);
-        return field;
-    };
-    const auto list = [this, &put](Row row, const char* name, int entries) {
-        auto* box = put(row, name, new QComboBox(this));
-        box->addItems(QStringList(entries));
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(20);
-        connect(box, &QComboBox::currentIndexChanged, this, [this, box] {
-            by_person_.insert(box);
-            refresh();
-        });
-        return box;
-    };
-    const auto number = [this, &put](Row row, const char* name, const Bounds& limits) {
-        auto* field = put(row, name, new NumberField(this));
-        field->setOptional(true);
-        field->setLimits(limits);
-        connect(field, &QLineEdit::textEdited, this, &LogDialog::refresh);
-        connect(field, &NumberField::valueEdited, this, &LogDialog::refresh);
-        return field;
-    };
-    const auto words = [this, &put](Row row, const char* name) {
-        auto* field = put(row, name, new QLineEdit(this));
-        connect(field, &QLineEdit::textEdited, this, &LogDialog::refresh);
-        return field;
-    };
+    const FormRows rows{this, form_, 20, [this](QWidget* field) {
+                            if (auto* box = qobject_cast<QComboBox*>(field)) {
+                                by_person_.insert(box);
+                            }
+                            refresh();
+                        }};
     const auto bounds = [](const char* name) { return bounds_in(log_settings(), name); };
-    kind_ = list(kind, "kind", 6);
-    columns_ = words(columns, "columns");
-    channel_d_ = words(channel_d, "channel_d_file");
+    kind_ = rows.list("kind", 6);
+    columns_ = rows.words("columns");
+    channel_d_ = rows.words("channel_d_file");
     choose_ = channel_d_->addAction(QIcon(), QLineEdit::TrailingPosition);
-    angle_unit_ = list(angle_unit, "angle_unit", 3);
-    f_ref_ = number(f_ref, "f_ref", bounds("f-ref"));
-    y_sign_ = list(y_sign, "y_sign", 3);
-    amplitude_ = list(amplitude, "amplitude", 3);
-    order_ = list(order, "order", most_stages + 1);
-    bandwidth_ = number(bandwidth, "bandwidth", bounds("f-ref"));
-    rate_ = number(rate, "rate", bounds_in(open_settings(), "rate"));
-    from_ = number(from, "from", bounds_of("from"));
+    angle_unit_ = rows.list("angle_unit", 3);
+    f_ref_ = rows.number("f_ref", bounds("f-ref"));
+    y_sign_ = rows.list("y_sign", 3);
+    amplitude_ = rows.list("amplitude", 3);
+    order_ = rows.list("order", most_stages + 1);
+    bandwidth_ = rows.number("bandwidth", bounds("f-ref"));
+    rate_ = rows.number("rate", bounds_in(open_settings(), "rate"));
+    from_ = rows.number("from", bounds_of("from"));
+    for (NumberField* field : {f_ref_, bandwidth_, rate_, from_}) {
+        field->setOptional(true);
+    }
     auto* choices = new QWidget(this);
     fill(new QVBoxLayout(choices), {}, {files_, form_, lacking_, LayoutPart(1)});
     choices->setFixedWidth(400);
@@ -156,8 +131,9 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
 }
 
 LogDialog::~LogDialog() {
-    for (QWidget* field : fields_) {
-        field->disconnect(this);  // no signals of fields to a destroyed object
+    for (int row = 0; row < form_->rowCount(); ++row) {
+        // No signals of fields to a destroyed object.
+        form_->itemAt(row, QFormLayout::FieldRole)->widget()->disconnect(this);
     }
     files_->disconnect(this);
 }
@@ -309,19 +285,20 @@ void LogDialog::showRows() {
     const bool asks_for_columns =
         kind_->currentIndex() > 0 && (nameless || (look && look->problem) ||
                                       !columns_->text().isEmpty() || columns_->hasFocus());
-    std::array<bool, row_count> shown{};
-    shown[kind] = true;
-    shown[columns] = asks_for_columns;
-    shown[channel_d] = files_->ofOneChannel() > 0 && files_->ofOneChannel() <= 2;
-    shown[angle_unit] = files_->any(&LogLook::needs_angle_unit) || angle_unit_->currentIndex() > 0;
-    shown[f_ref] = phasors && (files_->any(&LogLook::needs_f_ref) || !f_ref_->text().isEmpty());
-    shown[y_sign] = shown[amplitude] = shown[order] = phasors;
-    shown[bandwidth] = phasors && order_->currentIndex() > 0;
-    shown[rate] = files_->any(&LogLook::needs_rate) || !rate_->text().isEmpty();
-    shown[from] = kind_->currentIndex() > 0;
-    for (std::size_t row = 0; row < shown.size(); ++row) {
-        labels_.at(row)->setVisible(shown.at(row));
-        fields_.at(row)->setVisible(shown.at(row));
+    const std::pair<QWidget*, bool> shown[]{
+        {columns_, asks_for_columns},
+        {channel_d_, files_->ofOneChannel() > 0 && files_->ofOneChannel() <= 2},
+        {angle_unit_, files_->any(&LogLook::needs_angle_unit) || angle_unit_->currentIndex() > 0},
+        {f_ref_, phasors && (files_->any(&LogLook::needs_f_ref) || !f_ref_->text().isEmpty())},
+        {y_sign_, phasors},
+        {amplitude_, phasors},
+        {order_, phasors},
+        {bandwidth_, phasors && order_->currentIndex() > 0},
+        {rate_, files_->any(&LogLook::needs_rate) || !rate_->text().isEmpty()},
+        {from_, kind_->currentIndex() > 0}};
+    for (const auto& [field, visible] : shown) {
+        form_->labelForField(field)->setVisible(visible);
+        field->setVisible(visible);
     }
     columns_->setPlaceholderText(
         QLatin1String(usualNames(static_cast<Columns>(kind_->currentIndex()))));
@@ -419,43 +396,41 @@ void LogDialog::retranslate() {
     setWindowTitle(tr("Open logs"));
     files_->setAccessibleName(tr("Logs"));
     files_->setToolTip(tr("Logs of one resonator, made alike. Delete takes the chosen ones out"));
-    const auto name = [this](Row row, const QString& text, const QString& tip) {
-        labels_[row]->setText(text);
-        fields_[row]->setAccessibleName(text);
-        fields_[row]->setToolTip(tip);
+    const auto name = [this](QWidget* field, const QString& text, const QString& tip) {
+        setRowTexts(*form_, field, text, tip);
     };
     const QString choose = tr("choose…");
-    name(kind, tr("Columns are"),
+    name(kind_, tr("Columns are"),
          tr("What the log keeps. The frame of phasors is whose phase they are relative to"));
     setTexts(*kind_, {choose, tr("powers E, R, S, Q"), tr("amplitudes a, b and the angle θ"),
                       tr("phasors, one frequency"), tr("phasors, an oscillator that moves"),
                       tr("phasors, each channel its own phase")});
-    name(columns, tr("Named"),
+    name(columns_, tr("Named"),
          tr("The columns, with commas between them, each with =COLUMN, a name or a number, where "
             "the file calls it otherwise, as in Xc=3,Yc=4,Xd=5,Yd=6"));
-    name(channel_d, tr("Channel D in"), tr("The file of the other channel, with the same times"));
+    name(channel_d_, tr("Channel D in"), tr("The file of the other channel, with the same times"));
     choose_->setIcon(themedIcon(QStringLiteral("open"), palette()));
     choose_->setToolTip(tr("Choose the file"));
-    name(angle_unit, tr("Unit of angles"), tr("Of θ, or of the phase columns"));
+    name(angle_unit_, tr("Unit of angles"), tr("Of θ, or of the phase columns"));
     setTexts(*angle_unit_, {choose, tr("degrees"), tr("radians")});
-    name(f_ref, tr("Reference"), tr("Frequency of the reference, which the file does not tell"));
-    name(y_sign, tr("Sign of Y"),
+    name(f_ref_, tr("Reference"), tr("Frequency of the reference, which the file does not tell"));
+    name(y_sign_, tr("Sign of Y"),
          tr("The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and "
             "the other sign is the resonator seen in a mirror"));
     setTexts(*y_sign_,
              {choose, tr("+: X + iY turns as the carrier does"), tr("−: X + iY turns against it")});
-    name(amplitude, tr("Amplitudes"), tr("What √(X² + Y²) is"));
+    name(amplitude_, tr("Amplitudes"), tr("What √(X² + Y²) is"));
     setTexts(*amplitude_, {choose, tr("peak values"), tr("rms values")});
-    name(order, tr("Filter, stages"),
+    name(order_, tr("Filter, stages"),
          tr("RC stages of the lock-in's filter: it delays the phasors and correlates their noise"));
     QStringList orders{tr("none")};
     for (int stages = 1; stages <= most_stages; ++stages) {
         orders << QLocale().toString(stages);
     }
     setTexts(*order_, orders);
-    name(bandwidth, tr("Its bandwidth"), tr("3 dB"));
-    name(rate, tr("Rows a second"), tr("Where the file has no times, or ticks of a clock"));
-    name(from, tr("Leave out until"),
+    name(bandwidth_, tr("Its bandwidth"), tr("3 dB"));
+    name(rate_, tr("Rows a second"), tr("Where the file has no times, or ticks of a clock"));
+    name(from_, tr("Leave out until"),
          tr("Time from the start of a log: what is before it is left out, as the settling of a "
             "filter"));
     from_->setPlaceholderText(tr("nothing"));

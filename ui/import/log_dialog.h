@@ -7,7 +7,6 @@
 #include <QDialog>
 #include <QStringList>
 
-#include <array>
 #include <set>
 #include <span>
 #include <vector>
@@ -44,21 +43,6 @@ public slots:
     void accept() override;
 
 private:
-    enum Row {
-        kind,
-        columns,
-        channel_d,
-        angle_unit,
-        f_ref,
-        y_sign,
-        amplitude,
-        order,
-        bandwidth,
-        rate,
-        from,
-        row_count
-    };
-
     LogChoice choice() const;
     OpenOptions options() const;
     // Logs of one channel by pairs; empty where one has no partner.
@@ -83,8 +67,6 @@ private:
     std::set<QComboBox*> by_person_;  // where a person chose: what the files tell stays out
     bool known_shown_ = false;        // what the first look found stands in the fields
     QFormLayout* form_;
-    std::array<QLabel*, row_count> labels_{};
-    std::array<QWidget*, row_count> fields_{};
     QComboBox* kind_;
     QLineEdit* columns_;
     QLineEdit* channel_d_;

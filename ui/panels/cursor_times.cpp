@@ -1,7 +1,6 @@
 #include "ui/panels/cursor_times.h"
 
 #include "ui/panels/measuring.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/number_label.h"
@@ -43,8 +42,6 @@ void CursorTimes::setTimes(std::optional<double> a_s, std::optional<double> b_s,
     const auto outside = [chosen](const std::optional<double>& time_s) {
         return chosen && time_s && !isInside(*chosen, time_s);
     };
-    a_s_ = a_s;
-    b_s_ = b_s;
     outside_ = outside(a_s) || outside(b_s);
     fields_[0]->setValue(a_s);
     fields_[1]->setValue(b_s);
@@ -52,13 +49,15 @@ void CursorTimes::setTimes(std::optional<double> a_s, std::optional<double> b_s,
 }
 
 void CursorTimes::showDifference() {
-    const bool apart = a_s_ && b_s_ && *a_s_ != *b_s_;
+    const auto a_s = fields_[0]->value();
+    const auto b_s = fields_[1]->value();
+    const bool apart = a_s && b_s && *a_s != *b_s;
     difference_->setText(
         outside_ ? tr("A cursor stands where the analysis has no windows.")
         : apart  ? tr("B − A = %1 s, 1/|B − A| = %2 Hz")
-                      .arg(groupedDigits(QLocale().toString(*b_s_ - *a_s_, 'g', 8))
+                      .arg(groupedDigits(QLocale().toString(*b_s - *a_s, 'g', 8))
                                .replace('-', QChar(0x2212)),
-                           groupedDigits(QLocale().toString(1 / std::abs(*b_s_ - *a_s_), 'g', 6)))
+                           groupedDigits(QLocale().toString(1 / std::abs(*b_s - *a_s), 'g', 6)))
                 : QString());
 }
 

@@ -33,8 +33,6 @@ private:
     std::array<QLabel*, 2> names_{};
     std::array<NumberField*, 2> fields_{};
     QLabel* difference_;
-    std::optional<double> a_s_;
-    std::optional<double> b_s_;
     bool outside_ = false;  // one of them where the chosen analysis has no windows
 };
 

@@ -1,15 +1,24 @@
 #include "ui/panels/file_list.h"
 
-#include "ui/panels/recording_facts.h"
-
 #include <QDropEvent>
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QPainter>
+#include <QUrl>
 
 #include <algorithm>
 
 namespace vybeg::ui {
+
+QStringList localFiles(const QMimeData& data) {
+    QStringList files;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            files << url.toLocalFile();
+        }
+    }
+    return files;
+}
 
 FileList::FileList(int most_rows, QWidget* parent) : QListWidget(parent), most_rows_(most_rows) {
     setAcceptDrops(true);

@@ -7,6 +7,9 @@
 
 namespace vybeg::ui {
 
+// The files of what is dragged from elsewhere.
+QStringList localFiles(const QMimeData& data);
+
 // Files of one kind, which can be dropped there and chosen ones removed with Delete: three lines
 // high, or as many as there are files, up to `most_rows`. An item has its path as Qt::UserRole.
 class FileList : public QListWidget {

@@ -1,8 +1,7 @@
 #include "ui/panels/findings_flag.h"
 
-#include "ui/panels/recording_facts.h"
+#include "ui/panels/ledger_rows.h"
 #include "ui/widgets/check_list.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
@@ -85,9 +84,7 @@ void FindingsFlag::refresh() {
     std::size_t count = entry ? entry->events.size() : 0;
     if (recording->faults) {
         check_->setFindings(recording->faults->findings, recording->recording->rate_hz);
-        count += static_cast<std::size_t>(std::ranges::count_if(
-            recording->faults->findings,
-            [](const Diagnostic& finding) { return severity(finding.kind) != Severity::note; }));
+        count += static_cast<std::size_t>(findingsIn(recording->faults->findings));
     } else {
         check_->setRunning();
     }

@@ -4,7 +4,7 @@
 #include "core/track/beat.h"
 #include "core/track/trend.h"
 #include "ui/panels/reading.h"
-#include "ui/values/trend_curve.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
 #include <QString>

@@ -1,16 +1,12 @@
 #include "ui/panels/ledger.h"
 
-#include "ui/panels/ledger_cells.h"
-#include "ui/panels/ledger_head.h"
-#include "ui/panels/recording_facts.h"
+#include "ui/panels/ledger_rows.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/words/algorithm_text.h"
-#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/settings_text.h"
 
 #include <QAction>
 #include <QClipboard>
-#include <QEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLocale>
@@ -88,7 +84,9 @@ Ledger::Ledger(Document& document, QWidget* parent)
             setCurrentAnalysis(id);
         }
     });
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
+    // The icons are drawn in the theme's colours.
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { rebuild(); });
 }
 
 void Ledger::addActions() {
@@ -321,9 +319,7 @@ void Ledger::measure() {
 void Ledger::fillCells() {
     const QSignalBlocker quiet(this);
     head_->show(read_at_, measuring_);
-    for (std::size_t k = 0; k < variables_.size(); ++k) {
-        fillVariable(first_variable + static_cast<int>(k), concise_);
-    }
+    fillVariables();
     bool narrow = false;
     for (int row = 0; row < topLevelItemCount(); ++row) {
         QTreeWidgetItem& item = *topLevelItem(row);
@@ -341,22 +337,24 @@ void Ledger::fillCells() {
     viewport()->update();
 }
 
-void Ledger::fillVariable(int column, bool concise) {
-    const SlowVariable variable = variables_[static_cast<std::size_t>(column - first_variable)];
+void Ledger::fillVariables() {
     std::vector<const AnalysisEntry*> rows;
     rows.reserve(static_cast<std::size_t>(topLevelItemCount()));
     for (int row = 0; row < topLevelItemCount(); ++row) {
         rows.push_back(document_.analysis(analysisIdOf(*topLevelItem(row))));
     }
-    const CellColumn read = variableColumn(reader(), rows, variable, concise);
-    for (int row = 0; row < topLevelItemCount(); ++row) {
-        topLevelItem(row)->setText(column, read.cells[row]);
-        topLevelItem(row)->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    for (const SlowVariable variable : variables_) {
+        const int column = columnOf(variable);
+        const CellColumn read = variableColumn(reader(), rows, variable, concise_);
+        for (int row = 0; row < topLevelItemCount(); ++row) {
+            topLevelItem(row)->setText(column, read.cells[row]);
+            topLevelItem(row)->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        }
+        headerItem()->setText(column, indexPlain(read.head));
+        headerItem()->setData(column, IndexHeader::title_role, read.head);
+        headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        headerItem()->setToolTip(column, displayMeaning(variable));
     }
-    headerItem()->setText(column, indexPlain(read.head));
-    headerItem()->setData(column, IndexHeader::title_role, read.head);
-    headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-    headerItem()->setToolTip(column, displayMeaning(variable));
 }
 
 // Names may be shortened, numbers may not: a column without room for its numbers gives way.
@@ -387,9 +385,7 @@ void Ledger::layoutColumns() {
     const QSignalBlocker quiet(this);
     for (const bool concise : {false, true}) {
         concise_ = concise;
-        for (std::size_t k = 0; k < variables_.size(); ++k) {
-            fillVariable(first_variable + static_cast<int>(k), concise);
-        }
+        fillVariables();
         std::vector<int> hidden;
         if (lay(hidden) || (!concise && (hidden = {algorithm, frequency}, lay(hidden)))) {
             break;
@@ -435,15 +431,6 @@ void Ledger::enableActions() {
     remove_->setEnabled(currentItem() && !(entry && entry->live && document_.live()));
     for (QAction* action : {add_to_set_, reopen_, copy_facts_}) {
         action->setEnabled(currentItem());
-    }
-}
-
-void Ledger::changeEvent(QEvent* event) {
-    QTreeWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        rebuild();  // the icons are drawn in the theme's colours
     }
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/panels/ledger_cells.h"
 #include "ui/panels/ledger_rows.h"
 #include "ui/panels/measuring.h"
 #include "ui/values/ids.h"
-#include "ui/values/trend_curve.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
 #include <QTreeWidget>
@@ -61,7 +60,6 @@ signals:
     void reopenWanted(const QString& path, const OpenOptions& options);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -74,7 +72,7 @@ private:
     void measure();
     void fillCells();
     LedgerReader reader() const { return {document_, read_at_, measuring_, trends_, units_}; }
-    void fillVariable(int column, bool concise);
+    void fillVariables();
     void layoutColumns();
     void fitHeight();
     void enableActions();

@@ -1,14 +1,31 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/document/recording_store.h"
+#include "ui/panels/measuring.h"
 #include "ui/values/ids.h"
 #include "ui/words/short_names.h"
 
+#include <QString>
+#include <QStringList>
 #include <QTreeWidgetItem>
+#include <QWidget>
 
+#include <array>
+#include <utility>
 #include <vector>
 
+class QComboBox;
+class QToolButton;
+
 namespace vybeg::ui {
+
+// What is known of a recording, a line each: file, format, rate, length, channels, start, carrier,
+// SHA-256.
+QString recordingFacts(const RecordingEntry& entry);
+
+// Whether its check or its reading found something worse than a note.
+bool hasFindings(const RecordingEntry& entry);
 
 // Of the names, by which the ledger knows its rows.
 inline constexpr int name_column = 0;
@@ -40,6 +57,49 @@ public:
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+};
+
+// What the ledger reads, and where.
+struct LedgerReader {
+    const Document& document;
+    ReadAt at;
+    const Measuring& measuring;
+    const MeasuredTrends& trends;
+    const DisplayUnits& units;
+};
+
+// The readings of one variable: all with the unit and power of ten in the head.
+struct CellColumn {
+    QString head;
+    QStringList cells;
+};
+
+// `rows`: null for a recording without analysis. `concise`: deviations in brackets.
+CellColumn variableColumn(const LedgerReader& reader, const std::vector<const AnalysisEntry*>& rows,
+                          SlowVariable variable, bool concise);
+
+// What the trend of an analysis says, or why there is nothing to read, and the whole of it for a
+// tooltip.
+std::pair<QString, QString> trendCell(const LedgerReader& reader, const AnalysisEntry* entry);
+
+// The switch in the ledger's header: where its columns read, and the kind of the trend.
+class LedgerHead : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LedgerHead(QWidget* parent = nullptr);
+
+    void show(ReadAt at, const Measuring& measuring);
+
+signals:
+    void readAtChosen(vybeg::ui::ReadAt at);
+    void kindChosen(vybeg::ui::TrendKind kind);
+
+private:
+    void retranslate();
+
+    std::array<QToolButton*, 5> buttons_{};  // as ReadAt
+    QComboBox* kind_;
 };
 
 }  // namespace vybeg::ui

@@ -1,7 +1,8 @@
 #include "ui/panels/measuring.h"
 
-#include "ui/values/covered_time.h"
+#include "ui/values/curve_data.h"
 #include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
 
@@ -30,6 +31,11 @@ std::vector<FittedTrend> trendsBetween(const Analysis& analysis, const Measuring
         }
     }
     return trends;
+}
+
+// Symbol and unit: "ω_cp/2π, Hz".
+QString nameWithUnit(SlowVariable variable, const DisplayUnits& units) {
+    return withUnit(displaySymbol(variable, units), displayUnit(variable, units));
 }
 
 }  // namespace
@@ -121,17 +127,6 @@ QStringList measuredSentences(const Document& document, const AnalysisEntry& ent
     return sentences;
 }
 
-QString rateName(TrendKind kind) {
-    return kind == TrendKind::beat ? MeasuringWords::tr("Beat, Hz")
-                                   : MeasuringWords::tr("Rate, per s");
-}
-
-QString nameWithUnit(SlowVariable variable, const DisplayUnits& units) {
-    const QString unit = displayUnit(variable, units);
-    const QString name = displaySymbol(variable, units);
-    return unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit);
-}
-
 QString mouseTable(const Document& document, const Measuring& measuring,
                    const DisplayUnits& units) {
     std::vector<const ShownAnalysis*> shown;
@@ -169,10 +164,12 @@ QString cursorTable(const ShownAnalysis& shown, const Measuring& measuring,
         return {};
     }
     const QString sd = MeasuringWords::tr("sd");
+    const QString rate = measuring.kind == TrendKind::beat ? MeasuringWords::tr("Beat, Hz")
+                                                           : MeasuringWords::tr("Rate, per s");
     QStringList lines{QStringList{shown.name,
                                   MeasuringWords::tr("A = %1 s").arg(exactText(*measuring.a_s)), sd,
                                   MeasuringWords::tr("B = %1 s").arg(exactText(*measuring.b_s)), sd,
-                                  MeasuringWords::tr("B − A"), sd, rateName(measuring.kind), sd}
+                                  MeasuringWords::tr("B − A"), sd, rate, sd}
                           .join(QLatin1Char('\t'))};
     for (const SlowVariable variable : main_slow_variables) {
         QStringList cells{nameWithUnit(variable, units)};

@@ -62,12 +62,6 @@ QStringList measuredSentences(const Document& document, const AnalysisEntry& ent
                               const Measuring& measuring, const std::vector<FittedTrend>& trends,
                               const DisplayUnits& units);
 
-// Head of the column of the trend's readings: "Rate, per s".
-QString rateName(TrendKind kind);
-
-// Symbol and unit: "ω_cp/2π, Hz".
-QString nameWithUnit(SlowVariable variable, const DisplayUnits& units);
-
 // Tables for a spreadsheet: tab-separated, numbers in displayed units with all digits and the
 // decimal sign of the interface's language, standard deviations in columns of their own. Of all
 // visible analyses at the mouse (or their first window); of one analysis at the cursors, empty

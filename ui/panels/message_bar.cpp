@@ -1,6 +1,6 @@
 #include "ui/panels/message_bar.h"
 
-#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QFrame>
 #include <QHBoxLayout>

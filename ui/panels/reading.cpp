@@ -10,14 +10,6 @@
 
 namespace vybeg::ui {
 
-namespace {
-
-std::size_t apartIn(const Analysis& analysis) {
-    return windows_apart(analysis.plan.length, analysis.plan.hop);
-}
-
-}  // namespace
-
 std::size_t nearestRow(const Track& track, double time_s) {
     const auto times = track.time_s();
     const auto after = std::ranges::lower_bound(times, time_s);
@@ -51,7 +43,8 @@ Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_
             2 * std::numbers::pi * displayScale(variable, units, analysis.f0_hz()).factor;
         difference.value = std::remainder(difference.value, turn);
     }
-    if (std::max(from, to) - std::min(from, to) >= apartIn(analysis)) {
+    if (std::max(from, to) - std::min(from, to) >=
+        windows_apart(analysis.plan.length, analysis.plan.hop)) {
         difference.sd = std::hypot(a.sd, b.sd);
     }
     return difference;

@@ -1,10 +1,9 @@
 #include "ui/panels/wave_panel.h"
 
 #include "core/track/wave_pattern.h"
-#include "ui/charts/round_view.h"
+#include "ui/charts/round_plot.h"
 #include "ui/panels/reading.h"
 #include "ui/plots/plot_content.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 

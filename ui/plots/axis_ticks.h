@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/values/zoom_stack.h"
+#include "ui/values/zoom_state.h"
 
 #include <QString>
 #include <QStringList>

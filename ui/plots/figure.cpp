@@ -7,6 +7,7 @@
 #include <memory>
 
 namespace vybeg::ui {
+
 namespace {
 
 using FigureColumns = std::vector<FigureColumn>;
@@ -100,6 +101,28 @@ Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOpti
     return [columns, options](QCPPainter& painter, QSize size) {
         drawFigure(columns, options, painter, size);
     };
+}
+
+Drawing plotsDrawing(const PlotContent& content) {
+    PlotContent paper = content;
+    paper.theme = lightTheme();
+    return [paper](QCPPainter& painter, QSize size) {
+        QCustomPlot plot;
+        preparePlot(plot, paper.theme);
+        PlotStack stack(plot, 0, PlotHead::line);
+        // Twice, because the room for the names is known after the first layout.
+        stack.setContent(paper);
+        stack.prepare(size);
+        stack.setZoom(paper.zoom);
+        plot.toPainter(&painter, size.width(), size.height());
+    };
+}
+
+QSize paperSize(const PlotContent& content) {
+    FigureOptions options;
+    options.variables = content.variables;
+    constexpr int width = 900;
+    return {width, figureSize(1, options).height()};
 }
 
 }  // namespace vybeg::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/plots/plot_content.h"
 #include "ui/plots/plot_file.h"
 #include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
@@ -34,5 +35,12 @@ Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOpti
 
 // Size by `options`.
 QSize figureSize(std::size_t columns, const FigureOptions& options);
+
+// Stacked plots on paper: always in the light theme, with the names of several analyses above.
+Drawing plotsDrawing(const PlotContent& content);
+
+// The size of a figure of these plots: as wide as a page, each plot as high as in figure.h. It does
+// not depend on the window.
+QSize paperSize(const PlotContent& content);
 
 }  // namespace vybeg::ui

@@ -3,9 +3,11 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/widgets/page_parts.h"
 
-#include <QEvent>
-
 namespace vybeg::ui {
+
+MeasuredPage::MeasuredPage(QWidget* parent) : QWidget(parent) {
+    whenChanged(*this, {QEvent::LanguageChange}, [this] { retranslate(); });
+}
 
 void MeasuredPage::setTheme(const Theme& theme) {
     theme_ = theme;
@@ -22,13 +24,6 @@ XYPlotView* MeasuredPage::addPlot(const char* name, int least_height) {
     connect(plot, &XYPlotView::exportWanted, this, &MeasuredPage::exportWanted);
     plots_.push_back(plot);
     return plot;
-}
-
-void MeasuredPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 }  // namespace vybeg::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/plots/figure_source.h"
+#include "ui/plots/plot_file.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
@@ -17,7 +17,7 @@ class MeasuredPage : public QWidget {
     Q_OBJECT
 
 public:
-    using QWidget::QWidget;
+    explicit MeasuredPage(QWidget* parent);
 
     virtual FigureSource figures() const = 0;
     virtual void setTheme(const Theme& theme);
@@ -33,7 +33,6 @@ protected:
     XYPlotView* addPlot(const char* name, int least_height);
     // The texts of the page in the language of the window.
     virtual void retranslate() = 0;
-    void changeEvent(QEvent* event) override;
 
 private:
     Theme theme_ = lightTheme();

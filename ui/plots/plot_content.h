@@ -1,8 +1,7 @@
 #pragma once
 
 #include "ui/values/shown_analysis.h"
-#include "ui/values/trend_curve.h"
-#include "ui/values/zoom_stack.h"
+#include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 

@@ -1,19 +1,371 @@
 #include "ui/plots/plot_panel.h"
 
-#include "ui/plots/decimated_graph.h"
-#include "ui/plots/value_range.h"
+#include "core/numerics/median.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace vybeg::ui {
+
 namespace {
+
+constexpr double line_width = 1.4;
+// Distance of windows above which each gets a dot, pixels.
+constexpr double dot_spacing = 9;
+// Distance of the pointers to parts of the curve beyond the frame, pixels; closer ones would merge
+// into a bar.
+constexpr double pointer_spacing = 24;
+
+// Dense noise: windows in a pixel at least, those of a column of the band, the band's least height
+// in pixels, and columns on either side that the running mean takes in.
+constexpr double least_density = 1;
+constexpr double windows_in_column = 4;
+constexpr std::size_t least_noise_columns = 20;
+constexpr double least_noise_height = 4;
+constexpr std::size_t mean_reach = 4;
+
+// A band at one column, pixels.
+struct BandPoint {
+    double x = 0;
+    double top = 0;
+    double bottom = 0;
+};
+
+// A small triangle whose tip touches the frame; `inwards` is +1 at the top and -1 at the foot.
+QPolygonF pointer(const QPointF& tip, double inwards) {
+    constexpr double half = 3.5;
+    return {{tip, tip + QPointF(half, 5 * inwards), tip + QPointF(-half, 5 * inwards)}};
+}
+
+void drawBandShape(QCPPainter& painter, const std::vector<BandPoint>& piece) {
+    QPolygonF shape;
+    for (const BandPoint& point : piece) {
+        shape.append({point.x, point.top});
+    }
+    for (auto point = piece.rbegin(); point != piece.rend(); ++point) {
+        shape.append({point->x, point->bottom});
+    }
+    if (!shape.isEmpty()) {
+        painter.drawPolygon(shape);
+    }
+}
+
+// Draws the band pixel column by pixel column. A polygon with a noisy outline takes a raster
+// painter 20 ms and more per plot, this a fraction of 1 ms.
+void drawBandPixels(QCPPainter& painter, const std::vector<BandPoint>& piece, const QColor& fill) {
+    painter.setAntialiasing(false);
+    // Single rectangles, because filling one with a colour needs no rasteriser. Limited height,
+    // because from 96 rows on Qt starts threads for translucent fills and waits for them, which
+    // takes ten times as long as the filling (Qt 6.4, qdrawhelper.cpp).
+    const double tallest = 64 / painter.deviceTransform().m22();
+    const auto add = [&](double x, double top, double bottom) {
+        const double end = std::max(top + 1, bottom);
+        for (double from = top; from < end; from += tallest) {
+            // QCPPainter shifts everything without antialiasing by half a pixel.
+            painter.fillRect(QRectF(x, from + 0.5, 1, std::min(tallest, end - from)), fill);
+        }
+    };
+    if (piece.size() == 1) {
+        add(std::floor(piece[0].x), piece[0].top, piece[0].bottom);
+    }
+    for (std::size_t i = 1; i < piece.size(); ++i) {
+        const BandPoint& from = piece[i - 1];
+        const BandPoint& to = piece[i];
+        for (double x = std::ceil(from.x); x < to.x; x += 1) {
+            const double part = (x - from.x) / (to.x - from.x);
+            add(x, std::lerp(from.top, to.top, part), std::lerp(from.bottom, to.bottom, part));
+        }
+    }
+}
+
+void fillBand(QCPPainter& painter, const std::vector<BandPoint>& piece, const QColor& fill) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    painter.modes().testFlag(QCPPainter::pmVectorized) ? drawBandShape(painter, piece)
+                                                       : drawBandPixels(painter, piece, fill);
+    painter.setBrush(Qt::NoBrush);
+}
+
+void stroke(QCPPainter& painter, const QVector<QLineF>& lines, const QVector<QPointF>& dots,
+            const QColor& color) {
+    painter.setAntialiasing(true);
+    painter.setPen(QPen(color, line_width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(lines);
+    painter.setPen(QPen(color, 4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPoints(dots.constData(), static_cast<int>(dots.size()));
+}
+
+double mean(const CurveColumn& column) {
+    return column.sum / static_cast<double>(column.count);
+}
+
+// Calls `draw(begin, end)` for each stretch of columns between gaps.
+template <class Draw>
+void forPieces(const std::vector<CurveColumn>& columns, Draw draw) {
+    for (std::size_t begin = 0; begin < columns.size();) {
+        std::size_t end = begin + 1;
+        while (end < columns.size() && columns[end].joined) {
+            ++end;
+        }
+        if (!columns[begin].empty()) {
+            draw(begin, end);
+        }
+        begin = end;
+    }
+}
 
 constexpr double least_mark_spacing = 4;
 
 }  // namespace
+
+DecimatedGraph::DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis,
+                               std::shared_ptr<const CurveData> data)
+    : TimeGraph(keyAxis, valueAxis), data_(std::move(data)) {}
+
+void DecimatedGraph::setLook(const QColor& color, const QColor& missing) {
+    color_ = color;
+    missing_ = missing;
+}
+
+const std::vector<CurveColumn>& DecimatedGraph::columns(const AxisRange& time, int width) const {
+    if (!(time == cached_time_) || width != cached_width_) {
+        cached_ = data_->columns(time, std::max(1, width));
+        cached_time_ = time;
+        cached_width_ = width;
+    }
+    return cached_;
+}
+
+double DecimatedGraph::pixelX(const CurveColumn& column) const {
+    return keyAxis()->coordToPixel(0.5 * (column.time_first + column.time_last));
+}
+
+double DecimatedGraph::pixelY(double displayed) const {
+    const QCPAxis& axis = *valueAxis();
+    const QRect rect = axis.axisRect()->rect();
+    // Limits coordinates to the range of a painter; values without a logarithm get the lower limit.
+    const double beyond = 3.0 * rect.height();
+    if (scale_.logarithmic && !(displayed > 0)) {
+        return rect.bottom() + beyond;
+    }
+    return std::clamp(axis.coordToPixel(displayed), rect.top() - beyond, rect.bottom() + beyond);
+}
+
+const std::vector<CurveColumn>& DecimatedGraph::visibleColumns() const {
+    const QCPRange key = keyAxis()->range();
+    return columns({key.lower, key.upper}, keyAxis()->axisRect()->width());
+}
+
+void DecimatedGraph::draw(QCPPainter* painter) {
+    if (keyAxis()->axisRect()->width() < 2) {
+        return;
+    }
+    for (const DecimatedGraph* each : *all_) {
+        if (all_->front() == this) {
+            each->drawBands(*painter);
+        }
+    }
+    if (!noise_.empty()) {
+        drawMean(*painter, noise_);
+    } else {
+        drawLine(*painter, visibleColumns());
+    }
+    drawMarks(*painter, visibleColumns());
+}
+
+// Under dense noise the scatter itself; otherwise a standard deviation. The bands of all graphs are
+// drawn before the first line.
+void DecimatedGraph::drawBands(QCPPainter& painter) const {
+    noise_ = noiseColumns();
+    if (!noise_.empty()) {
+        drawBand(painter, noise_, &CurveColumn::min, &CurveColumn::max);
+    } else if (band_) {
+        drawBand(painter, visibleColumns(), &CurveColumn::band_min, &CurveColumn::band_max);
+    }
+}
+
+QColor DecimatedGraph::bandColor() const {
+    QColor color = color_;
+    color.setAlphaF(static_cast<float>(0.3 / std::sqrt(static_cast<double>(all_->size()))));
+    return color;
+}
+
+void DecimatedGraph::drawBand(QCPPainter& painter, const std::vector<CurveColumn>& columns,
+                              double CurveColumn::*low, double CurveColumn::*high) const {
+    std::vector<BandPoint> piece;
+    const auto flush = [&] {
+        fillBand(painter, piece, bandColor());
+        piece.clear();
+    };
+    for (const CurveColumn& column : columns) {
+        if (column.empty() || !column.joined || column.wraps) {
+            flush();
+        }
+        if (column.empty() || column.wraps) {
+            continue;
+        }
+        const AxisRange band = displayedInterval(scale_, column.*low, column.*high);
+        const double x = pixelX(column);
+        piece.push_back({x, pixelY(band.upper), pixelY(band.lower)});
+    }
+    flush();
+}
+
+void DecimatedGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
+    QVector<QLineF> lines;
+    QVector<QPointF> dots;
+    lines.reserve(2 * static_cast<qsizetype>(columns.size()));
+    QPointF before;
+    double last_dot = -1e9;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const CurveColumn& column = columns[i];
+        if (column.empty()) {
+            continue;
+        }
+        const double x = pixelX(column);
+        const QPointF first(x, pixelY(scale_.value(column.first)));
+        if (column.joined) {
+            lines.append({before, first});
+        }
+        const auto vertical = [&](double low, double high) {
+            const AxisRange shown = displayedInterval(scale_, low, high);
+            lines.append({x, pixelY(shown.lower), x, pixelY(shown.upper)});
+        };
+        if (column.wraps) {
+            vertical(column.min, column.negative_max);
+            vertical(column.positive_min, column.max);
+        } else if (column.min < column.max) {
+            vertical(column.min, column.max);
+        }
+        // Dots for windows far apart, and for a single window between two missing ones.
+        const bool alone = !column.joined && (i + 1 == columns.size() || !columns[i + 1].joined);
+        if (alone || (column.time_first == column.time_last && x - last_dot > dot_spacing &&
+                      i + 1 < columns.size() &&
+                      keyAxis()->coordToPixel(columns[i + 1].time_first) - x > dot_spacing)) {
+            dots.append(first);
+        }
+        last_dot = x;
+        before = {x, pixelY(scale_.value(column.last))};
+    }
+    stroke(painter, lines, dots, color_);
+}
+
+// The columns, joined where they are so narrow that they hold too few windows. They begin at whole
+// multiples of their width, as those of the curve do.
+std::vector<CurveColumn> DecimatedGraph::noiseColumns() const {
+    const std::vector<CurveColumn>& fine = visibleColumns();
+    std::size_t windows = 0;
+    std::size_t filled = 0;
+    for (const CurveColumn& column : fine) {
+        windows += column.count;
+        filled += column.empty() ? 0 : 1;
+    }
+    const double pixel_s = keyAxis()->range().size() / keyAxis()->axisRect()->width();
+    const double covered =
+        fine.empty() ? 0 : (fine.back().time_last - fine.front().time_first) / pixel_s;
+    const double density = static_cast<double>(windows) / std::max(1.0, covered);
+    if (filled < least_noise_columns || density < least_density) {
+        return {};
+    }
+    const double joined_s = pixel_s * std::ceil(windows_in_column / density);
+    const auto place = [joined_s](const CurveColumn& column) {
+        return std::floor(column.time_first / joined_s);
+    };
+    std::vector<CurveColumn> joined;
+    for (const CurveColumn& column : fine) {
+        if (column.wraps) {
+            return {};  // an angle all around has no mean
+        }
+        const bool same = !joined.empty() && !joined.back().empty() && !column.empty() &&
+                          column.joined && place(joined.back()) == place(column);
+        same ? append(joined.back(), column) : joined.push_back(column);
+    }
+    // Noise: within a column the values differ by more than the means of columns do.
+    std::vector<double> heights;
+    std::vector<double> steps;
+    for (std::size_t k = 0; k < joined.size(); ++k) {
+        const CurveColumn& column = joined[k];
+        if (column.count > 1) {
+            const AxisRange shown = displayedInterval(scale_, column.min, column.max);
+            heights.push_back(pixelY(shown.lower) - pixelY(shown.upper));
+        }
+        if (k > 0 && column.joined && !joined[k - 1].empty()) {
+            steps.push_back(std::abs(pixelY(scale_.value(mean(column))) -
+                                     pixelY(scale_.value(mean(joined[k - 1])))));
+        }
+    }
+    const double height = median(std::move(heights));
+    // Without a step between two columns there is nothing against it: its median is NaN.
+    const bool noise = height > least_noise_height && !(2 * median(std::move(steps)) >= height);
+    return noise ? joined : std::vector<CurveColumn>();
+}
+
+void DecimatedGraph::drawMean(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
+    QVector<QLineF> lines;
+    QVector<QPointF> dots;
+    forPieces(columns, [&](std::size_t begin, std::size_t end) {
+        QPointF before;
+        for (std::size_t k = begin; k < end; ++k) {
+            // As far to the left as to the right, so that a slope does not shift the mean.
+            const std::size_t reach = std::min({mean_reach, k - begin, end - 1 - k});
+            CurveColumn around;
+            for (std::size_t i = k - reach; i <= k + reach; ++i) {
+                append(around, columns[i]);
+            }
+            const QPointF now(pixelX(columns[k]), pixelY(scale_.value(mean(around))));
+            if (k > begin) {
+                lines.append({before, now});
+            } else if (end - begin == 1) {
+                dots.append(now);
+            }
+            before = now;
+        }
+    });
+    stroke(painter, lines, dots, color_);
+}
+
+void DecimatedGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
+    if (data_->empty()) {
+        return;  // the algorithm does not estimate it; the plot shows a text
+    }
+    const QRect rect = keyAxis()->axisRect()->rect();
+    const QCPRange shown = valueAxis()->range();
+    painter.setAntialiasing(false);
+    painter.setPen(Qt::NoPen);
+    QVector<QPolygonF> pointers;
+    // Position of the last one.
+    double above = rect.left() + (pointers_begin_ - 1) * pointer_spacing;
+    double below = above;
+    for (const CurveColumn& column : columns) {
+        const double from = keyAxis()->coordToPixel(column.time_first);
+        const double to = keyAxis()->coordToPixel(column.time_last);
+        const QRectF place(from, 0, std::max(1.0, to - from), 3);
+        if (column.missing) {
+            painter.fillRect(QRectF(place.translated(0, rect.bottom() - 3)), missing_);
+        }
+        if (column.empty()) {
+            continue;
+        }
+        const AxisRange values = displayedInterval(scale_, column.min, column.max);
+        if (values.upper > shown.upper && from - above >= pointer_spacing) {
+            above = from;
+            pointers.append(pointer({from, rect.top() + 1.0}, 1));
+        }
+        if (values.lower < shown.lower && from - below >= pointer_spacing) {
+            below = from;
+            pointers.append(pointer({from, double(rect.bottom())}, -1));
+        }
+    }
+    painter.setAntialiasing(true);
+    painter.setBrush(color_);
+    for (const QPolygonF& each : pointers) {
+        painter.drawPolygon(each);
+    }
+    painter.setBrush(Qt::NoBrush);
+}
 
 PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable, PlotHead head)
     : TimePanel(plot, head), variable_(variable) {}
@@ -29,12 +381,7 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
         if (!shown.visible || !shown.analysis || shown.analysis->track.rows() == 0) {
             continue;
         }
-        const auto made = std::ranges::find(shown.curves, variable_,
-                                            [](const auto& curve) { return curve->variable(); });
-        auto* graph = new DecimatedGraph(
-            timeAxis(), valueAxis(),
-            made == shown.curves.end() ? std::make_shared<CurveData>(shown.analysis, variable_)
-                                       : *made);
+        auto* graph = new DecimatedGraph(timeAxis(), valueAxis(), shown.curve(variable_));
         graph->setScale(scale);
         graph->setBand(units_.sigma_bands && info(variable_).has_sd);
         graph->setPointers(static_cast<double>(graphs_.size()) /

@@ -2,12 +2,72 @@
 
 #include "ui/plots/plot_content.h"
 #include "ui/plots/time_panel.h"
+#include "ui/values/curve_data.h"
+#include "ui/words/display_units.h"
 
+#include <memory>
 #include <vector>
 
 namespace vybeg::ui {
 
-class DecimatedGraph;
+// The curve of one analysis in one plot: min/max per pixel column, drawn as independent segments
+// (QCustomPlot's own graphs take seconds for dense data unless the pen is one pixel wide). Windows
+// closer together than pixels that scatter by more than they move are a pale band from the least to
+// the greatest with their running mean on it, so that curves over each other stay apart. Missing
+// windows leave a gap and a mark at the foot of the plot, however narrow the gap is; values outside
+// the axis leave a mark at the edge that they cross.
+class DecimatedGraph : public TimeGraph {
+public:
+    DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, std::shared_ptr<const CurveData> data);
+
+    void setScale(const DisplayScale& scale) { scale_ = scale; }
+    void setBand(bool shown) { band_ = shown; }
+    // All curves of the plot, which outlive this one: the first draws the bands of all of them, the
+    // paler the more there are, so that no band covers a line.
+    void setTogether(const std::vector<DecimatedGraph*>& all) { all_ = &all; }
+    // Offset of the pointers to values beyond the frame, 0 to 1 of their distance, so that those of
+    // several curves are side by side.
+    void setPointers(double begin) { pointers_begin_ = begin; }
+    // Look of the curve, its band and the marks of missing windows.
+    void setLook(const QColor& color, const QColor& missing);
+
+    const CurveData& data() const { return *data_; }
+    const DisplayScale& scale() const { return scale_; }
+    const QColor& color() const { return color_; }
+
+    // The columns of a time range over a width in pixels; cached for the last arguments.
+    const std::vector<CurveColumn>& columns(const AxisRange& time, int width) const;
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    double pixelX(const CurveColumn& column) const;
+    double pixelY(double displayed) const;
+    const std::vector<CurveColumn>& visibleColumns() const;
+    void drawBands(QCPPainter& painter) const;
+    // From one value of the columns to another.
+    void drawBand(QCPPainter& painter, const std::vector<CurveColumn>& columns,
+                  double CurveColumn::*low, double CurveColumn::*high) const;
+    void drawLine(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
+    void drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
+    // Of neighbouring columns together, each with a few windows; empty without dense noise.
+    std::vector<CurveColumn> noiseColumns() const;
+    void drawMean(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
+    QColor bandColor() const;
+
+    std::shared_ptr<const CurveData> data_;
+    DisplayScale scale_;
+    bool band_ = true;
+    const std::vector<DecimatedGraph*>* all_ = nullptr;
+    double pointers_begin_ = 0;
+    QColor color_;
+    QColor missing_;
+    mutable AxisRange cached_time_;
+    mutable int cached_width_ = 0;
+    mutable std::vector<CurveColumn> cached_;
+    mutable std::vector<CurveColumn> noise_;  // of the present drawing
+};
 
 // One plot: the curves of one slow variable of all visible analyses.
 class PlotPanel : public TimePanel {

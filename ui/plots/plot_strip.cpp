@@ -1,6 +1,6 @@
 #include "ui/plots/plot_strip.h"
 
-#include "ui/words/index_text.h"
+#include "ui/words/rich_text.h"
 #include "ui/words/short_names.h"
 
 #include <QStringList>

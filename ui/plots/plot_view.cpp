@@ -1,7 +1,8 @@
 #include "ui/plots/plot_view.h"
 
+#include "ui/widgets/page_parts.h"
+
 #include <QAction>
-#include <QEvent>
 #include <QPainter>
 #include <QVBoxLayout>
 
@@ -23,6 +24,10 @@ PlotView::PlotView(QWidget* parent)
     });
     connect(export_, &QAction::triggered, this, [this] { emit exportWanted(figure()); });
     retranslate();
+    whenChanged(*this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        rebuild();
+    });
 }
 
 void PlotView::addDrawing(QWidget* drawing) {
@@ -44,14 +49,6 @@ void PlotView::setDrawn(bool drawn) {
 void PlotView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     rebuild();
-}
-
-void PlotView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        rebuild();
-    }
 }
 
 void PlotView::paintEvent(QPaintEvent* event) {

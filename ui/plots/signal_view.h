@@ -2,7 +2,7 @@
 
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/envelope/envelope.h"
-#include "ui/values/zoom_stack.h"
+#include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"
 
 #include <QPixmap>

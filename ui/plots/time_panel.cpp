@@ -1,7 +1,7 @@
 #include "ui/plots/time_panel.h"
 
 #include "ui/plots/panel_frame.h"
-#include "ui/words/index_text.h"
+#include "ui/words/rich_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,24 +18,16 @@ QMargins TimePanel::room(PlotHead head) {
     return head == PlotHead::line ? QMargins(60, 21, 16, 3) : QMargins(56, 0, 8, 4);
 }
 
-// On the screen tick labels leave room for the lines in the margin and the name of the time axis.
+// The labels under the lowest panel have a separate row, so that all panels are equally high. On
+// the screen tick labels leave room for the lines in the margin and the name of the time axis.
 TimePanel::TimePanel(QCustomPlot* plot, PlotHead head)
-    : QCPAxisRect(plot, false),
-      head_(head),
-      time_ticker_(new PanelTicker(Qt::Horizontal)),
-      value_ticker_(new PanelTicker(Qt::Vertical)) {
-    addFrame(*this, time_ticker_, value_ticker_);
+    : FramedPanel(plot, room(head)), head_(head) {
     timeAxis()->setTickLabelPadding(5);
     valueAxis()->setTickLabelPadding(4);
-    // The labels under the lowest panel have a separate row, so that all panels are equally high.
-    setAutoMargins(QCP::msLeft);
-    const QMargins around = room(head);
-    setMinimumMargins({around.left(), 0, 0, 0});
-    setMargins(around);
     if (head == PlotHead::line) {
         return;
     }
-    value_ticker_->setShared(
+    valueTicker().setShared(
         [this](const AxisTicks& ticks) {
             std::vector<double> widths;
             for (const MarginLine& line : marginLines(ticks)) {
@@ -43,31 +35,20 @@ TimePanel::TimePanel(QCustomPlot* plot, PlotHead head)
             }
             return widths;
         },
-        around.left() - 4);
-    time_ticker_->setShared([this](const AxisTicks& ticks) {
-        return std::vector<double>{indexTextWidth(timeAxisName(ticks), font_)};
+        room(head).left() - 4);
+    ticker(QCPAxis::atBottom).setShared([this](const AxisTicks& ticks) {
+        return std::vector<double>{indexTextWidth(timeAxisName(ticks), font())};
     });
 }
 
 void TimePanel::setLook(const Theme& theme, const QFont& font) {
-    theme_ = theme;
-    font_ = font;
-    tick_font_ = tickFont(font);
-    setFrameLook(*this, theme, tick_font_);
+    FramedPanel::setLook(theme, font);
     timeAxis()->grid()->setZeroLinePen(Qt::NoPen);
 }
 
 void TimePanel::setScaleShown(bool shown) {
     valueAxis()->setTickLabels(shown);
     valueAxis()->setTicks(shown);
-}
-
-void TimePanel::update(UpdatePhase phase) {
-    if (phase == upPreparation) {
-        value_ticker_->setRoom(expected_.height(), tick_font_);
-        time_ticker_->setRoom(expected_.width(), tick_font_, room(head_).right() - 2);
-    }
-    QCPAxisRect::update(phase);
 }
 
 void TimePanel::draw(QCPPainter* painter) {
@@ -78,26 +59,23 @@ void TimePanel::draw(QCPPainter* painter) {
         drawMarginLines(*painter);
     }
     if (const QString text = emptyText(); !text.isEmpty()) {
-        painter->setPen(theme_.mutedText);
-        painter->setFont(font_);
-        painter->drawText(QRectF(rect()).adjusted(12, 4, -12, -4),
-                          int(Qt::AlignCenter) | Qt::TextWordWrap, text);
+        drawEmpty(*painter, text);
     }
 }
 
 void TimePanel::drawHead(QCPPainter& painter) const {
-    const AxisTicks& ticks = value_ticker_->ticks();
+    const AxisTicks& ticks = valueTicker().ticks();
     const double base = rect().top() - 7;
-    painter.setPen(theme_.text);
+    painter.setPen(theme().text);
     const double x = rect().left() + drawIndexText(painter, {double(rect().left()), base},
-                                                   symbol() + offset(ticks), font_);
-    painter.setPen(theme_.mutedText);
-    drawIndexText(painter, {x + unit_gap, base}, unit(ticks), font_);
+                                                   symbol() + offset(ticks), font());
+    painter.setPen(theme().mutedText);
+    drawIndexText(painter, {x + unit_gap, base}, unit(ticks), font());
     if (!letter_.isEmpty()) {
-        QFont italic(font_);
+        QFont italic(font());
         italic.setItalic(true);
         painter.setFont(italic);
-        painter.setPen(theme_.text);
+        painter.setPen(theme().text);
         const int head = room(head_).top();
         painter.drawText(QRectF(rect().left(), rect().top() - head, rect().width(), head - 3),
                          int(Qt::AlignRight | Qt::AlignVCenter), letter_);
@@ -105,19 +83,19 @@ void TimePanel::drawHead(QCPPainter& painter) const {
 }
 
 void TimePanel::drawMarginLines(QCPPainter& painter) const {
-    const QFontMetricsF metrics(tick_font_);
+    const QFontMetricsF metrics(tickFont());
     double base = rect().top() + metrics.ascent();
-    for (const MarginLine& line : marginLines(value_ticker_->ticks())) {
-        painter.setPen(line.muted ? theme_.mutedText : theme_.text);
+    for (const MarginLine& line : marginLines(valueTicker().ticks())) {
+        painter.setPen(line.muted ? theme().mutedText : theme().text);
         drawIndexText(painter, {outerRect().left() + margin_edge, base}, line.text,
-                      line.muted ? tick_font_ : font_);
+                      line.muted ? tickFont() : font());
         base += metrics.height();
     }
 }
 
 std::vector<TimePanel::MarginLine> TimePanel::marginLines(const AxisTicks& ticks) const {
     const auto line = [&](const QString& text, bool muted) {
-        return MarginLine{text, muted, indexTextWidth(text, muted ? tick_font_ : font_)};
+        return MarginLine{text, muted, indexTextWidth(text, muted ? tickFont() : font())};
     };
     std::vector<MarginLine> lines{line(symbol(), false)};
     const QString from = offset(ticks);
@@ -137,7 +115,7 @@ std::vector<TimePanel::MarginLine> TimePanel::marginLines(const AxisTicks& ticks
 int TimePanel::calculateAutoMargin(QCP::MarginSide side) {
     int margin = QCPAxisRect::calculateAutoMargin(side);
     if (head_ == PlotHead::margin && side == QCP::msLeft) {
-        for (const MarginLine& line : marginLines(value_ticker_->ticks())) {
+        for (const MarginLine& line : marginLines(valueTicker().ticks())) {
             margin = std::max(margin, static_cast<int>(std::ceil(line.width + 2 * margin_edge)));
         }
     }

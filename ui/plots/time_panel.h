@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/plots/panel_ticker.h"
-#include "ui/values/zoom_stack.h"
+#include "ui/plots/panel_frame.h"
+#include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"
 
 #include <qcustomplot.h>
@@ -13,8 +13,29 @@ namespace vybeg::ui {
 // Where symbol and unit of a plot stand: on the screen in the left margin, on paper above it.
 enum class PlotHead { margin, line };
 
+// A curve that its panel scales and a strip names: QCustomPlot looks for no ranges of it.
+class TimeGraph : public QCPAbstractPlottable {
+public:
+    TimeGraph(QCPAxis* keyAxis, QCPAxis* valueAxis) : QCPAbstractPlottable(keyAxis, valueAxis) {
+        setSelectable(QCP::stNone);
+    }
+
+    double selectTest(const QPointF&, bool, QVariant*) const override { return -1; }
+    QCPRange getKeyRange(bool& foundRange, QCP::SignDomain) const override {
+        foundRange = false;
+        return {};
+    }
+    QCPRange getValueRange(bool& foundRange, QCP::SignDomain, const QCPRange&) const override {
+        foundRange = false;
+        return {};
+    }
+
+protected:
+    void drawLegendIcon(QCPPainter*, const QRectF&) const override {}
+};
+
 // One of the plots over one time axis, with its symbol and unit.
-class TimePanel : public QCPAxisRect {
+class TimePanel : public FramedPanel {
 public:
     TimePanel(QCustomPlot* plot, PlotHead head);
 
@@ -22,9 +43,6 @@ public:
     void setTimeLabels(bool shown) { timeAxis()->setTickLabels(shown); }
     // A letter at the right end of the line above the plot, for figures.
     void setLetter(const QString& letter) { letter_ = letter; }
-    // Size of the frame after the next layout, without exact left margin.
-    void setExpectedSize(QSize size) { expected_ = size; }
-    QSize expectedSize() const { return expected_; }
 
     void setTime(const AxisRange& time) { timeAxis()->setRange(time.lower, time.upper); }
     void setValues(const AxisRange& values) { valueAxis()->setRange(values.lower, values.upper); }
@@ -33,20 +51,16 @@ public:
 
     QCPAxis* timeAxis() const { return axis(QCPAxis::atBottom); }
     QCPAxis* valueAxis() const { return axis(QCPAxis::atLeft); }
-    const AxisTicks& timeTicks() const { return time_ticker_->ticks(); }
-    const Theme& theme() const { return theme_; }
-    const QFont& font() const { return font_; }
+    const AxisTicks& timeTicks() const { return ticker(QCPAxis::atBottom).ticks(); }
 
     // Pixels around the frame; left: at least.
     static QMargins room(PlotHead head);
-
-    void update(UpdatePhase phase) override;
 
 protected:
     void setLook(const Theme& theme, const QFont& font);
     // Without values no scale is shown.
     void setScaleShown(bool shown);
-    PanelTicker& valueTicker() { return *value_ticker_; }
+    PanelTicker& valueTicker() const { return ticker(QCPAxis::atLeft); }
 
     // An underscore introduces an index.
     virtual QString symbol() const = 0;
@@ -72,13 +86,7 @@ private:
     void drawHead(QCPPainter& painter) const;
 
     PlotHead head_;
-    QSharedPointer<PanelTicker> time_ticker_;
-    QSharedPointer<PanelTicker> value_ticker_;
-    Theme theme_;
-    QFont font_;
-    QFont tick_font_;
     QString letter_;
-    QSize expected_{400, 100};
 };
 
 }  // namespace vybeg::ui

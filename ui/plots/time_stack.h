@@ -2,6 +2,8 @@
 
 #include "ui/plots/time_panel.h"
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace vybeg::ui {
@@ -61,5 +63,35 @@ void preparePlot(QCustomPlot& plot, const Theme& theme);
 // The font of everything in plots: that of the widgets, with its size in pixels so that screens,
 // pictures and files agree.
 QFont plotFont(const QWidget& widget);
+
+// Instants on the time axis, seconds.
+struct HairLines {
+    std::optional<double> cursor_a;
+    std::optional<double> cursor_b;
+    std::optional<double> tracker;
+};
+
+// Items that move with the mouse, on a separate layer, so that the curves below are not drawn
+// again: the hair lines of the tracker and the two cursors, the rubber band.
+class TimeOverlay : public QCPLayerable {
+public:
+    TimeOverlay(const TimeStack& stack, std::function<HairLines()> hairs);
+
+    void setBand(std::optional<QRectF> band) { band_ = band; }
+
+protected:
+    HairLines hairs() const { return hairs_(); }
+
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    void draw(QCPPainter* painter) override;
+
+private:
+    void drawHair(QCPPainter& painter, std::optional<double> time_s, const QColor& color,
+                  const QString& name) const;
+
+    const TimeStack& stack_;
+    std::function<HairLines()> hairs_;
+    std::optional<QRectF> band_;
+};
 
 }  // namespace vybeg::ui

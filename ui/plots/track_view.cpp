@@ -1,15 +1,22 @@
 #include "ui/plots/track_view.h"
 
-#include "ui/plots/plot_overlay.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/widgets/page_parts.h"
+#include "ui/words/rich_text.h"
 
-#include <QEvent>
+#include <QCoreApplication>
+#include <QFocusEvent>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QWidget>
+#include <qcustomplot.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace vybeg::ui {
+
 namespace {
 
 // Heights, pixels.
@@ -29,7 +36,110 @@ bool hasOtherRecording(const std::vector<ShownAnalysis>& analyses,
     });
 }
 
+double scaled(const QCPAxis& axis, double coordinate) {
+    return axis.scaleType() == QCPAxis::stLogarithmic ? std::log(coordinate) : coordinate;
+}
+
+double unscaled(const QCPAxis& axis, double position) {
+    return axis.scaleType() == QCPAxis::stLogarithmic ? std::exp(position) : position;
+}
+
+// An axis' range scaled about a fraction of it and shifted by a fraction, on its own scale.
+AxisRange changed(const QCPAxis& axis, const AxisRange& range, double factor, double about,
+                  double shift) {
+    const double lower = scaled(axis, range.lower);
+    const double span = scaled(axis, range.upper) - lower;
+    const double from = lower + about * span * (1 - factor) + shift * span;
+    return {unscaled(axis, from), unscaled(axis, from + factor * span)};
+}
+
 }  // namespace
+
+// Representative of a plot for keyboard and screen reader: an invisible widget over a panel with
+// the focus, the accessible name and the focus frame. Transparent for the mouse.
+class PanelFocus : public QWidget {
+public:
+    PanelFocus(SlowVariable variable, QWidget* parent) : QWidget(parent), variable_(variable) {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setFocusPolicy(Qt::TabFocus);
+    }
+
+    SlowVariable variable() const { return variable_; }
+    void setColor(const QColor& color) {
+        color_ = color;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        if (!framed_) {
+            return;
+        }
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(color_, 1.5));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 4, 4);
+    }
+
+    // The frame is shown only for focus by keyboard.
+    void focusInEvent(QFocusEvent* event) override {
+        framed_ = event->reason() == Qt::TabFocusReason ||
+                  event->reason() == Qt::BacktabFocusReason ||
+                  event->reason() == Qt::ShortcutFocusReason;
+        update();
+    }
+
+    void focusOutEvent(QFocusEvent*) override {
+        framed_ = false;
+        update();
+    }
+
+private:
+    SlowVariable variable_;
+    QColor color_;
+    bool framed_ = false;
+};
+
+void PlotFocus::match(const PlotContent& content) {
+    const bool same = std::ranges::equal(frames_, content.variables, {}, &PanelFocus::variable);
+    if (!same) {
+        for (PanelFocus* frame : frames_) {
+            delete frame;
+        }
+        frames_.clear();
+        for (const SlowVariable variable : content.variables) {
+            frames_.push_back(new PanelFocus(variable, &view_));
+            frames_.back()->show();
+        }
+    }
+    for (PanelFocus* frame : frames_) {
+        const SlowVariable variable = frame->variable();
+        frame->setColor(content.theme.accent);
+        frame->setAccessibleName(
+            QCoreApplication::translate("PlotFocus", "Plot of %1, %2")
+                .arg(indexPlain(displaySymbol(variable, content.units)), displayMeaning(variable)));
+    }
+}
+
+void PlotFocus::place(const PlotStack& stack) {
+    for (PanelFocus* frame : frames_) {
+        if (const PlotPanel* panel = stack.panel(frame->variable())) {
+            frame->setGeometry(panel->outerRect());
+        }
+    }
+}
+
+void PlotFocus::give(SlowVariable variable) {
+    const auto found = std::ranges::find(frames_, variable, &PanelFocus::variable);
+    if (found != frames_.end()) {
+        (*found)->setFocus(Qt::MouseFocusReason);
+    }
+}
+
+std::optional<SlowVariable> PlotFocus::focused() const {
+    const auto found = std::ranges::find_if(frames_, &PanelFocus::hasFocus);
+    return found == frames_.end() ? std::nullopt : std::optional((*found)->variable());
+}
 
 TrackView::TrackView(QWidget* parent)
     : TimeGestures(parent),
@@ -48,6 +158,10 @@ TrackView::TrackView(QWidget* parent)
     });
     connect(&zoom_, &ZoomNavigator::historyChanged, this, &TrackView::zoomHistoryChanged);
     rebuild();
+    whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange}, [this] {
+        setAccessibleName(tr("Slow variables over time"));
+        rebuild();
+    });
 }
 
 TrackView::~TrackView() {
@@ -146,15 +260,12 @@ QSize TrackView::minimumSizeHint() const {
 }
 
 void TrackView::rebuild() {
-    PlotContent content = content_;
-    content.zoom = zoom_.current();
     stack_->prepare(plot().size());
-    stack_->setContent(content);
-    overlay_->setHint(coveredTime(content_.analyses)
-                          ? QString()
-                          : tr("No analysis yet.\nOpen a recording and press Analyse."));
+    stack_->setContent(content());
+    const bool has_analyses = hasTime();
+    overlay_->setHint(has_analyses ? QString()
+                                   : tr("No analysis yet.\nOpen a recording and press Analyse."));
     overlay_->setUnlike(content_.unlike);
-    const bool has_analyses = coveredTime(content_.analyses).has_value();
     for (const char* name : {"background", "grid", "main", "axes"}) {
         plot().layer(QString::fromLatin1(name))->setVisible(has_analyses);
     }
@@ -191,13 +302,90 @@ void TrackView::showEvent(QShowEvent* event) {
     redraw();
 }
 
-void TrackView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange ||
-        event->type() == QEvent::FontChange) {
-        setAccessibleName(tr("Slow variables over time"));
-        rebuild();
+void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,
+                             Gesture gesture) {
+    const PlotPanel* panel = stack_->panel(variable);
+    if (!panel) {
+        return;
     }
+    ZoomState state = zoom_.current();
+    state.fixed[variable] = changed(*panel->valueAxis(), panel->values(), factor, about, shift);
+    zoom_.visit(std::move(state), gesture);
+}
+
+void TrackView::moveTracker(std::optional<double> time_s) {
+    if (time_s == tracker_) {
+        return;
+    }
+    setTracker(time_s);
+    time_s ? emit trackerMoved(*time_s) : emit trackerLeft();
+}
+
+void TrackView::moveCursor(Cursor which, std::optional<double> time_s) {
+    setCursor(which, time_s);
+    emit cursorsChanged();
+}
+
+void TrackView::pressedAt(const QPointF& at) {
+    const PlotPanel& panel = *stack_->panelAt(at);
+    focus_.give(panel.variable());
+    press_variable_ = panel.variable();
+    press_values_ = panel.values();
+}
+
+// An automatic axis remains automatic; a fixed one moves along.
+void TrackView::panValues(ZoomState& state, const QPointF& moved) {
+    const PlotPanel* panel = stack_->panel(*press_variable_);
+    if (panel && state.fixed.contains(panel->variable())) {
+        state.fixed[panel->variable()] = changed(*panel->valueAxis(), press_values_, 1, 0,
+                                                 moved.y() / std::max(1, panel->height()));
+    }
+}
+
+QRectF TrackView::bandBetween(const QPointF& from, const QPointF& to) const {
+    const PlotPanel* panel = stack_->panel(*press_variable_);
+    return panel ? QRectF(from, to).normalized().intersected(QRectF(panel->rect())) : QRectF();
+}
+
+void TrackView::zoomValuesTo(ZoomState& state, const QRectF& band) {
+    const PlotPanel* panel = stack_->panel(*press_variable_);
+    if (panel && band.height() >= least_band) {
+        state.fixed[panel->variable()] = {panel->valueAxis()->pixelToCoord(band.bottom()),
+                                          panel->valueAxis()->pixelToCoord(band.top())};
+    }
+}
+
+bool TrackView::zoomValues(const QPointF& at, double factor) {
+    const PlotPanel& panel = *stack_->panelAt(at);
+    const double about = (panel.bottom() - at.y()) / std::max(1, panel.height());
+    changeValues(panel.variable(), factor, std::clamp(about, 0., 1.), 0, Gesture::wheel_value);
+    return true;
+}
+
+// At the margin, the meaning of the symbol that stands there.
+void TrackView::hoverAt(const QPointF& at) {
+    const PlotPanel* panel = stack_->panelAt(at);
+    const bool margin = panel && at.x() < panel->rect().left();
+    setToolTip(margin ? displayMeaning(panel->variable()) : QString());
+}
+
+bool TrackView::takeKey(QKeyEvent* event) {
+    if (content_.variables.empty()) {
+        return false;
+    }
+    const bool up = event->key() == Qt::Key_Up;
+    const bool in = event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal;
+    const SlowVariable variable = focus_.focused().value_or(content_.variables.front());
+    if (up || event->key() == Qt::Key_Down) {
+        changeValues(variable, 1, 0.5, up ? ZoomNavigator::arrow : -ZoomNavigator::arrow,
+                     Gesture::key_value);
+    } else if (event->modifiers() & Qt::ControlModifier && (in || event->key() == Qt::Key_Minus)) {
+        changeValues(variable, in ? ZoomNavigator::notch : 1 / ZoomNavigator::notch, 0.5, 0,
+                     Gesture::key_value);
+    } else {
+        return takeTimeKey(event);
+    }
+    return true;
 }
 
 }  // namespace vybeg::ui

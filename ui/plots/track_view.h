@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/plots/plot_content.h"
-#include "ui/plots/plot_focus.h"
 #include "ui/plots/time_gestures.h"
 #include "ui/values/shown_analysis.h"
 #include "ui/widgets/theme.h"
@@ -14,8 +13,24 @@
 
 namespace vybeg::ui {
 
+class PanelFocus;
 class PlotOverlay;
 class PlotStack;
+
+// Frames of keyboard focus about the plots of a view, one per plot in the tab order.
+class PlotFocus {
+public:
+    explicit PlotFocus(QWidget& view) : view_(view) {}
+
+    void match(const PlotContent& content);
+    void place(const PlotStack& stack);
+    void give(SlowVariable variable);
+    std::optional<SlowVariable> focused() const;
+
+private:
+    QWidget& view_;
+    std::vector<PanelFocus*> frames_;  // children of the view
+};
 
 // The stacked plots of the slow variables of all visible analyses over one time axis; owner of the
 // time range, tracker and cursors that other views share.
@@ -67,7 +82,7 @@ public:
     // Fitted curves drawn over the plots, displayed units.
     void setTrends(std::vector<TrendCurve> trends);
 
-    // Present content with the time range, input of plot_export.h.
+    // Present content with the time range, input of plotsDrawing().
     PlotContent content() const;
 
     QSize sizeHint() const override { return {900, 700}; }
@@ -90,7 +105,6 @@ signals:
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     bool hasTime() const override { return coveredTime(content_.analyses).has_value(); }

@@ -3,7 +3,7 @@
 #include "ui/plots/panel_frame.h"
 #include "ui/plots/plot_strip.h"
 #include "ui/plots/time_stack.h"
-#include "ui/words/index_text.h"
+#include "ui/words/rich_text.h"
 
 #include <qcustomplot.h>
 
@@ -57,62 +57,43 @@ AxisRange rangeOf(const XYPlot& content, bool of_y) {
 }
 
 // Axis rectangle with names in the style of the track's plots.
-class XYPanel : public QCPAxisRect {
+class XYPanel : public FramedPanel {
 public:
     XYPanel(QCustomPlot* plot, const XYPlot& content, const Theme& theme, QSize room)
-        : QCPAxisRect(plot, false),
-          content_(content),
-          theme_(theme),
-          room_(room),
-          font_(plotFont(*plot)),
-          x_ticker_(new PanelTicker(Qt::Horizontal)),
-          y_ticker_(new PanelTicker(Qt::Vertical)) {
-        tick_font_ = tickFont(font_);
-        addFrame(*this, x_ticker_, y_ticker_);
-        setFrameLook(*this, theme, tick_font_);
+        : FramedPanel(plot, {left_margin, head_height, right_margin, foot_height}),
+          content_(content) {
+        setExpectedSize(room);
+        setLook(theme, plotFont(*plot));
         for (QCPAxis* side : {axis(QCPAxis::atBottom), axis(QCPAxis::atLeft)}) {
             side->grid()->setVisible(!content.series.empty());
             side->setTicks(!content.series.empty());
             side->setTickLabels(!content.series.empty());
         }
-        x_ticker_->setSteps(content.x_in_degrees ? TickSteps::degrees : TickSteps::decimal);
-        makeLogarithmic(*axis(QCPAxis::atBottom), *x_ticker_, content.x_logarithmic);
+        ticker(QCPAxis::atBottom)
+            .setSteps(content.x_in_degrees ? TickSteps::degrees : TickSteps::decimal);
+        makeLogarithmic(QCPAxis::atBottom, content.x_logarithmic);
         if (content.x_is_date && !content.series.empty()) {
             showDates();
         }
-        makeLogarithmic(*axis(QCPAxis::atLeft), *y_ticker_, content.y_logarithmic);
-        setAutoMargins(QCP::msLeft);
-        setMinimumMargins({left_margin, 0, 0, 0});
-        setMargins({left_margin, head_height, right_margin, foot_height});
-    }
-
-    void update(UpdatePhase phase) override {
-        if (phase == upPreparation) {
-            x_ticker_->setRoom(room_.width(), tick_font_, right_margin - 2);
-            y_ticker_->setRoom(room_.height(), tick_font_);
-        }
-        QCPAxisRect::update(phase);
+        makeLogarithmic(QCPAxis::atLeft, content.y_logarithmic);
     }
 
 protected:
     void draw(QCPPainter* painter) override {
         QCPAxisRect::draw(painter);
         if (content_.series.empty()) {
-            painter->setPen(theme_.mutedText);
-            painter->setFont(font_);
-            painter->drawText(QRectF(rect()).adjusted(12, 4, -12, -4),
-                              int(Qt::AlignCenter) | Qt::TextWordWrap, content_.empty);
+            drawEmpty(*painter, content_.empty);
         }
         name(*painter, rect().top() - 7, content_.y_name, content_.y_unit, content_.y_takes_prefix,
-             y_ticker_->ticks(), false);
+             ticker(QCPAxis::atLeft).ticks(), false);
         name(*painter, rect().bottom() + foot_height - 6, content_.x_name, content_.x_unit, false,
-             x_ticker_->ticks(), true);
+             ticker(QCPAxis::atBottom).ticks(), true);
     }
 
 private:
-    static void makeLogarithmic(QCPAxis& axis, PanelTicker& ticker, bool logarithmic) {
-        axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-        ticker.setLogarithmic(logarithmic);
+    void makeLogarithmic(QCPAxis::AxisType side, bool logarithmic) {
+        axis(side)->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+        ticker(side).setLogarithmic(logarithmic);
     }
 
     // ISO dates, which read the same in every language; with the time where days are too coarse.
@@ -124,7 +105,7 @@ private:
         dates->setDateTimeSpec(Qt::UTC);
         dates->setDateTimeFormat(range.span() > 3 * day_s ? QStringLiteral("yyyy-MM-dd")
                                                           : QStringLiteral("MM-dd HH:mm"));
-        dates->setTickCount(std::max(2, room_.width() / label_width));
+        dates->setTickCount(std::max(2, expectedSize().width() / label_width));
         axis(QCPAxis::atBottom)->setTicker(dates);
     }
 
@@ -134,21 +115,15 @@ private:
         const QString text = symbol + ticks.offsetText();
         const QString scaled = scaledUnit(unit, takes_prefix, ticks.exponent);
         constexpr double gap = 8;
-        const double width = indexTextWidth(text, font_) + gap + indexTextWidth(scaled, font_);
+        const double width = indexTextWidth(text, font()) + gap + indexTextWidth(scaled, font());
         double x = rect().left() + (centred ? (rect().width() - width) / 2 : 0);
-        painter.setPen(theme_.text);
-        x += drawIndexText(painter, {x, base}, text, font_);
-        painter.setPen(theme_.mutedText);
-        drawIndexText(painter, {x + gap, base}, scaled, font_);
+        painter.setPen(theme().text);
+        x += drawIndexText(painter, {x, base}, text, font());
+        painter.setPen(theme().mutedText);
+        drawIndexText(painter, {x + gap, base}, scaled, font());
     }
 
     XYPlot content_;
-    Theme theme_;
-    QSize room_;
-    QFont font_;
-    QFont tick_font_;
-    QSharedPointer<PanelTicker> x_ticker_;
-    QSharedPointer<PanelTicker> y_ticker_;
 };
 
 QVector<double> vectorOf(const std::vector<double>& values) {
@@ -214,6 +189,33 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
 }
 
 }  // namespace
+
+XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x, std::vector<double> y) {
+    XYSeries line;
+    line.name = name;
+    line.ink = ink;
+    line.dashed = true;
+    line.x = std::move(x);
+    line.y = std::move(y);
+    return line;
+}
+
+XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink) {
+    XYSeries steps;
+    steps.name = name;
+    steps.ink = ink;
+    steps.steps = true;
+    const auto add = [&](double bin, double count) {
+        steps.x.push_back(histogram.low + (bin + 0.5) * histogram.width);
+        steps.y.push_back(count);
+    };
+    add(-1, 0);
+    for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
+        add(static_cast<double>(k), static_cast<double>(histogram.counts[k]));
+    }
+    add(static_cast<double>(histogram.counts.size()), 0);
+    return steps;
+}
 
 XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink) {
     XYSeries mark;

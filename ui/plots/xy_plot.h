@@ -1,7 +1,8 @@
 #pragma once
 
+#include "core/numerics/distribution.h"
 #include "ui/plots/plot_file.h"
-#include "ui/values/zoom_stack.h"
+#include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"
 
 #include <QSize>
@@ -28,6 +29,12 @@ struct XYSeries {
     std::vector<double> sd;
     bool dashed = false;
 };
+
+// A dashed line.
+XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x = {},
+                    std::vector<double> y = {});
+// The counts of a histogram at the middle of their bins, as steps that fall to zero at both ends.
+XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink);
 
 // A mark on one point of a series.
 XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink);

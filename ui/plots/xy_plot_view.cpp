@@ -33,10 +33,6 @@ void XYPlotView::setPickable(std::optional<std::size_t> series) {
     setMouseTracking(pickable_.has_value());
 }
 
-void XYPlotView::setPointTips(const QStringList& tips) {
-    setPointTips([tips](std::size_t point) { return tips.value(static_cast<qsizetype>(point)); });
-}
-
 QPointF XYPlotView::positionOf(std::size_t series, std::size_t point) const {
     const QCPAxisRect* panel = plot_->axisRects().front();
     const XYSeries& values = content_.series[series];

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "ui/plots/figure_source.h"
+#include "ui/plots/plot_file.h"
 #include "ui/plots/plot_view.h"
 #include "ui/plots/xy_plot.h"
-
-#include <QStringList>
 
 #include <functional>
 #include <optional>
@@ -28,9 +26,7 @@ public:
     // A click near a point of this series, by its number in the content, emits pointClicked(), a
     // double click also pointActivated(); Left and Right emit stepWanted().
     void setPickable(std::optional<std::size_t> series);
-    // Tooltips of the points of that series, rich text.
-    void setPointTips(const QStringList& tips);
-    // The same, made when one is shown: for thousands of points.
+    // Tooltips of the points of that series, rich text, made when one is shown.
     void setPointTips(std::function<QString(std::size_t)> tip) { tip_ = std::move(tip); }
     // Where a point of a series lies in the widget.
     QPointF positionOf(std::size_t series, std::size_t point) const;

@@ -1,7 +1,7 @@
 #include "ui/report/report_content.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/words/format_text.h"
+#include "ui/words/error_text.h"
 
 #include <algorithm>
 #include <initializer_list>

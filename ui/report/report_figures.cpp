@@ -1,7 +1,7 @@
 #include "ui/report/report_figures.h"
 
 #include "ui/drift/drift_text.h"
-#include "ui/plots/plot_export.h"
+#include "ui/plots/figure.h"
 #include "ui/resonator/resonator_plots.h"
 
 namespace vybeg::ui {

@@ -8,9 +8,9 @@
 #include "ui/report/report_html.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
-#include "ui/words/algorithm_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/settings_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QLocale>

@@ -1,16 +1,14 @@
 #include "ui/resonator/outcome_views.h"
 
-#include "ui/charts/round_view.h"
+#include "ui/charts/round_plot.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/warning_list.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
-#include "ui/widgets/section.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 

@@ -2,7 +2,6 @@
 
 #include "core/resonator/results/parameter_limit.h"
 #include "ui/document/document.h"
-#include "ui/plots/figure_source.h"
 #include "ui/plots/plot_file.h"
 #include "ui/values/recording_set.h"
 #include "ui/widgets/theme.h"

@@ -5,7 +5,6 @@
 #include "ui/resonator/outcome_views.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
 
 #include <QHBoxLayout>

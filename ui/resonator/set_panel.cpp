@@ -3,7 +3,6 @@
 #include "core/analysis/setting_table.h"
 #include "ui/panels/file_list.h"
 #include "ui/resonator/resonator_text.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 

@@ -11,7 +11,7 @@
 #include "ui/values/dossier.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
-#include "ui/values/zoom_stack.h"
+#include "ui/values/zoom_state.h"
 #include "ui/words/display_units.h"
 
 #include <QJsonObject>

@@ -2,6 +2,7 @@
 
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -46,8 +47,9 @@ NumberField* SettingsFields::makeField(const Texts& texts) {
     return field;
 }
 
-NumberField* SettingsFields::addField(const Texts& texts) {
+NumberField* SettingsFields::addField(const Texts& texts, const Bounds& limits, double unit) {
     NumberField* field = makeField(texts);
+    field->setLimits(limits, unit);
     entries_.back().label = makeLabel(field);
     form_->addRow(entries_.back().label, field);
     addFaults({field});
@@ -105,6 +107,13 @@ NumberField* SettingsFields::faulty() const {
     return nullptr;
 }
 
+void SettingsFields::follow(NumberField* field, std::optional<double> Settings::*member) {
+    field->setOptional(true);
+    connect(field, &NumberField::valueEdited, this, [this, member](auto value) {
+        change([&](Settings& settings) { settings.*member = value; });
+    });
+}
+
 void SettingsFields::addWide(QWidget* widget) {
     form_->addRow(widget);
 }
@@ -123,8 +132,7 @@ void SettingsFields::retranslate() {
         const QString label = translated(entry.texts.label);
         if (entry.label) {
             const QString unit = entry.unit_in_label ? translated(entry.texts.unit) : QString();
-            entry.label->setText(
-                richText(unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit)));
+            entry.label->setText(richText(withUnit(label, unit)));
             entry.label->setToolTip(tip);
         }
         entry.widget->setToolTip(tip);

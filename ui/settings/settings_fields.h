@@ -48,7 +48,8 @@ protected:
         const char* name = nullptr;
     };
 
-    NumberField* addField(const Texts& texts);
+    // `unit` of the units of the limits are one of the field's.
+    NumberField* addField(const Texts& texts, const Bounds& limits, double unit = 1);
     // A field that the caller puts into a row, and the line below it with the fault of some.
     NumberField* makeField(const Texts& texts);
     void addFaults(const std::vector<NumberField*>& fields);
@@ -66,6 +67,8 @@ protected:
         edit(settings);
         emit edited(settings);
     }
+    // Edits of a field go to a setting that may be missing.
+    void follow(NumberField* field, std::optional<double> Settings::*member);
     virtual void refresh() = 0;
     virtual void retranslate();
 

@@ -1,14 +1,9 @@
 #include "ui/settings/settings_panel.h"
 
 #include "ui/document/document.h"
+#include "ui/settings/estimation_fields.h"
 #include "ui/settings/signal_fields.h"
-#include "ui/settings/start_fields.h"
-#include "ui/settings/window_fields.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/widgets/section.h"
-#include "ui/widgets/wheel_guard.h"
-#include "ui/words/algorithm_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
 

@@ -1,7 +1,6 @@
 #include "ui/settings/signal_fields.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QCheckBox>
@@ -28,19 +27,13 @@ RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
     fill(new QHBoxLayout(buttons), {}, {{whole_, 1}, {visible_, 1}});
     addWide(buttons);
     for (NumberField* field : {from_, to_}) {
-        field->setOptional(true);
         field->setLimits(bounds_of(field == from_ ? "from" : "to"));
         field->setDigits(7);
     }
-    connect(from_, &NumberField::valueEdited, this,
-            [this](auto value) { change([&](Settings& settings) { settings.from_s = value; }); });
-    connect(to_, &NumberField::valueEdited, this,
-            [this](auto value) { change([&](Settings& settings) { settings.to_s = value; }); });
+    follow(from_, &Settings::from_s);
+    follow(to_, &Settings::to_s);
     connect(whole_, &QPushButton::clicked, this, [this] {
-        Settings settings = state().settings;
-        settings.from_s.reset();
-        settings.to_s.reset();
-        emit edited(settings);
+        change([](Settings& settings) { settings.from_s = settings.to_s = std::nullopt; });
     });
     connect(visible_, &QPushButton::clicked, this, &RangeFields::visibleRangeWanted);
     keepTranslated(*this, [this] { retranslate(); });
@@ -66,9 +59,9 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
     f0_ = addField({QT_TR_NOOP("Carrier f₀"), QT_TR_NOOP("Hz"),
                     QT_TR_NOOP("Carrier of the whole recording, around which each window looks "
                                "for its ω by (7), (25). Empty: the peak common to both channels' "
-                               "spectra.")});
-    f0_->setOptional(true);
-    f0_->setLimits(bounds_of("f0"));
+                               "spectra.")},
+                   bounds_of("f0"));
+    follow(f0_, &Settings::f0_hz);
     const char* band_tip = QT_TR_NOOP(
         "Look for the carrier between these frequencies. Empty: everywhere. Both are needed.");
     const auto band =
@@ -83,8 +76,6 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
                 {"", QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter to")});
     bands_ = {BandFields{"band", &Settings::band, band.first, band.second, std::nullopt},
               BandFields{"filter", &Settings::filter, filter.first, filter.second, std::nullopt}};
-    connect(f0_, &NumberField::valueEdited, this,
-            [this](auto value) { change([&](Settings& settings) { settings.f0_hz = value; }); });
     for (const BandFields& fields : bands_) {
         for (NumberField* field : {fields.low, fields.high}) {
             field->setOptional(true);
@@ -155,11 +146,20 @@ void CarrierFields::refresh() {
 }
 
 CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
-    kappa_ = addField({QT_TR_NOOP("Gain ratio κ"), "",
-                       QT_TR_NOOP("Channel D is recorded as D/κ, the scaling below (30): κ = 1 "
-                                  "for balanced channels.")});
-    kappa_->setLimits(bounds_of("kappa"));
-    kappa_->setStep(0.001);
+    // `per_unit`: units of the field in one of the setting.
+    const auto show = [this](NumberField* field, double Calibration::*member, double per_unit = 1) {
+        numbers_.push_back({field, member, per_unit});
+        connect(field, &NumberField::valueEdited, this, [this, member, per_unit](auto value) {
+            change([&](Settings& settings) { settings.calibration.*member = *value / per_unit; });
+        });
+    };
+    NumberField* kappa = addField(
+        {QT_TR_NOOP("Gain ratio κ"), "",
+         QT_TR_NOOP("Channel D is recorded as D/κ, the scaling below (30): κ = 1 for balanced "
+                    "channels.")},
+        bounds_of("kappa"));
+    kappa->setStep(0.001);
+    show(kappa, &Calibration::kappa);
     const char* offset_tip = QT_TR_NOOP(
         "Constant in each channel, recording units; it is subtracted. The averages of (13), (15) "
         "presume none.");
@@ -170,29 +170,20 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
     offset_d_ = offsets.second;
     offset_c_->setLimits(bounds_of("offset", 0));
     offset_d_->setLimits(bounds_of("offset", 1));
+    show(offset_c_, &Calibration::offset_c);
+    show(offset_d_, &Calibration::offset_d);
     offset_auto_ = new QCheckBox(this);
     addWide(offset_auto_);
-    delay_ = addField({QT_TR_NOOP("Delay of D"), QT_TR_NOOP("µs"),
-                       QT_TR_NOOP("By how much channel D is sampled later than C. It would "
-                                  "otherwise count as Δφ_CD of (9).")});
-    delay_->setLimits(bounds_of("delay"), 1e-6);
-    angle_zero_ = addField({QT_TR_NOOP("Angle zero"), QT_TR_NOOP("°"),
-                            QT_TR_NOOP("Angle of the first electrode, subtracted from θ_A of (2): "
-                                       "the article counts the angle from there.")});
-    angle_zero_->setLimits(bounds_of("angle-zero"));
-
-    // `per_unit`: units of the field in one of the setting.
-    const auto follow = [this](NumberField* field, double Calibration::*member,
-                               double per_unit = 1) {
-        connect(field, &NumberField::valueEdited, this, [this, member, per_unit](auto value) {
-            change([&](Settings& settings) { settings.calibration.*member = *value / per_unit; });
-        });
-    };
-    follow(kappa_, &Calibration::kappa);
-    follow(offset_c_, &Calibration::offset_c);
-    follow(offset_d_, &Calibration::offset_d);
-    follow(delay_, &Calibration::delay_d_s, 1e6);
-    follow(angle_zero_, &Calibration::angle_zero_deg);
+    show(addField({QT_TR_NOOP("Delay of D"), QT_TR_NOOP("µs"),
+                   QT_TR_NOOP("By how much channel D is sampled later than C. It would otherwise "
+                              "count as Δφ_CD of (9).")},
+                  bounds_of("delay"), 1e-6),
+         &Calibration::delay_d_s, 1e6);
+    show(addField({QT_TR_NOOP("Angle zero"), QT_TR_NOOP("°"),
+                   QT_TR_NOOP("Angle of the first electrode, subtracted from θ_A of (2): the "
+                              "article counts the angle from there.")},
+                  bounds_of("angle-zero")),
+         &Calibration::angle_zero_deg);
     connect(offset_auto_, &QCheckBox::clicked, this, [this](bool automatic) {
         change([&](Settings& settings) { settings.calibration.offset_auto = automatic; });
     });
@@ -211,9 +202,8 @@ void CalibrationFields::addTolerances() {
     addWide(tolerances_title_);
     const auto add = [this](const Texts& texts, std::optional<double> Tolerance::*member,
                             double scale, double step) {
-        NumberField* field = addField(texts);
+        NumberField* field = addField(texts, tolerance_bounds, scale);
         field->setOptional(true);
-        field->setLimits(tolerance_bounds, scale);
         field->setStep(step);
         tolerances_.push_back({field, member, scale});
         connect(field, &NumberField::valueEdited, this, [this, member, scale](auto value) {
@@ -290,14 +280,12 @@ void CalibrationFields::refresh() {
     showTolerances();
     repair_lost_->setChecked(state().settings.repair_lost);
     const Calibration& calibration = state().settings.calibration;
-    kappa_->setValue(calibration.kappa);
-    offset_c_->setValue(calibration.offset_c);
-    offset_d_->setValue(calibration.offset_d);
+    for (const CalibrationField& each : numbers_) {
+        each.field->setValue(calibration.*each.member * each.per_unit);
+    }
     offset_c_->setEnabled(!calibration.offset_auto);
     offset_d_->setEnabled(!calibration.offset_auto);
     offset_auto_->setChecked(calibration.offset_auto);
-    delay_->setValue(calibration.delay_d_s * 1e6);
-    angle_zero_->setValue(calibration.angle_zero_deg);
 }
 
 }  // namespace vybeg::ui

@@ -79,6 +79,12 @@ private:
     void addTolerances();
     void showTolerances();
 
+    // A field of a number, `per_unit` of whose units are one of the number's.
+    struct CalibrationField {
+        NumberField* field;
+        double Calibration::*member;
+        double per_unit;
+    };
     // A field of a tolerance, in units of `scale`.
     struct ToleranceField {
         NumberField* field;
@@ -86,13 +92,11 @@ private:
         double scale;
     };
 
-    NumberField* kappa_;
+    std::vector<CalibrationField> numbers_;
     NumberField* offset_c_;
     NumberField* offset_d_;
     QCheckBox* offset_auto_;
     QCheckBox* repair_lost_;
-    NumberField* delay_;
-    NumberField* angle_zero_;
     QLabel* tolerances_title_;
     std::vector<ToleranceField> tolerances_;
 };

@@ -1,20 +1,281 @@
 #include "ui/signals/signal_stack.h"
 
+#include "ui/plots/envelope_paint.h"
 #include "ui/plots/plot_strip.h"
-#include "ui/signals/signal_panel.h"
-
-#include <QCoreApplication>
+#include "ui/words/number_label.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace vybeg::ui {
+
 namespace {
+
+struct SignalWords {
+    Q_DECLARE_TR_FUNCTIONS(SignalStack)
+};
+
+constexpr double dots_apart = 4;  // pixels from which on samples are dots
+constexpr double large_dots_apart = 10;
+constexpr double dense = 0.7;         // pixels below which samples share columns
+constexpr double smooth_period = 24;  // pixels of a period that is drawn without steps
+
+// Segments between finite neighbours. Drawn one by one they cost a hundredth of a polyline whose
+// parts overlap.
+QVector<QLineF> segmentsOf(const QPolygonF& points) {
+    QVector<QLineF> lines;
+    lines.reserve(points.size());
+    for (qsizetype k = 1; k < points.size(); ++k) {
+        if (std::isfinite(points[k - 1].y()) && std::isfinite(points[k].y())) {
+            lines.append({points[k - 1], points[k]});
+        }
+    }
+    return lines;
+}
+
+// The same as one vertical line for each pixel column, which reaches to the column before.
+QVector<QLineF> columnsOf(const QPolygonF& points) {
+    QVector<QLineF> lines;
+    double last = std::nan("");
+    for (qsizetype k = 0; k < points.size();) {
+        const double column = std::floor(points[k].x());
+        double low = last;
+        double high = last;
+        for (; k < points.size() && std::floor(points[k].x()) == column; ++k) {
+            last = points[k].y();
+            low = std::fmin(low, last);
+            high = std::fmax(high, last);
+        }
+        if (std::isfinite(low)) {
+            lines.append({column, low, column, high + 1});
+        }
+    }
+    return lines;
+}
 
 constexpr int paper_width = 900;
 constexpr int paper_strips = 66;  // the rows above and below
 constexpr int paper_panel_height = 170;
 
+// Six digits of the largest value in a plot.
+int decimalsOf(const SignalPanel& panel) {
+    const AxisRange range = panel.values();
+    const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
+    return std::clamp(5 - static_cast<int>(std::floor(std::log10(largest))), 0, 15);
+}
+
 }  // namespace
+
+template <class Value>
+QPolygonF SignalGraph::points(Value value) const {
+    QPolygonF list;
+    list.reserve(static_cast<qsizetype>(picture_->to - picture_->from));
+    for (std::size_t k = picture_->from; k < picture_->to; ++k) {
+        const double stored = value(*content_->excerpt, k);
+        list.append(
+            {x(content_->excerpt->time_s(k)), std::isfinite(stored) ? y(stored) : std::nan("")});
+    }
+    return list;
+}
+
+double SignalGraph::samplesApart() const {
+    return std::abs(x(1 / content_->rate_hz) - x(0));
+}
+
+void SignalGraph::draw(QCPPainter* painter) {
+    if (!content_ || !picture_) {
+        return;
+    }
+    const bool some = picture_->samples && content_->excerpt && picture_->to > picture_->from;
+    if (!picture_->columns.empty() || !picture_->rms.empty()) {
+        painter->save();
+        if (some) {
+            // Beside the samples that are there already.
+            const QRectF all(clipRect());
+            const double from = x(content_->excerpt->time_s(picture_->from));
+            const double to = x(content_->excerpt->time_s(picture_->to - 1));
+            QRegion beside(clipRect());
+            beside -= QRectF(from, all.top(), to - from, all.height()).toAlignedRect();
+            painter->setClipRegion(beside, Qt::IntersectClip);
+        }
+        part_ == SignalPart::residual ? drawRms(*painter) : drawColumns(*painter);
+        painter->restore();
+    }
+    if (part_ == SignalPart::residual) {
+        if (some && content_->analysis) {
+            drawDots(*painter, points([](const auto& e, auto k) { return e.residual_c(k); }),
+                     content_->theme.signalC);
+            drawDots(*painter, points([](const auto& e, auto k) { return e.residual_d(k); }),
+                     content_->theme.signalD);
+        }
+        return;
+    }
+    const QColor ink = isD() ? content_->theme.signalD : content_->theme.signalC;
+    QPolygonF samples;
+    if (some) {
+        samples = points([d = isD()](const auto& e, auto k) { return d ? e.d[k] : e.c[k]; });
+        const bool dotted = samplesApart() >= dots_apart;
+        QColor line = ink;
+        line.setAlphaF(dotted ? 0.45F : 1.0F);
+        drawLines(*painter, samples, line);
+        drawLost(*painter);
+    }
+    drawCurve(*painter, 1);
+    if (!picture_->smooth) {
+        drawCurve(*painter, -1);
+    }
+    if (some && samplesApart() >= dots_apart) {
+        drawDots(*painter, samples, ink);
+    }
+}
+
+void SignalGraph::drawColumns(QCPPainter& painter) const {
+    if (picture_->columns.empty()) {
+        return;
+    }
+    const double from = x(picture_->columns_from_s);
+    const double to = x(picture_->columns_to_s);
+    const QRectF area(from, clipRect().top(), to - from, clipRect().height());
+    const ColumnRow row{area, (to - from) / static_cast<double>(picture_->columns.size())};
+    const Calibration& calibration = content_->calibration;
+    const double gain = isD() ? calibration.kappa : 1;
+    const double offset = isD() ? calibration.offset_d : calibration.offset_c;
+    const double scale = gain * (y(0) - y(1));
+    const EnvelopeLane lane =
+        isD() ? EnvelopeLane{content_->theme.signalD, y(0) + scale * offset, scale,
+                             &EnvelopeBucket::d_min, &EnvelopeBucket::d_max}
+              : EnvelopeLane{content_->theme.signalC, y(0) + scale * offset, scale,
+                             &EnvelopeBucket::c_min, &EnvelopeBucket::c_max};
+    painter.setAntialiasing(false);
+    paintUnread(painter, row, picture_->columns, content_->theme);
+    paintLane(painter, row, picture_->columns, lane);
+    paintMissing(painter, row, picture_->columns, content_->theme);
+}
+
+// Between minus and plus the rms a pale band, and what lies between the least and the largest rms
+// of a column in full.
+void SignalGraph::drawRms(QCPPainter& painter) const {
+    QVector<QLineF> band;
+    QVector<QLineF> rims;
+    if (picture_->rms.empty()) {
+        return;
+    }
+    // Windows may be wider than a pixel.
+    const double half = 0.5 * static_cast<double>(content_->analysis->plan.hop) / content_->rate_hz;
+    double next = clipRect().left();  // the first pixel that is not drawn yet
+    for (const CurveColumn& column : picture_->rms) {
+        if (column.empty()) {
+            continue;
+        }
+        const double from = std::floor(x(column.time_first - half));
+        const double to = std::min(std::max(from, x(column.time_last + half) - 1),
+                                   static_cast<double>(clipRect().right()));
+        for (next = std::max(next, from); next <= to; ++next) {
+            band.append({next, y(-column.min), next, y(column.min)});
+            for (const double sign : {-1, 1}) {
+                rims.append({next, y(sign * column.min) - 0.5, next, y(sign * column.max) + 0.5});
+            }
+        }
+    }
+    QColor pale = content_->theme.text;
+    pale.setAlphaF(0.16F);
+    painter.setAntialiasing(false);
+    painter.setPen(QPen(pale, 1, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(band);
+    painter.setPen(QPen(content_->theme.mutedText, 1, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(rims);
+}
+
+void SignalGraph::drawLines(QCPPainter& painter, const QPolygonF& points,
+                            const QColor& color) const {
+    const double apart = samplesApart();
+    painter.setAntialiasing(apart >= dots_apart);
+    painter.setPen(QPen(color, 1, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(apart < dense ? columnsOf(points) : segmentsOf(points));
+}
+
+void SignalGraph::drawCurve(QCPPainter& painter, double sign) const {
+    const SignalCurve& curve = picture_->wave;
+    const std::vector<double>& values = isD() ? curve.d : curve.c;
+    QPolygonF points;
+    points.reserve(static_cast<qsizetype>(values.size()));
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        points.append(
+            {x(curve.time_s[k]), std::isfinite(values[k]) ? y(sign * values[k]) : std::nan("")});
+    }
+    const bool fine = !picture_->smooth || picture_->period_pixels >= smooth_period;
+    painter.setAntialiasing(fine);
+    painter.setPen(QPen(content_->theme.text, fine ? 1.4 : 1, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(segmentsOf(points));
+}
+
+void SignalGraph::drawDots(QCPPainter& painter, const QPolygonF& points,
+                           const QColor& color) const {
+    const double apart = samplesApart();
+    const double radius = apart < 1                  ? 0.5
+                          : apart < dots_apart       ? 1
+                          : apart < large_dots_apart ? 1.8
+                                                     : 2.8;
+    painter.setAntialiasing(apart >= dots_apart);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    QVector<QRectF> squares;
+    for (const QPointF& point : points) {
+        if (!std::isfinite(point.y())) {
+            continue;
+        }
+        if (apart >= dots_apart) {
+            painter.drawEllipse(point, radius, radius);
+        } else {
+            squares.append({point.x() - radius, point.y() - radius, 2 * radius, 2 * radius});
+        }
+    }
+    painter.drawRects(squares);
+    painter.setBrush(Qt::NoBrush);
+}
+
+// Missing samples, as in the columns.
+void SignalGraph::drawLost(QCPPainter& painter) const {
+    const std::vector<double>& values = isD() ? content_->excerpt->d : content_->excerpt->c;
+    QColor veil = content_->theme.warning;
+    veil.setAlphaF(0.35F);
+    const double width = std::max(1., samplesApart());
+    for (std::size_t k = picture_->from; k < picture_->to; ++k) {
+        if (!std::isfinite(values[k])) {
+            painter.fillRect(QRectF(x(content_->excerpt->time_s(k)) - 0.5 * width, clipRect().top(),
+                                    width, clipRect().height()),
+                             veil);
+        }
+    }
+}
+
+SignalPanel::SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head)
+    : TimePanel(plot, head), part_(part), graph_(new SignalGraph(timeAxis(), valueAxis(), part)) {}
+
+void SignalPanel::setPicture(const SignalContent& content, const SignalPicture& picture,
+                             const QFont& font) {
+    stored_unit_ = content.unit;
+    empty_ = part_ == SignalPart::residual && !content.analysis ? content.no_residual : QString();
+    setLook(content.theme, font);
+    setScaleShown(empty_.isEmpty());
+    setTime(content.time);
+    setValues(valuesOf(content, picture, part_));
+    graph_->setPicture(&content, &picture);
+}
+
+QString SignalPanel::symbol() const {
+    switch (part_) {
+        case SignalPart::c: return QStringLiteral("C");
+        case SignalPart::d: return QStringLiteral("D");
+        case SignalPart::residual: break;
+    }
+    return QCoreApplication::translate("SignalPanel", "Residual");
+}
+
+QString SignalPanel::unit(const AxisTicks& ticks) const {
+    return scaledUnit(stored_unit_, !stored_unit_.isEmpty(), ticks.exponent);
+}
 
 SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head)
     : TimeStack(plot, 0, head) {
@@ -69,6 +330,72 @@ Figure signalFigure(SignalContent content, const std::vector<SignalPart>& parts)
         plot.toPainter(&painter, size.width(), size.height());
     };
     return {draw, proposed, QStringLiteral("signals")};
+}
+
+SignalOverlay::SignalOverlay(const SignalStack& stack, std::function<HairLines()> hairs)
+    : TimeOverlay(stack, std::move(hairs)), stack_(stack) {}
+
+void SignalOverlay::draw(QCPPainter* painter) {
+    for (const SignalPanel* panel : stack_.panels()) {
+        drawNote(*painter, *panel);
+    }
+    TimeOverlay::draw(painter);
+}
+
+// The values at the mouse; without them, what the curves are.
+QString SignalOverlay::note(const SignalPanel& panel) const {
+    const SignalContent& content = stack_.content();
+    const bool residual = panel.part() == SignalPart::residual;
+    if (residual && !content.analysis) {
+        return {};
+    }
+    const auto& excerpt = content.excerpt;
+    const auto tracker = hairs().tracker;
+    const double k =
+        tracker && stack_.picture().samples && excerpt
+            ? std::round(*tracker * excerpt->rate_hz) - static_cast<double>(excerpt->first)
+            : -1;
+    if (!(k >= 0 && k < static_cast<double>(excerpt ? excerpt->size() : 0))) {
+        if (residual) {
+            return stack_.picture().samples ? QString() : SignalWords::tr("rms of the residual");
+        }
+        return !content.analysis || !content.wave ? QString()
+               : stack_.picture().smooth          ? SignalWords::tr("fitted wave")
+                                                  : SignalWords::tr("amplitude of the wave");
+    }
+    const auto at = static_cast<std::size_t>(k);
+    const int decimals = decimalsOf(panel);
+    const auto number = [&](double value) {
+        return std::isfinite(value) ? numberLabel(value, decimals) : QStringLiteral("—");
+    };
+    if (residual) {
+        return QStringLiteral("C %1   D %2")
+            .arg(number(excerpt->residual_c(at)), number(excerpt->residual_d(at)));
+    }
+    const bool d = panel.part() == SignalPart::d;
+    QString text = SignalWords::tr("sample %1").arg(number(d ? excerpt->d[at] : excerpt->c[at]));
+    if (content.analysis) {
+        text += QStringLiteral("   ") +
+                SignalWords::tr("wave %1").arg(number(d ? excerpt->fit_d[at] : excerpt->fit_c[at]));
+    }
+    return text;
+}
+
+void SignalOverlay::drawNote(QCPPainter& painter, const SignalPanel& panel) const {
+    const QString text = note(panel);
+    if (text.isEmpty()) {
+        return;
+    }
+    const Theme& theme = stack_.content().theme;
+    painter.setFont(panel.font());
+    const QRectF area = QRectF(panel.rect()).adjusted(6, 2, -6, -2);
+    const QRectF box =
+        painter.boundingRect(area, int(Qt::AlignRight | Qt::AlignTop), text).adjusted(-4, 0, 4, 0);
+    QColor plate = theme.panelBackground;
+    plate.setAlphaF(0.8F);
+    painter.fillRect(box, plate);
+    painter.setPen(theme.text);
+    painter.drawText(box, int(Qt::AlignCenter), text);
 }
 
 }  // namespace vybeg::ui

@@ -1,15 +1,14 @@
 #include "ui/signals/signals_page.h"
 
 #include "ui/document/document.h"
-#include "ui/plots/track_view.h"
 #include "ui/signals/signal_stack.h"
-#include "ui/signals/signals_view.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QLabel>
+#include <QLayout>
+#include <QPainter>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -31,6 +30,62 @@ AxisRange beyond(const AxisRange& range, double spans) {
 }
 
 }  // namespace
+
+SignalsView::SignalsView(TrackView& tracks, QWidget* parent)
+    : TimeGestures(parent),
+      tracks_(tracks),
+      stack_(std::make_unique<SignalStack>(
+          plot(), std::vector(all_signal_parts.begin(), all_signal_parts.end()), PlotHead::margin)),
+      overlay_(new SignalOverlay(*stack_, [this] { return hairs(); })) {
+    setPlots(*stack_, *overlay_);
+    layout()->setContentsMargins(1, 1, 1, 1);  // the frame of the keyboard focus
+    setFocusPolicy(Qt::StrongFocus);
+    whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange},
+                [this] { setContent(content()); });
+}
+
+SignalsView::~SignalsView() {
+    removePlot();
+}
+
+void SignalsView::setContent(SignalContent content) {
+    content.time = tracks_.timeRange();
+    plot().setBackground(QBrush(content.theme.plotBackground));
+    stack_->setContent(std::move(content), plot().size());
+    plot().replot(QCustomPlot::rpQueuedReplot);
+}
+
+const SignalContent& SignalsView::content() const {
+    return stack_->content();
+}
+
+const SignalPicture& SignalsView::picture() const {
+    return stack_->picture();
+}
+
+int SignalsView::timeWidth() const {
+    return stack_->frameWidth(plot().width());
+}
+
+void SignalsView::moveTracker(std::optional<double> time_s) {
+    tracks_.moveTracker(time_s);
+    refreshOverlay();
+}
+
+void SignalsView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    emit resized();
+}
+
+// The frame shows the keyboard focus.
+void SignalsView::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (hasFocus()) {
+        QPainter painter(this);
+        painter.setPen(content().theme.accent);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
 
 SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     : QWidget(parent),
@@ -60,13 +115,9 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     keepTranslated(*this, [this] { retranslate(); });
 }
 
-const RecordingEntry* SignalsPage::recording() const {
-    return document_.currentRecording();
-}
-
 const AnalysisEntry* SignalsPage::fitted() const {
     const AnalysisEntry* chosen = document_.analysis(analysis_id_);
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     const bool whole = chosen && entry && chosen->recording_id == entry->id && !chosen->partial() &&
                        chosen->shown.analysis->track.rows() > 0;
     return whole ? chosen : nullptr;
@@ -88,7 +139,7 @@ void SignalsPage::showCursors() {
 
 SignalContent SignalsPage::content() const {
     SignalContent content;
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     if (entry) {
         content.envelope = entry->envelope;
         content.rate_hz = entry->envelope_rate_hz;
@@ -106,11 +157,7 @@ SignalContent SignalsPage::content() const {
     if (const AnalysisEntry* chosen = fitted()) {
         content.analysis = chosen->shown.analysis;
         content.calibration = chosen->shown.analysis->settings.calibration;
-        const auto rms = std::ranges::find(chosen->shown.curves, SlowVariable::rms,
-                                           [](const auto& curve) { return curve->variable(); });
-        content.rms = rms == chosen->shown.curves.end()
-                          ? std::make_shared<CurveData>(chosen->shown.analysis, SlowVariable::rms)
-                          : *rms;
+        content.rms = chosen->shown.curve(SlowVariable::rms);
     }
     content.wave = wave_;
     content.no_residual = tr("The residual is what an analysis leaves of the samples.");
@@ -121,7 +168,7 @@ SignalContent SignalsPage::content() const {
 
 // Shows what is there, and asks for the samples that are missing. Hidden, the page waits.
 void SignalsPage::refresh() {
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     const auto samples = entry && entry->recording ? entry->recording->source : nullptr;
     if (!entry || entry->id != source_recording_ || samples != source_samples_) {
         // Of another recording nothing is kept.
@@ -144,7 +191,7 @@ void SignalsPage::refresh() {
 }
 
 void SignalsPage::request() {
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     if (!isVisible() || !entry || !entry->recording || reading_) {
         return;
     }
@@ -207,7 +254,7 @@ void SignalsPage::showState() {
 
 // What the plots and the chosen row do not say.
 QString SignalsPage::stateText() const {
-    const RecordingEntry* entry = recording();
+    const RecordingEntry* entry = document_.currentRecording();
     if (!entry) {
         return tr("No recording is open.");
     }
@@ -251,7 +298,8 @@ FigureSource SignalsPage::figures() const {
     source.figure = [shown, parts](const std::vector<int>& places) {
         return signalFigure(shown, atPlaces(parts, places));
     };
-    source.title = recording() ? recording()->name : QString();
+    const RecordingEntry* entry = document_.currentRecording();
+    source.title = entry ? entry->name : QString();
     return source;
 }
 

@@ -1,22 +1,32 @@
 #include "ui/sweep/sweep_page.h"
 
+#include "core/analysis/setting_table.h"
+#include "core/sweep/sweep_windows.h"
 #include "ui/document/document.h"
 #include "ui/plots/xy_plot_view.h"
-#include "ui/residuals/residual_text.h"
-#include "ui/sweep/length_field.h"
-#include "ui/sweep/sweep_text.h"
+#include "ui/sweep/shown_sweep.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/settings_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -25,9 +35,82 @@ namespace vybeg::ui {
 
 namespace {
 
+constexpr std::int64_t most = 1'000'000'000;
+constexpr std::size_t most_lengths = 60;
+
+std::optional<std::int64_t> readLength(const QString& text) {
+    bool whole = false;
+    const qint64 length = text.toLongLong(&whole);
+    return whole ? std::optional<std::int64_t>(length) : std::nullopt;
+}
+
 constexpr int job_key = 1;
 
+constexpr int least_plot_height = 250;
+constexpr int progress_steps = 1000;
+
 }  // namespace
+
+LengthList readLengthList(const QString& text) {
+    const auto refused = [](const QString& sentence) { return LengthList{{}, sentence}; };
+    static const QRegularExpression separators(QStringLiteral("[\\s,;]+"));
+    static const QRegularExpression dots(QStringLiteral("\\s*(\\.\\.+|…)\\s*"));
+    const auto least = static_cast<std::int64_t>(bounds_of("window").least);
+    LengthList list;
+    QString joined = text;
+    joined.replace(dots, QStringLiteral("…"));
+    for (const QString& part : joined.split(separators, Qt::SkipEmptyParts)) {
+        const QStringList ends = part.split(QStringLiteral("…"));
+        const auto first = readLength(ends.front());
+        const auto last = readLength(ends.back());
+        if (ends.size() > 2 || !first || !last) {
+            return refused(
+                LengthField::tr("“%1” is neither a whole number nor a range as 6..600.")
+                    .arg(QString(part).replace(QStringLiteral("…"), QStringLiteral(".."))));
+        }
+        if (std::min(*first, *last) < least || std::max(*first, *last) > most) {
+            return refused(LengthField::tr("A window has %1 samples at least and %2 at most.")
+                               .arg(least)
+                               .arg(QLocale().toString(static_cast<qlonglong>(most))));
+        }
+        const auto range = spaced_lengths(std::min(*first, *last), std::max(*first, *last));
+        list.lengths.insert(list.lengths.end(), range.begin(), range.end());
+    }
+    std::ranges::sort(list.lengths);
+    const auto last = std::unique(list.lengths.begin(), list.lengths.end());
+    list.lengths.erase(last, list.lengths.end());
+    if (list.lengths.empty()) {
+        return refused(
+            LengthField::tr("A list of window lengths is needed, e.g. 6..600 or 6, 60."));
+    }
+    if (list.lengths.size() > most_lengths) {
+        return refused(LengthField::tr("At most %1 lengths are possible.").arg(most_lengths));
+    }
+    return list;
+}
+
+LengthField::LengthField(QWidget* parent) : QLineEdit(QStringLiteral("6..600"), parent) {
+    connect(this, &QLineEdit::textChanged, this, &LengthField::retranslate);
+    retranslate();
+}
+
+void LengthField::retranslate() {
+    const QString refusal = list().refusal;
+    setAccessibleName(tr("Window lengths, samples"));
+    setToolTip(richTip(
+        refusal.isEmpty()
+            ? tr("Samples per window: numbers and ranges, e.g. 6, 22, 60..600. A range stands for "
+                 "15 lengths in equal ratios.")
+            : refusal));
+    update();
+}
+
+void LengthField::paintEvent(QPaintEvent* event) {
+    QLineEdit::paintEvent(event);
+    if (!list().refusal.isEmpty() && isEnabled()) {
+        frameFault(*this);
+    }
+}
 
 SweepPage::SweepPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
@@ -236,8 +319,8 @@ void SweepPage::showFound() {
     const WindowSweep* shown = sweep();
     const SweepView view = this->view();
     content_->setVisible(shown != nullptr);
-    scatter_->setContent(scatterPlot(shown, view, {}));
-    residual_->setContent(residualPlot(shown, view, {}));
+    scatter_->setContent(scatterPlot(shown, view));
+    residual_->setContent(residualPlot(shown, view));
     point_->setVisible(shown && chosen_);
     emit figuresChanged();
     if (!shown) {
@@ -249,7 +332,8 @@ void SweepPage::showFound() {
     }
     for (XYPlotView* plot : {scatter_, residual_}) {
         plot->setPickable(0);
-        plot->setPointTips(tips);
+        plot->setPointTips(
+            [tips](std::size_t point) { return tips.value(static_cast<qsizetype>(point)); });
     }
     if (chosen_) {
         point_->setText(tips[static_cast<qsizetype>(*chosen_)]);
@@ -266,6 +350,133 @@ void SweepPage::showFound() {
 void SweepPage::setUnits(const DisplayUnits& units) {
     units_ = units;
     retranslate();
+}
+
+QLayout* SweepPage::buildHead() {
+    recording_->setTextFormat(Qt::PlainText);
+    recording_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    for ([[maybe_unused]] const Algorithm each : all_algorithms) {
+        algorithm_->addItem(QString());
+    }
+    algorithm_label_->setBuddy(algorithm_);
+    lengths_label_->setBuddy(lengths_);
+    progress_->setRange(0, progress_steps);
+    progress_->setMaximumHeight(compute_->sizeHint().height());
+    auto* first = fill(new QHBoxLayout, {{recording_, 1}, algorithm_label_, algorithm_, snap_});
+    auto* second =
+        fill(new QHBoxLayout, {lengths_label_, {lengths_, 2}, compute_, {progress_, 1}, cancel_});
+    auto* rows = fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, second, state_});
+    return rows;
+}
+
+QWidget* SweepPage::buildContent() {
+    auto* content = new QWidget(this);
+    variable_label_ = new QLabel(content);
+    variable_ = withName(new QComboBox(content), "sweepVariable");
+    variable_->setItemDelegate(new IndexDelegate(variable_));
+    for ([[maybe_unused]] const SlowVariable each : main_slow_variables) {
+        variable_->addItem(QString());
+    }
+    variable_->setCurrentIndex(2);
+    variable_label_->setBuddy(variable_);
+    copy_ = withName(new QPushButton(content), "sweepCopy");
+    scatter_ = addPlot("sweepScatter", least_plot_height);
+    residual_ = addPlot("sweepResidual", least_plot_height);
+    advice_ = sentence(content, "sweepAdvice", QMargins());
+    point_ = sentence(content, "sweepPoint", QMargins());
+    use_ = withName(new QPushButton(content), "sweepUse");
+    table_ = withName(new QuantityTable(content), "sweepTable");
+    auto* choice = fill(new QHBoxLayout, {variable_label_, variable_, LayoutPart(1), copy_});
+    auto* advice = fill(new QHBoxLayout, {{advice_, 1}, {use_, 0, Qt::AlignTop}});
+    auto* grid = new QGridLayout(content);
+    grid->setContentsMargins(6, 0, 6, 0);
+    grid->setSpacing(4);
+    grid->addLayout(choice, 0, 0, 1, 2);
+    grid->addWidget(scatter_, 1, 0);
+    grid->addWidget(residual_, 1, 1);
+    grid->addWidget(point_, 2, 0, 1, 2);
+    grid->addLayout(advice, 3, 0, 1, 2);
+    grid->addWidget(table_, 4, 0, 1, 2);
+    grid->setRowStretch(1, 1);
+    grid->setColumnStretch(0, 5);
+    grid->setColumnStretch(1, 3);
+    return content;
+}
+
+void SweepPage::connectWidgets() {
+    connect(compute_, &QPushButton::clicked, this, &SweepPage::compute);
+    connect(cancel_, &QPushButton::clicked, this, &SweepPage::cancel);
+    connect(use_, &QPushButton::clicked, this, &SweepPage::useWindow);
+    connect(lengths_, &QLineEdit::textChanged, this, &SweepPage::refresh);
+    connect(lengths_, &QLineEdit::returnPressed, this, &SweepPage::compute);
+    connect(algorithm_, &QComboBox::currentIndexChanged, this, &SweepPage::refresh);
+    connect(snap_, &QCheckBox::toggled, this, &SweepPage::refresh);
+    connect(variable_, &QComboBox::currentIndexChanged, this, &SweepPage::showFound);
+    connect(copy_, &QPushButton::clicked, this, [this] {
+        if (sweep()) {
+            QGuiApplication::clipboard()->setText(sweepTable(*sweep(), view()));
+        }
+    });
+    for (XYPlotView* plot : {scatter_, residual_}) {
+        connect(plot, &XYPlotView::pointClicked, this,
+                [this](int point) { choose(static_cast<std::size_t>(point)); });
+        connect(plot, &XYPlotView::stepWanted, this, [this](int by) {
+            if (const WindowSweep* shown = sweep()) {
+                const int count = static_cast<int>(shown->lengths.size());
+                const int from = static_cast<int>(offered().value_or(0));
+                choose(static_cast<std::size_t>(std::clamp(from + by, 0, count - 1)));
+            }
+        });
+    }
+    connect(&job_, &BackgroundJobs::analysisProgress, this, [this](int, double fraction) {
+        progress_->setValue(static_cast<int>(progress_steps * fraction));
+    });
+    connect(&document_, &Document::settingsChanged, this, &SweepPage::followSettings);
+    connect(&document_, &Document::recordingsChanged, this, &SweepPage::dropOldResults);
+    connect(&document_, &Document::recordingChanged, this, &SweepPage::dropOldResults);
+    connect(&document_, &Document::currentRecordingChanged, this, [this] {
+        chosen_.reset();
+        showFound();
+    });
+}
+
+void SweepPage::retranslate() {
+    {
+        const QSignalBlocker quiet(algorithm_);
+        for (std::size_t k = 0; k < all_algorithms.size(); ++k) {
+            algorithm_->setItemText(static_cast<int>(k), algorithmText(all_algorithms[k]));
+        }
+    }
+    for (std::size_t v = 0; v < sweep_variable_count; ++v) {
+        variable_->setItemText(static_cast<int>(v),
+                               indexPlain(displaySymbol(main_slow_variables[v], units_)) +
+                                   QStringLiteral(" – ") + displayMeaning(main_slow_variables[v]));
+    }
+    algorithm_label_->setText(tr("Algorithm"));
+    algorithm_->setAccessibleName(tr("Algorithm of the sweep"));
+    algorithm_->setToolTip(richTip(tr("Follows the panel Analysis; may be another one here")));
+    snap_->setText(tr("Snap"));
+    snap_->setAccessibleName(tr("Snap every length"));
+    snap_->setToolTip(richTip(tr("Moves every length to whole half-periods of the carrier")));
+    lengths_label_->setText(tr("Lengths"));
+    lengths_->retranslate();
+    compute_->setText(tr("Compute"));
+    compute_->setAccessibleName(tr("Compute the sweep"));
+    cancel_->setText(tr("Cancel"));
+    cancel_->setAccessibleName(tr("Cancel the sweep"));
+    progress_->setAccessibleName(tr("Progress of the sweep"));
+    variable_label_->setText(tr("Variable"));
+    variable_->setAccessibleName(tr("Variable of the sweep"));
+    variable_->setToolTip(richTip(tr("The variable of the left plot and of the table")));
+    copy_->setText(tr("Copy table"));
+    copy_->setToolTip(richTip(tr("All variables and lengths to the clipboard, for a spreadsheet")));
+    use_->setToolTip(
+        richTip(tr("Puts this window and the algorithm of the sweep into the panel "
+                   "Analysis; Undo takes them back")));
+    scatter_->setAccessibleName(tr("Scatter against the length of the window"));
+    residual_->setAccessibleName(tr("Residual against the length of the window"));
+    table_->setAccessibleName(tr("Numbers of the sweep"));
+    showFound();
 }
 
 }  // namespace vybeg::ui

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "ui/values/zoom_stack.h"
+#include "ui/values/zoom_state.h"
+#include "ui/words/display_units.h"
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,7 +53,6 @@ public:
     std::size_t nearest(double time_s) const;
     double time(std::size_t row) const { return time_[row]; }
     double value(std::size_t row) const { return value_[row]; }
-    double sd(std::size_t row) const;
 
     // Whether no window has a value.
     bool empty() const { return empty_; }
@@ -78,5 +79,29 @@ private:
 // The curves of all slow variables, in their order.
 using Curves = std::vector<std::shared_ptr<const CurveData>>;
 Curves curvesOf(const std::shared_ptr<const Analysis>& analysis);
+
+// Whether the windows of an analysis reach this time: at most a window's length before the first
+// centre or behind the last one. A single window counts as everywhere.
+bool covers(const Analysis& analysis, double time_s);
+
+// Automatic value axis from the visible columns of several curves: all data except single far
+// spikes, the bands of one standard deviation unless they flatten the data, and a margin.
+class ValueRange {
+public:
+    void add(const std::vector<CurveColumn>& columns, const DisplayScale& scale, bool bands);
+
+    // Range in displayed units; empty without values.
+    std::optional<AxisRange> range(bool logarithmic) const;
+
+private:
+    std::vector<double> lows_;
+    std::vector<double> highs_;
+    std::vector<double> band_lows_;
+    std::vector<double> band_highs_;
+};
+
+// The interval [low, high] of stored values in displayed units, in order. In decibels an interval
+// around zero has no lower end; it gets the larger side less 60 dB.
+AxisRange displayedInterval(const DisplayScale& scale, double low, double high);
 
 }  // namespace vybeg::ui

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/track/slow_variables.h"
 #include "ui/values/curve_data.h"
 #include "ui/values/ids.h"
 
 #include <QColor>
 #include <QString>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace vybeg::ui {
 
@@ -26,6 +29,22 @@ struct ShownAnalysis {
     double seconds_taken = 0;  // estimators only
     std::shared_ptr<const Analysis> analysis;
     Curves curves;  // of the analysis; computed on drawing if empty
+
+    std::shared_ptr<const CurveData> curve(SlowVariable variable) const {
+        const auto made = std::ranges::find_if(
+            curves, [variable](const auto& each) { return each->variable() == variable; });
+        return made == curves.end() ? std::make_shared<const CurveData>(analysis, variable) : *made;
+    }
+};
+
+// A fitted curve over one plot: displayed units against seconds.
+struct TrendCurve {
+    AnalysisId of = AnalysisId::none;
+    SlowVariable variable = SlowVariable::a_A;
+    std::vector<double> time_s;
+    std::vector<double> value;
+
+    friend bool operator==(const TrendCurve&, const TrendCurve&) = default;
 };
 
 }  // namespace vybeg::ui

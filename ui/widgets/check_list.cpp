@@ -4,7 +4,6 @@
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QTextBrowser>
@@ -21,6 +20,12 @@ const QString fold_link = QStringLiteral("more");
 
 }  // namespace
 
+int findingsIn(const std::vector<Diagnostic>& diagnostics) {
+    return static_cast<int>(std::ranges::count_if(diagnostics, [](const Diagnostic& diagnostic) {
+        return severity(diagnostic.kind) != Severity::note;
+    }));
+}
+
 CheckList::CheckList(QWidget* parent)
     : QWidget(parent), title_(new QLabel(this)), list_(new QTextBrowser(this)) {
     title_->setWordWrap(true);
@@ -29,7 +34,9 @@ CheckList::CheckList(QWidget* parent)
     list_->setFrameShape(QFrame::NoFrame);
     fill(new QVBoxLayout(this), {}, 0, {title_, {list_, 1}});
     connect(list_, &QTextBrowser::anchorClicked, this, &CheckList::choose);
-    refresh();
+    keepTranslated(*this, [this] { refresh(); });
+    // The HTML keeps the colour that links had.
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { refresh(); });
 }
 
 void CheckList::setRunning() {
@@ -55,13 +62,9 @@ void CheckList::refresh() {
         title_->setText(tr("Recording check: reading…"));
         return;
     }
-    // Notes, as on lines passed over, stand in the list but are no findings.
-    const auto found = std::ranges::count_if(findings_, [](const Diagnostic& finding) {
-        return severity(finding.kind) != Severity::note;
-    });
-    title_->setText(found == 0
-                        ? tr("Recording check: nothing found")
-                        : tr("Recording check: %n finding(s)", nullptr, static_cast<int>(found)));
+    const int found = findingsIn(findings_);  // notes stand in the list all the same
+    title_->setText(found == 0 ? tr("Recording check: nothing found")
+                               : tr("Recording check: %n finding(s)", nullptr, found));
     const std::vector<Finding> findings = findings_of(findings_);
     QString rows;
     for (std::size_t k = 0; k < findings.size() && (open_ || k < most_shown); ++k) {
@@ -105,14 +108,6 @@ void CheckList::choose(const QUrl& link) {
     }
     const QStringList place = link.toString().split(QLatin1Char(','));
     emit placeChosen(seconds(place.value(0).toLongLong()), seconds(place.value(1).toLongLong()));
-}
-
-void CheckList::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    // The HTML keeps the colour that links had.
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) {
-        refresh();
-    }
 }
 
 }  // namespace vybeg::ui

@@ -12,6 +12,9 @@ class QUrl;
 
 namespace vybeg::ui {
 
+// How many of them are worse than a note, as on lines passed over.
+int findingsIn(const std::vector<Diagnostic>& diagnostics);
+
 // Findings of the recording check with their places: the worst, each kind once, or all of them. A
 // click on a place emits its choice.
 class CheckList : public QWidget {
@@ -26,9 +29,6 @@ public:
 
 signals:
     void placeChosen(double time_s, double seconds);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void refresh();

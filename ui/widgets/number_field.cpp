@@ -2,10 +2,10 @@
 
 #include "core/base/number_text.h"
 #include "core/base/setting_rows.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QAction>
 #include <QComboBox>
-#include <QEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
@@ -39,6 +39,13 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
         }
         makeRoom();
         update();
+    });
+    whenChanged(*this, {QEvent::LanguageChange}, [this] {
+        if (!isModified()) {
+            showValue();
+        } else if (!refusal_.isEmpty()) {
+            setRefusal(read().refusal);
+        }
     });
 }
 
@@ -204,17 +211,6 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     QLineEdit::keyPressEvent(event);
 }
 
-void NumberField::changeEvent(QEvent* event) {
-    QLineEdit::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        if (!isModified()) {
-            showValue();
-        } else if (!refusal_.isEmpty()) {
-            setRefusal(read().refusal);
-        }
-    }
-}
-
 void NumberField::setPlaceholderText(const QString& text) {
     QLineEdit::setPlaceholderText(text);
     makeRoom();
@@ -242,16 +238,21 @@ QSize NumberField::minimumSizeHint() const {
 
 void NumberField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
-    QPainter painter(this);
     if (showsUnit()) {
+        QPainter painter(this);
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);
     }
     if ((!isValid() || !conflict_.isEmpty()) && isEnabled()) {
-        painter.setPen(QPen(QColor(0xd5, 0x3e, 0x2a), 2));
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);
+        frameFault(*this);
     }
+}
+
+void frameFault(QWidget& field) {
+    QPainter painter(&field);
+    painter.setPen(QPen(QColor(0xd5, 0x3e, 0x2a), 2));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawRoundedRect(QRectF(field.rect()).adjusted(1, 1, -1, -1), 2, 2);
 }
 
 void enterTyped(QWidget& window) {

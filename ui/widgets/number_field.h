@@ -64,7 +64,6 @@ protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     struct Reading {
@@ -91,6 +90,9 @@ private:
     bool integer_ = false;
     bool optional_ = false;
 };
+
+// Frames a field whose text is refused, in red.
+void frameFault(QWidget& field);
 
 // The number in a text with a decimal point or comma, spaces and typographic minus allowed; empty
 // for other texts.

@@ -1,14 +1,54 @@
 #include "ui/widgets/page_parts.h"
 
-#include "ui/widgets/section.h"
 #include "ui/words/rich_text.h"
 
+#include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <utility>
+
 namespace vybeg::ui {
+
+namespace {
+
+class ChangeWatch : public QObject {
+public:
+    ChangeWatch(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react)
+        : QObject(&widget), types_(std::move(types)), react_(std::move(react)) {
+        widget.installEventFilter(this);
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (std::ranges::count(types_, event->type()) > 0) {
+            react_();
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    std::vector<QEvent::Type> types_;
+    std::function<void()> react_;
+};
+
+class WheelGuard : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) {
+            return QObject::eventFilter(watched, event);
+        }
+        event->ignore();  // passed on to the parent
+        return true;
+    }
+};
+
+}  // namespace
 
 void addParts(QBoxLayout& layout, LayoutParts parts) {
     for (const LayoutPart& part : parts) {
@@ -51,14 +91,9 @@ QString paragraphs(const QStringList& texts, const QString& form) {
     return html;
 }
 
-Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts) {
+Section* addSection(QVBoxLayout& layout, LayoutParts parts) {
     auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 4);
-    column->setSpacing(2);
-    for (QWidget* part : parts) {
-        column->addWidget(part);
-    }
+    fill(new QVBoxLayout(content), {0, 0, 0, 4}, 2, parts);
     auto* section = new Section(content);
     layout.addWidget(section);
     return section;
@@ -78,6 +113,60 @@ QScrollArea* scrolled(QWidget* content, QWidget* parent) {
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     return scroll;
+}
+
+Section::Section(QWidget* content, QWidget* parent)
+    : QWidget(parent), title_(new QToolButton(this)), content_(content) {
+    title_->setCheckable(true);
+    title_->setChecked(true);
+    title_->setAutoRaise(true);
+    title_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    title_->setArrowType(Qt::DownArrow);
+    title_->setFocusPolicy(Qt::TabFocus);
+    title_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QFont bold = title_->font();
+    bold.setBold(true);
+    title_->setFont(bold);
+
+    fill(new QVBoxLayout(this), {}, 2, {title_, content_});
+    connect(title_, &QToolButton::clicked, this, &Section::clicked);
+    connect(title_, &QToolButton::toggled, this, [this](bool open) {
+        content_->setVisible(open);
+        title_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    });
+}
+
+void Section::setTitle(const QString& title) {
+    title_->setText(title);
+    title_->setToolTip(tr("Folds this part away, and opens it again"));
+}
+
+void Section::setOpen(bool open) {
+    title_->setChecked(open);
+}
+
+bool Section::isOpen() const {
+    return title_->isChecked();
+}
+
+void whenChanged(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react) {
+    new ChangeWatch(widget, std::move(types), std::move(react));
+}
+
+void keepTranslated(QWidget& widget, std::function<void()> translate) {
+    translate();
+    whenChanged(widget, {QEvent::LanguageChange}, std::move(translate));
+}
+
+void guardFromWheel(QWidget& panel) {
+    auto* guard = new WheelGuard(&panel);
+    for (QWidget* field : panel.findChildren<QWidget*>()) {
+        if (qobject_cast<QComboBox*>(field) || qobject_cast<QAbstractSpinBox*>(field)) {
+            // Qt's default also takes the focus by the wheel.
+            field->setFocusPolicy(Qt::StrongFocus);
+            field->installEventFilter(guard);
+        }
+    }
 }
 
 }  // namespace vybeg::ui

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <QEvent>
 #include <QMargins>
 #include <QString>
 #include <QStringList>
+#include <QToolButton>
+#include <QWidget>
 
+#include <functional>
 #include <initializer_list>
+#include <vector>
 
 class QBoxLayout;
 class QComboBox;
@@ -12,11 +17,8 @@ class QLabel;
 class QLayout;
 class QScrollArea;
 class QVBoxLayout;
-class QWidget;
 
 namespace vybeg::ui {
-
-class Section;
 
 // Parts of pages.
 
@@ -68,10 +70,40 @@ void setTexts(QComboBox& box, const QStringList& texts, int first = 0);
 
 // Each text a paragraph, in the form of `form`, whose %1 it takes.
 QString paragraphs(const QStringList& texts, const QString& form);
-// A part that can be folded away, at the end of a layout.
-Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts);
+// A titled part of a panel that can be folded away. The title is a button: Tab reaches it, Space
+// folds.
+class Section : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Section(QWidget* content, QWidget* parent = nullptr);
+
+    void setTitle(const QString& title);
+    void setOpen(bool open);
+    bool isOpen() const;
+
+signals:
+    // By a person.
+    void clicked();
+
+private:
+    QToolButton* title_;
+    QWidget* content_;
+};
+
+// One at the end of a layout, with these parts.
+Section* addSection(QVBoxLayout& layout, LayoutParts parts);
 // A column that scrolls up and down.
 QScrollArea* scrolled(QVBoxLayout* column);
 QScrollArea* scrolled(QWidget* content, QWidget* parent = nullptr);
+
+// Calls `react` before each event of one of these types reaches the widget.
+void whenChanged(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react);
+// Sets the texts of a widget by `translate`: now, and again in each further language.
+void keepTranslated(QWidget& widget, std::function<void()> translate);
+
+// After this call the wheel over a combo or spin box inside `panel` changes it only if it has the
+// focus, and otherwise scrolls the area around it.
+void guardFromWheel(QWidget& panel);
 
 }  // namespace vybeg::ui

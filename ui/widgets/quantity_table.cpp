@@ -1,18 +1,25 @@
 #include "ui/widgets/quantity_table.h"
 
-#include "ui/widgets/keep_translated.h"
-#include "ui/widgets/wrapping_delegate.h"
+#include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLayout>
+#include <QLocale>
+#include <QPainter>
 #include <QResizeEvent>
 #include <QScrollBar>
+#include <QStyle>
+#include <QTextDocument>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -20,9 +27,66 @@ namespace vybeg::ui {
 
 namespace {
 
+constexpr int padding = 4;
+
+void prepare(QTextDocument& document, const QString& text, const QFont& font) {
+    document.setDocumentMargin(0);
+    document.setDefaultFont(font);
+    document.setHtml(richText(WrappingDelegate::unbroken(text)));
+}
+
 constexpr int header_margin = 16;
 
 }  // namespace
+
+QString WrappingDelegate::unbroken(QString text) {
+    return text.replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
+        .replace(QStringLiteral("± "), QStringLiteral("±\u00a0"))
+        .replace(QStringLiteral("(u "), QStringLiteral("(u\u00a0"));
+}
+
+void WrappingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) const {
+    QStyleOptionViewItem item = option;
+    initStyleOption(&item, index);
+    const QString text = std::exchange(item.text, {});
+    const QStyle* style = item.widget ? item.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+    QTextDocument document;
+    prepare(document, text, item.font);
+    const QRect area = item.rect.adjusted(padding, 2, -padding, -2);
+    document.setTextWidth(area.width());
+    QAbstractTextDocumentLayout::PaintContext context;
+    const bool selected = (item.state & QStyle::State_Selected) != 0;
+    context.palette.setColor(
+        QPalette::Text, item.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+    painter->save();
+    painter->setClipRect(item.rect);
+    painter->translate(area.topLeft());
+    document.documentLayout()->draw(painter, context);
+    painter->restore();
+}
+
+int WrappingDelegate::widthFor(const QString& text, const QFont& font) {
+    QTextDocument document;
+    prepare(document, text, font);
+    return static_cast<int>(std::ceil(document.idealWidth())) + 2 * padding + 2;
+}
+
+int WrappingDelegate::heightFor(const QString& text, const QFont& font, int width) {
+    QTextDocument document;
+    prepare(document, text, font);
+    document.setTextWidth(std::max(20, width - 2 * padding - 1));
+    return static_cast<int>(std::ceil(document.size().height())) + 5;
+}
+
+QString cellNumber(double value) {
+    return QLocale().toString(value, 'g', 12);
+}
+
+QuantityCell measuredCell(double value, double sd, const QColor& color) {
+    return {valueText(value, sd), {cellNumber(value), cellNumber(sd)}, color};
+}
 
 QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new QAction(this)) {
     setItemDelegate(new WrappingDelegate(this));

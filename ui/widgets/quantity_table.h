@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QString>
 #include <QStringList>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 
 #include <vector>
@@ -10,6 +11,24 @@
 class QAction;
 
 namespace vybeg::ui {
+
+// Draws the texts of a table with subscripts, in as many lines as needed. The table sets the
+// heights of its rows by heightFor(), because a delegate does not know the width in sizeHint().
+class WrappingDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+
+    // Size of a cell with a text, pixels: width on one line, height in a column of a given width.
+    static int widthFor(const QString& text, const QFont& font);
+    static int heightFor(const QString& text, const QFont& font, int width);
+    // The text as it is drawn: no line breaks within a unit or before a deviation.
+    static QString unbroken(QString text);
+};
 
 // A cell: displayed text, and text for a spreadsheet with all digits.
 struct QuantityCell {
@@ -19,6 +38,11 @@ struct QuantityCell {
     QStringList exact;
     QColor color;  // of the text; invalid: the usual one
 };
+
+// A number of a cell with twelve digits, in the decimal sign of the interface's language.
+QString cellNumber(double value);
+// A value with its standard deviation.
+QuantityCell measuredCell(double value, double sd, const QColor& color = {});
 
 struct QuantityRow {
     QString name;  // with its unit; an underscore introduces an index

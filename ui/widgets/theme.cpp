@@ -1,60 +1,91 @@
 #include "ui/widgets/theme.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QPainter>
+#include <QPixmap>
 #include <QProxyStyle>
 #include <QStyleOption>
+#include <QSvgRenderer>
 
 #include <array>
 #include <cmath>
 
 namespace vybeg::ui {
+
 namespace {
 
-struct WidgetColors {
-    const char* window;
-    const char* base;
-    const char* alternate;
-    const char* button;
-    const char* text;
-    const char* disabled;
-    const char* placeholder;  // the values that are in effect where nothing is typed, and units
-    const char* highlight;
-    const char* highlightedText;
-    const char* link;
+struct PaletteRow {
+    QPalette::ColorRole role;
     const char* light;
     const char* dark;
 };
 
-QPalette makePalette(const WidgetColors& colors) {
-    QPalette palette;
-    palette.setColor(QPalette::Window, QColor(colors.window));
-    palette.setColor(QPalette::WindowText, QColor(colors.text));
-    palette.setColor(QPalette::Base, QColor(colors.base));
-    palette.setColor(QPalette::AlternateBase, QColor(colors.alternate));
-    palette.setColor(QPalette::Text, QColor(colors.text));
-    palette.setColor(QPalette::PlaceholderText, QColor(colors.placeholder));
-    palette.setColor(QPalette::Button, QColor(colors.button));
-    palette.setColor(QPalette::ButtonText, QColor(colors.text));
-    palette.setColor(QPalette::BrightText, QColor("#ffffff"));
-    palette.setColor(QPalette::ToolTipBase, QColor(colors.base));
-    palette.setColor(QPalette::ToolTipText, QColor(colors.text));
-    palette.setColor(QPalette::Highlight, QColor(colors.highlight));
-    palette.setColor(QPalette::HighlightedText, QColor(colors.highlightedText));
-    palette.setColor(QPalette::Link, QColor(colors.link));
-    palette.setColor(QPalette::LinkVisited, QColor(colors.link));
-    palette.setColor(QPalette::Light, QColor(colors.light));
-    palette.setColor(QPalette::Midlight, QColor(colors.button).lighter(105));
-    palette.setColor(QPalette::Mid, QColor(colors.dark).lighter(115));
-    palette.setColor(QPalette::Dark, QColor(colors.dark));
-    palette.setColor(QPalette::Shadow, QColor(colors.dark).darker(150));
+constexpr std::array palette_rows{
+    PaletteRow{QPalette::Window, "#f1f3f5", "#26292d"},
+    PaletteRow{QPalette::WindowText, "#1b1f24", "#e2e5e9"},
+    PaletteRow{QPalette::Base, "#ffffff", "#1c1e21"},
+    PaletteRow{QPalette::AlternateBase, "#f6f7f9", "#222529"},
+    PaletteRow{QPalette::Text, "#1b1f24", "#e2e5e9"},
+    // The values that are in effect where nothing is typed, and units.
+    PaletteRow{QPalette::PlaceholderText, "#5c6570", "#9aa3ac"},
+    PaletteRow{QPalette::Button, "#f7f8fa", "#303439"},
+    PaletteRow{QPalette::ButtonText, "#1b1f24", "#e2e5e9"},
+    PaletteRow{QPalette::BrightText, "#ffffff", "#ffffff"},
+    PaletteRow{QPalette::ToolTipBase, "#ffffff", "#1c1e21"},
+    PaletteRow{QPalette::ToolTipText, "#1b1f24", "#e2e5e9"},
+    PaletteRow{QPalette::Highlight, "#0a66b0", "#2f7fc4"},
+    PaletteRow{QPalette::HighlightedText, "#ffffff", "#ffffff"},
+    PaletteRow{QPalette::Link, "#0a5a9c", "#6cb2ee"},
+    PaletteRow{QPalette::LinkVisited, "#0a5a9c", "#6cb2ee"},
+    PaletteRow{QPalette::Light, "#ffffff", "#454a50"},
+    PaletteRow{QPalette::Dark, "#b9c0c7", "#15171a"}};
+
+struct ColorRow {
+    QColor Theme::*member;
+    const char* light;
+    const char* dark;
+};
+
+constexpr std::array color_rows{ColorRow{&Theme::plotBackground, "#ffffff", "#1c1e21"},
+                                ColorRow{&Theme::panelBackground, "#ffffff", "#1c1e21"},
+                                ColorRow{&Theme::axis, "#8a929b", "#737b84"},
+                                ColorRow{&Theme::grid, "#e6e9ec", "#2b2f33"},
+                                ColorRow{&Theme::zeroLine, "#c3c9cf", "#4b5157"},
+                                ColorRow{&Theme::text, "#1b1f24", "#e2e5e9"},
+                                ColorRow{&Theme::mutedText, "#5c6570", "#9aa3ac"},
+                                ColorRow{&Theme::accent, "#0a66b0", "#4a9fe3"},
+                                ColorRow{&Theme::tracker, "#4a535d", "#b4bcc5"},
+                                ColorRow{&Theme::cursorA, "#b3261e", "#ff8a80"},
+                                ColorRow{&Theme::cursorB, "#1a6d3c", "#7fd89f"},
+                                ColorRow{&Theme::warning, "#c2410c", "#ff8f4d"},
+                                ColorRow{&Theme::kept, "#1a6d3c", "#6fcf97"},
+                                ColorRow{&Theme::broken, "#b3261e", "#ff8a80"},
+                                ColorRow{&Theme::signalC, "#3b6ea5", "#7fb0e6"},
+                                ColorRow{&Theme::signalD, "#8a6d3b", "#d3b06f"}};
+
+Theme makeTheme(bool is_dark) {
+    Theme theme;
+    theme.dark = is_dark;
+    QPalette& palette = theme.palette;
+    for (const PaletteRow& row : palette_rows) {
+        palette.setColor(row.role, QColor(is_dark ? row.dark : row.light));
+    }
+    const QColor button = palette.color(QPalette::Button);
+    const QColor dark = palette.color(QPalette::Dark);
+    palette.setColor(QPalette::Midlight, button.lighter(105));
+    palette.setColor(QPalette::Mid, dark.lighter(115));
+    palette.setColor(QPalette::Shadow, dark.darker(150));
     for (const QPalette::ColorRole role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText,
           QPalette::PlaceholderText}) {
-        palette.setColor(QPalette::Disabled, role, QColor(colors.disabled));
+        palette.setColor(QPalette::Disabled, role, QColor(is_dark ? "#7d858e" : "#8b939c"));
     }
-    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(colors.dark));
-    return palette;
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, dark);
+    for (const ColorRow& row : color_rows) {
+        theme.*row.member = QColor(is_dark ? row.dark : row.light);
+    }
+    return theme;
 }
 
 // Fusion with frames round check and radio buttons: its own are darker than the window, which a
@@ -88,53 +119,25 @@ double luminance(const QColor& color) {
            0.0722 * linear(color.blueF());
 }
 
+QPixmap drawn(const QByteArray& svg, const QColor& color, int size) {
+    QByteArray recolored = svg;
+    recolored.replace("#000000", color.name().toLatin1());
+    QSvgRenderer renderer(recolored);
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    renderer.render(&painter);
+    return pixmap;
+}
+
 }  // namespace
 
 Theme lightTheme() {
-    Theme theme;
-    theme.palette = makePalette({"#f1f3f5", "#ffffff", "#f6f7f9", "#f7f8fa", "#1b1f24", "#8b939c",
-                                 "#5c6570", "#0a66b0", "#ffffff", "#0a5a9c", "#ffffff", "#b9c0c7"});
-    theme.plotBackground = QColor("#ffffff");
-    theme.panelBackground = QColor("#ffffff");
-    theme.axis = QColor("#8a929b");
-    theme.grid = QColor("#e6e9ec");
-    theme.zeroLine = QColor("#c3c9cf");
-    theme.text = QColor("#1b1f24");
-    theme.mutedText = QColor("#5c6570");
-    theme.accent = QColor("#0a66b0");
-    theme.tracker = QColor("#4a535d");
-    theme.cursorA = QColor("#b3261e");
-    theme.cursorB = QColor("#1a6d3c");
-    theme.warning = QColor("#c2410c");
-    theme.kept = QColor("#1a6d3c");
-    theme.broken = QColor("#b3261e");
-    theme.signalC = QColor("#3b6ea5");
-    theme.signalD = QColor("#8a6d3b");
-    return theme;
+    return makeTheme(false);
 }
 
 Theme darkTheme() {
-    Theme theme;
-    theme.dark = true;
-    theme.palette = makePalette({"#26292d", "#1c1e21", "#222529", "#303439", "#e2e5e9", "#7d858e",
-                                 "#9aa3ac", "#2f7fc4", "#ffffff", "#6cb2ee", "#454a50", "#15171a"});
-    theme.plotBackground = QColor("#1c1e21");
-    theme.panelBackground = QColor("#1c1e21");
-    theme.axis = QColor("#737b84");
-    theme.grid = QColor("#2b2f33");
-    theme.zeroLine = QColor("#4b5157");
-    theme.text = QColor("#e2e5e9");
-    theme.mutedText = QColor("#9aa3ac");
-    theme.accent = QColor("#4a9fe3");
-    theme.tracker = QColor("#b4bcc5");
-    theme.cursorA = QColor("#ff8a80");
-    theme.cursorB = QColor("#7fd89f");
-    theme.warning = QColor("#ff8f4d");
-    theme.kept = QColor("#6fcf97");
-    theme.broken = QColor("#ff8a80");
-    theme.signalC = QColor("#7fb0e6");
-    theme.signalD = QColor("#d3b06f");
-    return theme;
+    return makeTheme(true);
 }
 
 bool isDark(const QPalette& palette) {
@@ -209,6 +212,21 @@ QColor inkColor(Ink ink, int style, const Theme& theme, int shades) {
         case Ink::warning: return theme.warning;
     }
     return {};
+}
+
+QIcon themedIcon(const QString& name, const QPalette& palette) {
+    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QByteArray svg = file.readAll();
+    QIcon icon;
+    for (const int size : {16, 20, 24, 32, 48, 64}) {
+        icon.addPixmap(drawn(svg, palette.color(QPalette::ButtonText), size));
+        icon.addPixmap(drawn(svg, palette.color(QPalette::Disabled, QPalette::ButtonText), size),
+                       QIcon::Disabled);
+    }
+    return icon;
 }
 
 }  // namespace vybeg::ui

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <QColor>
+#include <QIcon>
 #include <QPalette>
+#include <QString>
 
 class QApplication;
+class QPalette;
 
 namespace vybeg::ui {
 
@@ -66,5 +69,8 @@ QColor inkColor(Ink ink, int style, const Theme& theme, int shades = 0);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.
 double contrast(const QColor& a, const QColor& b);
+
+// An icon of resources/icons in the text colours of a palette, legible on light and dark.
+QIcon themedIcon(const QString& name, const QPalette& palette);
 
 }  // namespace vybeg::ui

@@ -1,6 +1,6 @@
 #include "ui/window/commands.h"
 
-#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
 
 #include <QAction>
 #include <QCoreApplication>

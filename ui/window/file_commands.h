@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/history/history_export.h"
-#include "ui/plots/figure_source.h"
+#include "ui/plots/plot_file.h"
 #include "ui/report/report_pdf.h"
 #include "ui/values/ids.h"
 

@@ -1,7 +1,6 @@
 #include "ui/window/help.h"
 
 #include "ui/document/document.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QAction>

@@ -1,7 +1,7 @@
 // The table of all commands of the window.
 
 #include "ui/panels/ledger.h"
-#include "ui/plots/plot_export.h"
+#include "ui/plots/figure.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
 #include "ui/resonator/dossier_dialogs.h"

@@ -4,7 +4,6 @@
 #include "ui/panels/findings_flag.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QVBoxLayout>

@@ -1,6 +1,5 @@
 #include "ui/window/page_stack.h"
 
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 

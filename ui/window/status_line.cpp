@@ -1,7 +1,6 @@
 #include "ui/window/status_line.h"
 
 #include "ui/document/document.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QHBoxLayout>

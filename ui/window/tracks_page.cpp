@@ -2,11 +2,10 @@
 
 #include "ui/document/document.h"
 #include "ui/plots/figure.h"
-#include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/words/algorithm_text.h"
-#include "ui/words/index_text.h"
+#include "ui/words/rich_text.h"
+#include "ui/words/settings_text.h"
 
 #include <QLocale>
 #include <QScrollArea>

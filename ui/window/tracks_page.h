@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/plots/figure_source.h"
+#include "ui/plots/plot_file.h"
 #include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 

@@ -1,7 +1,7 @@
 #include "ui/window/window_menus.h"
 
 #include "ui/plots/track_view.h"
-#include "ui/widgets/keep_translated.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
 #include <QAction>

@@ -8,6 +8,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -40,6 +41,32 @@ QString textOf(const QuantityText& quantity) {
     return quantity.u.empty() ? text
                               : QStringLiteral("%1 (u %2)")
                                     .arg(text, localised(quantity.u) + power(quantity.u_exponent));
+}
+
+struct Unit {
+    const char* name = "";
+    bool takes_prefix = false;
+};
+
+// In the order of the enumerations.
+constexpr std::array<Unit, 3> amplitude_units{Unit{},
+                                              {QT_TRANSLATE_NOOP("DisplayUnits", "V"), true},
+                                              {QT_TRANSLATE_NOOP("DisplayUnits", "dB"), false}};
+constexpr std::array<Unit, 2> angle_units{Unit{QT_TRANSLATE_NOOP("DisplayUnits", "rad"), true},
+                                          {"°", false}};
+constexpr std::array<Unit, 4> frequency_units{Unit{QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true},
+                                              {QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"), true},
+                                              {QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true},
+                                              {QT_TRANSLATE_NOOP("DisplayUnits", "ppm"), false}};
+
+Unit unitOf(SlowVariable variable, const DisplayUnits& units) {
+    switch (info(variable).quantity) {
+        case Quantity::amplitude: return amplitude_units[static_cast<std::size_t>(units.amplitude)];
+        case Quantity::angle: return angle_units[static_cast<std::size_t>(units.angle)];
+        case Quantity::frequency: return frequency_units[static_cast<std::size_t>(units.frequency)];
+        case Quantity::ratio: break;
+    }
+    return {};
 }
 
 }  // namespace
@@ -95,45 +122,12 @@ QString displaySymbol(SlowVariable variable, const DisplayUnits& units) {
 }
 
 QString displayUnit(SlowVariable variable, const DisplayUnits& units) {
-    const auto text = [](const char* unit) {
-        return QCoreApplication::translate("DisplayUnits", unit);
-    };
-    switch (info(variable).quantity) {
-        case Quantity::amplitude:
-            switch (units.amplitude) {
-                case AmplitudeUnit::recording: return {};
-                case AmplitudeUnit::volts: return text(QT_TRANSLATE_NOOP("DisplayUnits", "V"));
-                case AmplitudeUnit::decibels: return text(QT_TRANSLATE_NOOP("DisplayUnits", "dB"));
-            }
-            return {};
-        case Quantity::angle:
-            return units.angle == AngleUnit::degrees
-                       ? QStringLiteral("°")
-                       : text(QT_TRANSLATE_NOOP("DisplayUnits", "rad"));
-        case Quantity::frequency:
-            switch (units.frequency) {
-                case FrequencyUnit::hertz:
-                case FrequencyUnit::deviation_hertz:
-                    return text(QT_TRANSLATE_NOOP("DisplayUnits", "Hz"));
-                case FrequencyUnit::radians_per_second:
-                    return text(QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"));
-                case FrequencyUnit::deviation_ppm:
-                    return text(QT_TRANSLATE_NOOP("DisplayUnits", "ppm"));
-            }
-            return {};
-        case Quantity::ratio: return {};
-    }
-    return {};
+    const char* name = unitOf(variable, units).name;
+    return *name ? QCoreApplication::translate("DisplayUnits", name) : QString();
 }
 
 bool takesPrefix(SlowVariable variable, const DisplayUnits& units) {
-    switch (info(variable).quantity) {
-        case Quantity::amplitude: return units.amplitude == AmplitudeUnit::volts;
-        case Quantity::angle: return units.angle == AngleUnit::radians;
-        case Quantity::frequency: return units.frequency != FrequencyUnit::deviation_ppm;
-        case Quantity::ratio: return false;
-    }
-    return false;
+    return unitOf(variable, units).takes_prefix;
 }
 
 QString displayMeaning(SlowVariable variable) {

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/finding.h"
 #include "core/estimators/wave/flags.h"
+#include "core/recording/samples/recording_format.h"
 #include "core/resonator/model/reason.h"
 #include "core/track/events.h"
 
@@ -29,5 +30,8 @@ QString flagsText(Flags flags);
 
 // E.g. "2θ_A passes −π/2, rising".
 QString eventText(const Event& event);
+
+// E.g. "WAV, 64 bit float, 2 channels", in the interface's language.
+QString formatText(const RecordingFormat& format);
 
 }  // namespace vybeg::ui

@@ -5,8 +5,6 @@
 
 namespace vybeg::ui {
 
-Language::Language(QObject* parent) : QObject(parent) {}
-
 QString Language::ofTheSystem() {
     return QLocale::system().language() == QLocale::Russian ? QStringLiteral("ru")
                                                             : QStringLiteral("en");

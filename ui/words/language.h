@@ -16,7 +16,7 @@ class Language : public QObject {
     Q_OBJECT
 
 public:
-    explicit Language(QObject* parent = nullptr);
+    using QObject::QObject;
 
     // "en" or "ru"; anything else counts as "en".
     void use(const QString& code);

@@ -40,6 +40,10 @@ QString numberLabel(double value, int decimals) {
     return groupedDigits(locale.toString(shown, 'f', decimals)).replace('-', QChar(0x2212));
 }
 
+QString countLabel(std::int64_t count) {
+    return numberLabel(static_cast<double>(count), 0);
+}
+
 QString powerOfTen(int exponent) {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
     QString text = QStringLiteral("10");

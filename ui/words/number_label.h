@@ -2,6 +2,8 @@
 
 #include <QString>
 
+#include <cstdint>
+
 namespace vybeg::ui {
 
 // Runs of more than four digits of a number, before and behind its decimal sign, in groups of
@@ -11,6 +13,8 @@ QString groupedDigits(const QString& number);
 // Numbers as they stand beside an axis: the default locale's decimal sign, a true minus, digits in
 // groups.
 QString numberLabel(double value, int decimals);
+// A number of things.
+QString countLabel(std::int64_t count);
 
 // "10⁻³".
 QString powerOfTen(int exponent);

@@ -8,7 +8,6 @@
 #include "tests/ui/heartbeat.h"
 #include "ui/plots/track_view.h"
 #include "ui/signals/signals_page.h"
-#include "ui/signals/signals_view.h"
 
 #include <QTest>
 #include <QWheelEvent>

@@ -5,7 +5,6 @@
 #include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/signals/signals_page.h"
-#include "ui/signals/signals_view.h"
 
 #include <QFileInfo>
 #include <QLabel>

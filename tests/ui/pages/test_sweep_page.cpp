@@ -4,7 +4,6 @@
 #include "tests/ui/heartbeat.h"
 #include "ui/document/document.h"
 #include "ui/plots/xy_plot_view.h"
-#include "ui/sweep/length_field.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/words/number_label.h"
 

@@ -1,6 +1,5 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
-#include "ui/plots/value_range.h"
 #include "ui/values/curve_data.h"
 
 #include <QtTest>

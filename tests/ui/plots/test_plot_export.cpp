@@ -2,7 +2,6 @@
 #include "tests/test_registry.h"
 #include "tests/ui/synthetic_analysis.h"
 #include "ui/plots/figure.h"
-#include "ui/plots/plot_export.h"
 
 #include <QApplication>
 #include <QClipboard>

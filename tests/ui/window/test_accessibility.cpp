@@ -3,7 +3,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/batch/batch_window.h"
-#include "ui/charts/round_view.h"
+#include "ui/charts/round_plot.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"

@@ -6,9 +6,8 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/import/import_fields.h"
+#include "ui/settings/estimation_fields.h"
 #include "ui/settings/signal_fields.h"
-#include "ui/settings/start_fields.h"
-#include "ui/settings/window_fields.h"
 
 #include <QComboBox>
 #include <QSpinBox>

@@ -9,7 +9,6 @@
 #include "ui/import/import_dialog.h"
 #include "ui/import/import_fields.h"
 #include "ui/import/import_memory.h"
-#include "ui/import/open_options_json.h"
 #include "ui/panels/message_bar.h"
 #include "ui/widgets/number_field.h"
 #include "ui/window/main_window.h"

@@ -4,7 +4,7 @@
 #include "tests/ui/gui_test.h"
 #include "ui/panels/ledger.h"
 #include "ui/settings/settings_panel.h"
-#include "ui/widgets/section.h"
+#include "ui/widgets/page_parts.h"
 #include "ui/window/tracks_page.h"
 
 #include <QAction>

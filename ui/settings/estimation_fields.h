@@ -2,6 +2,9 @@
 
 #include "ui/settings/settings_fields.h"
 
+#include <array>
+
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -37,7 +40,27 @@ private:
     NumberField* overlap_;
 };
 
-// Window of an analysis with this state, samples.
-std::int64_t windowInUse(const SettingsState& state);
+// Start of the conjugate gradient: algorithm 1, the window before, or typed values of the five
+// parameters. Disabled for the other algorithms.
+class StartFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit StartFields(QWidget* parent = nullptr);
+
+protected:
+    void refresh() override;
+    void retranslate() override;
+
+private:
+    enum Start { automatic, previous, typed };
+
+    void chooseStart(int start);
+    void editTyped();
+
+    QComboBox* start_;
+    std::array<NumberField*, 5> typed_{};  // as StartValues: a_A, a_B, 2θ_A, α, f
+    QCheckBox* every_window_;
+};
 
 }  // namespace vybeg::ui

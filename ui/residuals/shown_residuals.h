@@ -1,19 +1,15 @@
 #pragma once
 
 #include "core/residuals/residuals.h"
+#include "ui/plots/xy_plot.h"
 #include "ui/widgets/quantity_table.h"
 
-#include <QCoreApplication>
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace vybeg::ui {
-
-// Texts of the page Residuals in the language of the window.
-struct ResidualWords {
-    Q_DECLARE_TR_FUNCTIONS(Residuals)
-};
 
 // Sentences about the samples of a residual: how many, and which are left out.
 QString coverageText(const Residuals& found);
@@ -29,5 +25,20 @@ QString lineName(const ResidualLine& line);
 QString lineSentence(const ResidualLine& line, const Residuals& found, const QString& unit);
 // E.g. "2800 … 7800 Hz".
 QString bandText(const Band& band);
+
+// Plots of a residual, C and D together. `empty`: the text where there is none.
+
+// Counts as a density over the deviation from the mean in sd, with the normal curve.
+XYPlot histogramPlot(const Residuals* found, const QString& empty);
+
+// Amplitude density over frequency, both axes logarithmic, with the lines as points; `chosen`: the
+// number of one of them. `unit`: that of the samples.
+XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<std::size_t> chosen,
+                    const QString& empty);
+// The series of the lines, in the order of Residuals::lines.
+inline constexpr std::size_t spectrum_lines = 2;
+
+// Autocorrelation over the lag from one sample on, with the limits of white noise.
+XYPlot correlationPlot(const Residuals* found, const QString& empty);
 
 }  // namespace vybeg::ui

@@ -1,16 +1,17 @@
-#include "ui/settings/window_fields.h"
+#include "ui/settings/estimation_fields.h"
 
 #include "core/analysis/setting_table.h"
 #include "core/windows/window_plan.h"
-#include "ui/widgets/keep_translated.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
 
 #include <algorithm>
 #include <array>
@@ -26,8 +27,7 @@ constexpr double high_residual = 0.01;
 // Below this the residual is negligible for any recording.
 constexpr double no_residual = 1e-5;
 
-}  // namespace
-
+// Window of an analysis with this state, samples.
 std::int64_t windowInUse(const SettingsState& state) {
     std::int64_t window = state.settings.window;
     if (!state.f0_hz || !state.rate_hz) {
@@ -38,6 +38,8 @@ std::int64_t windowInUse(const SettingsState& state) {
     }
     return state.settings.snap ? snap_window(window, *state.f0_hz, *state.rate_hz) : window;
 }
+
+}  // namespace
 
 WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     // The length in the chosen unit, and below it in the others.
@@ -70,14 +72,14 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     hop_ = addField({QT_TR_NOOP("Hop"), QT_TR_NOOP("samples"),
                      QT_TR_NOOP("Samples between the starts of windows. Empty: windows one after "
                                 "the other (discrete identification); less than the window: "
-                                "sliding.")});
+                                "sliding.")},
+                    bounds_of("hop"));
     overlap_ = addField({QT_TR_NOOP("Overlap"), QT_TR_NOOP("%"),
                          QT_TR_NOOP("The same as a share of the window that the next one "
-                                    "repeats.")});
+                                    "repeats.")},
+                        Bounds{0, 99.999});
     hop_->setInteger(true);
     hop_->setOptional(true);
-    hop_->setLimits(bounds_of("hop"));
-    overlap_->setLimits(0, 99.999);
     overlap_->setDigits(4);
     overlap_->setStep(10);
 
@@ -189,6 +191,86 @@ void WindowFields::refresh() {
     QFont font = this->font();
     font.setBold(residual > high_residual);
     residual_->setFont(font);
+}
+
+StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
+    start_ = withName(new QComboBox(this), "start");
+    start_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    start_->addItems({{}, {}, {}});
+    addWide(start_, {QT_TR_NOOP("Start from"), "",
+                     QT_TR_NOOP("First guess of the conjugate gradient for each window: the "
+                                "closed forms (15), (18) of algorithm 1, the result of the "
+                                "window before, or your own values.")});
+    const char* tip =
+        QT_TR_NOOP("Start value of the functional F's parameter, in the notation of (6).");
+    const std::array<Texts, 5> texts{
+        Texts{QT_TR_NOOP("a_A"), "", tip}, Texts{QT_TR_NOOP("a_B"), "", tip},
+        Texts{QT_TR_NOOP("2θ_A"), QT_TR_NOOP("rad"), tip},
+        Texts{QT_TR_NOOP("α"), QT_TR_NOOP("rad"),
+              QT_TR_NOOP("Phase at the centre of the first window; it is carried on to the others "
+                         "with the frequency.")},
+        Texts{QT_TR_NOOP("f"), QT_TR_NOOP("Hz"), tip}};
+    for (std::size_t k = 0; k < typed_.size(); ++k) {
+        typed_[k] = addField(texts[k], bounds_of("initial", k));
+        typed_[k]->setStep(0.1);
+        connect(typed_[k], &NumberField::valueEdited, this, &StartFields::editTyped);
+    }
+    every_window_ = new QCheckBox(this);
+    addWide(every_window_);
+
+    connect(start_, &QComboBox::activated, this, &StartFields::chooseStart);
+    connect(every_window_, &QCheckBox::clicked, this, [this](bool every) {
+        change([&](Settings& settings) {
+            settings.start = every ? StartRule::first : StartRule::previous;
+        });
+    });
+    keepTranslated(*this, [this] { retranslate(); });
+}
+
+void StartFields::chooseStart(int start) {
+    Settings settings = state().settings;
+    settings.start = start == automatic ? StartRule::first : StartRule::previous;
+    if (start != typed) {
+        settings.initial.reset();
+    } else if (!settings.initial) {
+        settings.initial = StartValues{{1, 0, 0, 0}, state().f0_hz.value_or(5300)};
+    }
+    emit edited(settings);
+}
+
+void StartFields::editTyped() {
+    change([&](Settings& settings) {
+        const auto value = [this](std::size_t k) { return *typed_[k]->value(); };
+        settings.initial = StartValues{{value(0), value(1), value(2), value(3)}, value(4)};
+    });
+}
+
+void StartFields::retranslate() {
+    setTexts(*start_, {tr("algorithm 1, each window"), tr("previous window"), tr("typed values")});
+    every_window_->setText(tr("for every window"));
+    every_window_->setToolTip(richTip(
+        tr("On: every window starts from the typed values. Off: only the first one, the others "
+           "from the result of the window before.")));
+    SettingsFields::retranslate();
+}
+
+void StartFields::refresh() {
+    const Settings& settings = state().settings;
+    setEnabled(settings.algorithm == Algorithm::conjugate_gradient);
+    const bool own = settings.initial.has_value();
+    start_->setCurrentIndex(own                                     ? typed
+                            : settings.start == StartRule::previous ? previous
+                                                                    : automatic);
+    const StartValues shown = settings.initial.value_or(StartValues{});
+    const std::array values{shown.state.a_A, shown.state.a_B, shown.state.two_theta_A,
+                            shown.state.alpha, shown.f_hz};
+    for (std::size_t k = 0; k < typed_.size(); ++k) {
+        typed_[k]->setEnabled(own);
+        typed_[k]->setOptional(!own);
+        typed_[k]->setValue(own ? std::optional(values[k]) : std::nullopt);
+    }
+    every_window_->setEnabled(own);
+    every_window_->setChecked(own && settings.start == StartRule::first);
 }
 
 }  // namespace vybeg::ui

@@ -1,22 +1,21 @@
-#include "ui/residuals/residual_text.h"
+#include "ui/residuals/shown_residuals.h"
 
 #include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/number_label.h"
 #include "ui/words/unit_text.h"
 
-#include <QCoreApplication>
-#include <QLocale>
-
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vybeg::ui {
 
 namespace {
 
-QString counted(std::int64_t count) {
-    return numberLabel(static_cast<double>(count), 0);
-}
+struct ResidualWords {
+    Q_DECLARE_TR_FUNCTIONS(Residuals)
+};
 
 QString hertz(double f_hz, int decimals = 2) {
     return numberLabel(f_hz, decimals);
@@ -24,11 +23,6 @@ QString hertz(double f_hz, int decimals = 2) {
 
 QString significant(double value, int digits) {
     return std::abs(value) < 10 ? shortNumberText(value, digits) : numberLabel(value, 0);
-}
-
-QuantityCell cellOf(double value, double sd, const QColor& alarm = {}) {
-    const auto exact = [](double number) { return QLocale().toString(number, 'g', 12); };
-    return {valueText(value, sd), {exact(value), exact(sd)}, alarm};
 }
 
 bool isHarmonic(LineOrigin origin) {
@@ -101,19 +95,98 @@ QString explanation(const ResidualLine& line) {
     return {};
 }
 
+QString unitName(const char* unit) {
+    return QCoreApplication::translate("DisplayUnits", unit);
+}
+
+XYSeries channelSeries(const char* name, Ink ink) {
+    XYSeries series;
+    series.name = QLatin1String(name);
+    series.ink = ink;
+    return series;
+}
+
+XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink ink) {
+    XYSeries series = histogramSteps(channel.histogram, QLatin1String(name), ink);
+    const double whole = channel.histogram.width * static_cast<double>(channel.moments.count);
+    for (double& count : series.y) {
+        count /= whole;
+    }
+    return series;
+}
+
+XYSeries normalCurve() {
+    constexpr int points = 161;
+    constexpr double reach = 4;
+    XYSeries curve = dashedLine(ResidualWords::tr("normal"), Ink::text);
+    for (int k = 0; k < points; ++k) {
+        const double z = reach * (2.0 * k / (points - 1) - 1);
+        curve.x.push_back(z);
+        curve.y.push_back(std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi));
+    }
+    return curve;
+}
+
+XYSeries densitySeries(const Residuals& found, const ResidualChannel& channel, const char* name,
+                       Ink ink) {
+    XYSeries series = channelSeries(name, ink);
+    series.thin = true;
+    // Bin 0 has no place on a logarithmic axis, and no density below rounding.
+    for (std::size_t k = 1; k < channel.density.size(); ++k) {
+        if (channel.density[k] > 0) {
+            series.x.push_back(static_cast<double>(k) * found.bin_hz);
+            series.y.push_back(channel.amplitude_density(k));
+        }
+    }
+    return series;
+}
+
+// The higher of both channels at the nearest bin.
+double heightOf(const Residuals& found, const ResidualLine& line) {
+    const auto bin = std::min(static_cast<std::size_t>(std::llround(line.f_hz / found.bin_hz)),
+                              found.c.density.size() - 1);
+    return std::max(found.c.amplitude_density(bin), found.d.amplitude_density(bin));
+}
+
+// From below the noise, without the depth of the dip at the carrier, to above the highest line.
+AxisRange densityRange(const std::vector<XYSeries>& channels) {
+    std::vector<double> all;
+    for (const XYSeries& channel : channels) {
+        all.insert(all.end(), channel.y.begin(), channel.y.end());
+    }
+    if (all.empty()) {
+        return {0.1, 10};
+    }
+    const auto low = all.begin() + std::ssize(all) / 100;
+    std::ranges::nth_element(all, low);
+    const double lowest = *low;
+    return {lowest / 3, 2 * *std::ranges::max_element(all)};
+}
+
+XYSeries correlationSeries(const Residuals& found, const ResidualChannel& channel, const char* name,
+                           Ink ink) {
+    XYSeries series = channelSeries(name, ink);
+    series.thin = true;
+    for (std::size_t lag = 1; lag < channel.autocorrelation.size(); ++lag) {
+        series.x.push_back(1e3 * static_cast<double>(lag) / found.rate_hz);
+        series.y.push_back(channel.autocorrelation[lag]);
+    }
+    return series;
+}
+
 }  // namespace
 
 QString coverageText(const Residuals& found) {
     QStringList sentences;
-    sentences << ResidualWords::tr("Samples per channel: %1.").arg(counted(found.used()));
+    sentences << ResidualWords::tr("Samples per channel: %1.").arg(countLabel(found.used()));
     if (found.examined < found.frames) {
         sentences << ResidualWords::tr(
                          "The range has %1; blocks at even distances stand for all of them.")
-                         .arg(counted(found.frames));
+                         .arg(countLabel(found.frames));
     }
     if (found.without > 0) {
         sentences << ResidualWords::tr("Left out, because no wave was found there: %1.")
-                         .arg(counted(found.without));
+                         .arg(countLabel(found.without));
     }
     constexpr double worth_saying = 0.01;
     if (found.taken_up > worth_saying) {
@@ -131,7 +204,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
         return QuantityRow{withUnit(name, of_unit), tip, {cell(found.c), cell(found.d)}};
     };
     const auto flagged = [&](double value, double sd) {
-        return cellOf(value, sd, std::abs(value) > doubtful * sd ? alarm : QColor());
+        return measuredCell(value, sd, std::abs(value) > doubtful * sd ? alarm : QColor());
     };
     const auto of_count = [](const ResidualChannel& channel, double factor) {
         return factor / std::sqrt(static_cast<double>(channel.moments.count));
@@ -141,7 +214,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
             ResidualWords::tr("Standard deviation of the residual about its mean"),
             [&](const ResidualChannel& channel) {
                 const double sd = channel.moments.sd;
-                return cellOf(sd, sd * of_count(channel, M_SQRT1_2));
+                return measuredCell(sd, sd * of_count(channel, M_SQRT1_2));
             }),
         row(ResidualWords::tr("Noise per sample"), unit,
             ResidualWords::tr(
@@ -149,7 +222,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                 "window take up a part of it. Unknown after a band-pass filter."),
             [&](const ResidualChannel& channel) {
                 const double sd = channel.noise_sd;
-                return cellOf(sd, sd * of_count(channel, M_SQRT1_2));
+                return measuredCell(sd, sd * of_count(channel, M_SQRT1_2));
             }),
         row(ResidualWords::tr("Mean"), unit,
             ResidualWords::tr("Mean of the residual. Beyond four standard deviations: an offset of "
@@ -178,12 +251,12 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                     return QuantityCell{QStringLiteral("—"), {QString(), QString()}, {}};
                 }
                 constexpr double seldom = 1e-3;
-                return QuantityCell{ResidualWords::tr("%1 (expected beyond: %2)")
-                                        .arg(significant(moments.largest_z, 3),
-                                             significant(moments.expected_beyond, 2)),
-                                    {QLocale().toString(moments.largest_z, 'g', 12),
-                                     QLocale().toString(moments.expected_beyond, 'g', 12)},
-                                    moments.expected_beyond < seldom ? alarm : QColor()};
+                return QuantityCell{
+                    ResidualWords::tr("%1 (expected beyond: %2)")
+                        .arg(significant(moments.largest_z, 3),
+                             significant(moments.expected_beyond, 2)),
+                    {cellNumber(moments.largest_z), cellNumber(moments.expected_beyond)},
+                    moments.expected_beyond < seldom ? alarm : QColor()};
             }),
     };
 }
@@ -216,6 +289,72 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
         sentences << ResidualWords::tr("A band-pass filter takes it out.");
     }
     return sentences.join(QLatin1Char(' '));
+}
+
+XYPlot histogramPlot(const Residuals* found, const QString& empty) {
+    XYPlot plot;
+    plot.x_name = ResidualWords::tr("Residual");
+    plot.x_unit = ResidualWords::tr("sd");
+    plot.y_name = ResidualWords::tr("Probability density");
+    plot.empty = empty;
+    if (found != nullptr && !found->c.histogram.counts.empty() &&
+        !found->d.histogram.counts.empty()) {
+        plot.series = {histogramSeries(found->c, "C", Ink::channel_c),
+                       histogramSeries(found->d, "D", Ink::channel_d), normalCurve()};
+    }
+    return plot;
+}
+
+XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<std::size_t> chosen,
+                    const QString& empty) {
+    XYPlot plot;
+    plot.x_name = QStringLiteral("f");
+    plot.x_unit = unitName("Hz");
+    plot.x_logarithmic = true;
+    plot.y_name = ResidualWords::tr("Amplitude density");
+    plot.y_unit =
+        (unit.isEmpty() ? QStringLiteral("1") : unit) + QStringLiteral("/√") + unitName("Hz");
+    plot.y_logarithmic = true;
+    plot.empty = empty;
+    if (found == nullptr || found->c.density.size() < 2) {
+        return plot;
+    }
+    XYSeries lines;
+    lines.points = true;
+    lines.ink = Ink::text;
+    for (const ResidualLine& line : found->lines) {
+        lines.x.push_back(line.f_hz);
+        lines.y.push_back(heightOf(*found, line));
+    }
+    plot.series = {densitySeries(*found, found->c, "C", Ink::channel_c),
+                   densitySeries(*found, found->d, "D", Ink::channel_d), lines};
+    plot.y_range = densityRange({plot.series[0], plot.series[1]});
+    if (chosen && *chosen < found->lines.size()) {
+        plot.series.push_back(markOn(lines, *chosen, Ink::warning));
+    }
+    return plot;
+}
+
+XYPlot correlationPlot(const Residuals* found, const QString& empty) {
+    XYPlot plot;
+    plot.x_name = ResidualWords::tr("Lag");
+    plot.x_unit = ResidualWords::tr("ms");
+    plot.y_name = ResidualWords::tr("Autocorrelation");
+    plot.empty = empty;
+    if (found == nullptr || found->c.autocorrelation.size() < 2 ||
+        found->d.autocorrelation.size() < 2) {
+        return plot;
+    }
+    plot.series = {correlationSeries(*found, found->c, "C", Ink::channel_c),
+                   correlationSeries(*found, found->d, "D", Ink::channel_d)};
+    for (const double side : {1.0, -1.0}) {
+        const QString name =
+            side > 0 ? QStringLiteral("±%1/√N").arg(numberLabel(1.96, 2)) : QString();
+        const std::vector<double>& x = plot.series.front().x;
+        const double limit = side * found->correlation_limit;
+        plot.series.push_back(dashedLine(name, Ink::text, {x.front(), x.back()}, {limit, limit}));
+    }
+    return plot;
 }
 
 }  // namespace vybeg::ui

@@ -1,22 +1,99 @@
-#include "ui/sweep/sweep_text.h"
+#include "ui/sweep/shown_sweep.h"
 
 #include "ui/words/error_text.h"
-#include "ui/words/index_text.h"
 #include "ui/words/number_label.h"
-
-#include <QCoreApplication>
-#include <QLocale>
+#include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 
 namespace vybeg::ui {
 
 namespace {
 
-QString counted(std::int64_t count) {
-    return numberLabel(static_cast<double>(count), 0);
+struct SweepWords {
+    Q_DECLARE_TR_FUNCTIONS(Sweep)
+};
+
+// Factor from stored to displayed values, and the unit; decibels do not apply to deviations.
+double sweepFactor(const WindowSweep& sweep, const SweepView& view, std::size_t variable) {
+    const DisplayScale scale = displayScale(main_slow_variables[variable], view.units, sweep.f0_hz);
+    return scale.decibels ? 1 : scale.factor;
+}
+
+QString sweepUnit(const SweepView& view, std::size_t variable) {
+    DisplayUnits units = view.units;
+    if (units.amplitude == AmplitudeUnit::decibels) {
+        units.amplitude = AmplitudeUnit::recording;
+    }
+    const QString unit = displayUnit(main_slow_variables[variable], units);
+    const bool amplitude = info(main_slow_variables[variable]).quantity == Quantity::amplitude;
+    return amplitude && unit.isEmpty() ? view.channel_unit : unit;
+}
+
+using ValueOf = std::function<double(const SweepLength&)>;
+
+// What is not above zero has no place on a logarithmic axis.
+XYSeries seriesOf(const WindowSweep& sweep, const QString& name, double factor,
+                  const ValueOf& value) {
+    XYSeries series;
+    series.name = name;
+    for (const SweepLength& each : sweep.lengths) {
+        const double y = factor * value(each);
+        series.x.push_back(static_cast<double>(each.length));
+        series.y.push_back(y > 0 ? y : SweepValue::none);
+    }
+    return series;
+}
+
+XYSeries withInk(XYSeries series, Ink ink, bool dashed = false) {
+    series.ink = ink;
+    series.dashed = dashed;
+    return series;
+}
+
+XYSeries asPoints(XYSeries series, int style) {
+    series.points = true;
+    series.style = style;
+    return series;
+}
+
+struct Extent {
+    double low = 1e300;
+    double high = 0;
+
+    void take(const XYSeries& series) {
+        for (const double y : series.y) {
+            if (std::isfinite(y)) {
+                low = std::min(low, y);
+                high = std::max(high, y);
+            }
+        }
+    }
+};
+
+// A vertical line at the recommended length, and a mark on the chosen point.
+void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
+    if (sweep.advice) {
+        const auto n = static_cast<double>(sweep.lengths[sweep.advice->best].length);
+        plot.series.push_back(dashedLine(SweepWords::tr("recommended"), Ink::accent, {n, n},
+                                         {plot.y_range->lower, plot.y_range->upper}));
+    }
+    if (view.chosen) {
+        plot.series.push_back(markOn(plot.series.front(), *view.chosen, Ink::warning));
+    }
+}
+
+XYPlot emptyPlot() {
+    XYPlot plot;
+    plot.x_name = QStringLiteral("n");
+    plot.x_unit = SweepWords::tr("samples");
+    plot.x_logarithmic = true;
+    plot.y_logarithmic = true;
+    return plot;
 }
 
 QString shortText(double value) {
@@ -48,14 +125,14 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
             return SweepWords::tr(
                        "Longer windows blur %1: at n = %2 its bend inside the window shifts the "
                        "mean by %3, with a scatter of %4.")
-                .arg(symbol, counted(next().length),
+                .arg(symbol, countLabel(next().length),
                      valueText(next().values[advice.variable].motion),
                      valueText(next().values[advice.variable].scatter));
         case WindowAdvice::Limit::scatter:
             return SweepWords::tr(
                        "Longer windows are not better: at n = %2 the expected error of %1 is %3, "
                        "here %4.")
-                .arg(symbol, counted(next().length),
+                .arg(symbol, countLabel(next().length),
                      valueText(next().values[advice.variable].error()),
                      valueText(sweep.lengths[advice.best].values[advice.variable].error()));
         case WindowAdvice::Limit::flat:
@@ -115,13 +192,96 @@ std::vector<Column> shownColumns(const WindowSweep& sweep, const SweepView& view
     return shown;
 }
 
-}  // namespace
-
+// E.g. "n = 60, 1.80 ms, 9.54 periods".
 QString lengthText(const WindowSweep& sweep, std::size_t length) {
     const auto n = static_cast<double>(sweep.lengths[length].length);
     return SweepWords::tr("n = %1, %2 ms, %3 periods")
-        .arg(counted(sweep.lengths[length].length), shortText(1e3 * n / sweep.rate_hz),
+        .arg(countLabel(sweep.lengths[length].length), shortText(1e3 * n / sweep.rate_hz),
              shortText(n * sweep.f0_hz / sweep.rate_hz));
+}
+
+}  // namespace
+
+XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view) {
+    XYPlot plot = emptyPlot();
+    plot.y_name = SweepWords::tr("Standard deviation of %1")
+                      .arg(displaySymbol(main_slow_variables[view.variable], view.units));
+    plot.y_unit = sweepUnit(view, view.variable);
+    if (sweep == nullptr || sweep->lengths.empty()) {
+        return plot;
+    }
+    const double factor = sweepFactor(*sweep, view, view.variable);
+    const auto series = [&](const QString& name, double SweepValue::*member) {
+        return seriesOf(*sweep, name, factor, [&](const SweepLength& each) {
+            return each.values[view.variable].*member;
+        });
+    };
+    XYSeries scatter = asPoints(series(SweepWords::tr("scatter"), &SweepValue::scatter), 0);
+    scatter.ink = Ink::text;
+    for (const SweepLength& each : sweep->lengths) {
+        scatter.sd.push_back(factor * each.values[view.variable].sd_scatter);
+    }
+    plot.series.push_back(std::move(scatter));
+    plot.series.push_back(
+        withInk(series(SweepWords::tr("stated sd"), &SweepValue::stated), Ink::channel_c));
+    plot.series.push_back(
+        withInk(series(SweepWords::tr("bound"), &SweepValue::bound), Ink::muted, true));
+    XYSeries motion = asPoints(series(SweepWords::tr("motion"), &SweepValue::motion), 2);
+    motion.ink = Ink::channel_d;
+    plot.series.push_back(std::move(motion));
+    Extent extent;
+    for (const std::size_t k : {0, 1, 2}) {
+        extent.take(plot.series[k]);
+    }
+    const double floor = extent.low / 4;
+    for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
+        XYSeries leakage = seriesOf(
+            *sweep, SweepWords::tr("leakage %1").arg(k + 1), factor,
+            [&](const SweepLength& each) { return each.values[view.variable].leakage[k]; });
+        leakage.style = static_cast<int>(k) + 2;
+        leakage.thin = true;
+        extent.take(leakage);
+        plot.series.push_back(std::move(leakage));
+    }
+    extent.take(plot.series[3]);
+    // Whole half-periods have a leakage of almost nothing, which needs no room.
+    plot.y_range = extent.high > 0 ? AxisRange{floor, 2 * extent.high} : AxisRange{0.1, 10};
+    for (XYSeries& each : plot.series) {  // a curve that lies below the plot needs no name
+        if (std::ranges::none_of(each.y, [&](double y) { return y >= floor; })) {
+            each.name.clear();
+        }
+    }
+    addMarks(*sweep, view, plot);
+    return plot;
+}
+
+XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view) {
+    XYPlot plot = emptyPlot();
+    plot.y_name = SweepWords::tr("Residual");
+    plot.y_unit = view.channel_unit;
+    if (sweep == nullptr || sweep->lengths.empty()) {
+        return plot;
+    }
+    XYSeries noise = asPoints(seriesOf(*sweep, SweepWords::tr("noise"), 1,
+                                       [](const SweepLength& each) { return each.noise; }),
+                              0);
+    noise.ink = Ink::text;
+    plot.series.push_back(std::move(noise));
+    plot.series.push_back(withInk(seriesOf(*sweep, SweepWords::tr("rms"), 1,
+                                           [](const SweepLength& each) { return each.rms; }),
+                                  Ink::channel_c));
+    plot.series.push_back(
+        withInk(seriesOf(*sweep, SweepWords::tr("white"), 1,
+                         [sweep](const SweepLength&) { return sweep->white_noise; }),
+                Ink::muted, true));
+    Extent extent;
+    for (const XYSeries& each : plot.series) {
+        extent.take(each);
+    }
+    plot.y_range =
+        extent.high > 0 ? AxisRange{extent.low / 1.5, 1.5 * extent.high} : AxisRange{0.1, 10};
+    addMarks(*sweep, view, plot);
+    return plot;
 }
 
 QString adviceText(const WindowSweep& sweep, const SweepView& view) {
@@ -144,8 +304,8 @@ QString adviceText(const WindowSweep& sweep, const SweepView& view) {
     } else if (advice.shortest < advice.longest) {
         text += SweepWords::tr(
                     "From n = %1 to %2 no expected error exceeds %3 times its least in the list.")
-                    .arg(counted(sweep.lengths[advice.shortest].length),
-                         counted(sweep.lengths[advice.longest].length),
+                    .arg(countLabel(sweep.lengths[advice.shortest].length),
+                         countLabel(sweep.lengths[advice.longest].length),
                          shortText(loss_span * advice.loss));
     }
     return text + coloredNoise(sweep, view);
@@ -154,7 +314,8 @@ QString adviceText(const WindowSweep& sweep, const SweepView& view) {
 QString refusedText(const WindowSweep& sweep) {
     QStringList sentences;
     for (const WindowSweep::Refused& each : sweep.refused) {
-        sentences << QStringLiteral("n = %1: %2").arg(counted(each.length), errorText(each.error));
+        sentences
+            << QStringLiteral("n = %1: %2").arg(countLabel(each.length), errorText(each.error));
     }
     return sentences.join(QLatin1Char(' '));
 }
@@ -183,7 +344,7 @@ QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view) {
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
     const double factor = sweepFactor(sweep, view, view.variable);
     const auto cell = [](double value) {
-        return QuantityCell{noiseText(value), {QLocale().toString(value, 'g', 12)}, {}};
+        return QuantityCell{noiseText(value), {cellNumber(value)}, {}};
     };
     const std::vector<Column> shown = shownColumns(sweep, view);
     std::vector<QuantityRow> rows;
@@ -192,12 +353,9 @@ std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& vi
         const SweepValue& value = each.values[view.variable];
         const double scatter = factor * value.scatter;
         const double sd = factor * value.sd_scatter;
-        QuantityRow row{counted(each.length), lengthText(sweep, k), {}};
-        row.cells.push_back({counted(each.used), {QString::number(each.used)}, {}});
-        row.cells.push_back(
-            {valueText(scatter, sd),
-             {QLocale().toString(scatter, 'g', 12), QLocale().toString(sd, 'g', 12)},
-             {}});
+        QuantityRow row{countLabel(each.length), lengthText(sweep, k), {}};
+        row.cells.push_back({countLabel(each.used), {QString::number(each.used)}, {}});
+        row.cells.push_back(measuredCell(scatter, sd));
         for (const Column& column : shown) {
             row.cells.push_back(cell(factor * value.*column.member));
         }
@@ -209,15 +367,13 @@ std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& vi
 }
 
 QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
-    const auto number = [](double value) { return QLocale().toString(value, 'g', 12); };
     QStringList head{QStringLiteral("n"), SweepWords::tr("windows"), SweepWords::tr("rms"),
                      SweepWords::tr("noise")};
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {
         const QString unit = sweepUnit(view, v);
         const QString symbol = indexPlain(symbolOf(v, view));
         const auto add = [&](const QString& what) {
-            head << symbol + QStringLiteral(": ") + what +
-                        (unit.isEmpty() ? QString() : QStringLiteral(", ") + unit);
+            head << withUnit(symbol + QStringLiteral(": ") + what, unit);
         };
         add(SweepWords::tr("scatter"));
         add(SweepWords::tr("sd of the scatter"));
@@ -231,16 +387,16 @@ QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
     QStringList lines{head.join(QLatin1Char('\t'))};
     for (const SweepLength& each : sweep.lengths) {
         QStringList cells{QString::number(each.length), QString::number(each.used),
-                          number(each.rms), number(each.noise)};
+                          cellNumber(each.rms), cellNumber(each.noise)};
         for (std::size_t v = 0; v < sweep_variable_count; ++v) {
             const double factor = sweepFactor(sweep, view, v);
             const SweepValue& value = each.values[v];
-            cells << number(factor * value.scatter) << number(factor * value.sd_scatter);
+            cells << cellNumber(factor * value.scatter) << cellNumber(factor * value.sd_scatter);
             for (const Column& column : columns) {
-                cells << number(factor * value.*column.member);
+                cells << cellNumber(factor * value.*column.member);
             }
             for (const double leakage : value.leakage) {
-                cells << number(factor * leakage);
+                cells << cellNumber(factor * leakage);
             }
         }
         lines << cells.join(QLatin1Char('\t'));

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/track/slow_variables.h"
+
+#include <map>
+
+namespace vybeg::ui {
+
+// An interval of an axis, lower < upper.
+struct AxisRange {
+    double lower = 0;
+    double upper = 1;
+
+    double span() const { return upper - lower; }
+    bool contains(double x) const { return lower <= x && x <= upper; }
+
+    friend bool operator==(const AxisRange&, const AxisRange&) = default;
+};
+
+// State of a track view: time range in seconds, and value ranges fixed by the user, in displayed
+// units; the other value axes follow the data.
+struct ZoomState {
+    AxisRange time;
+    std::map<SlowVariable, AxisRange> fixed;
+
+    friend bool operator==(const ZoomState&, const ZoomState&) = default;
+};
+
+}  // namespace vybeg::ui
