@@ -5,7 +5,7 @@
 #include "core/base/read_value.h"
 #include "core/numerics/median.h"
 #include "core/resonator/results/power_fit.h"
-#include "core/resonator/runs/wave_uncertainty.h"
+#include "core/resonator/runs/wave_motion.h"
 
 #include <cmath>
 #include <limits>

@@ -6,7 +6,7 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/harmonic_terms.h"
 #include "core/numerics/median.h"
-#include "core/resonator/results/run_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <cmath>

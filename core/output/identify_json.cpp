@@ -6,7 +6,6 @@
 #include "core/base/number_text.h"
 #include "core/output/quantity_json.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/run_parameters.h"
 
 #include <nlohmann/json.hpp>
 

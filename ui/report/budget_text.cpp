@@ -1,6 +1,6 @@
 #include "ui/report/budget_text.h"
 
-#include "core/resonator/results/uncertainty_budget.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace vybeg {
@@ -57,6 +58,25 @@ void turn_channels(double two_theta_zero, Value& c, Value& d) {
     const double sine = std::sin(two_theta_zero);
     c = cosine * old + sine * d;
     d = cosine * d - sine * old;
+}
+
+// The run with only those windows for which keep(index) is true.
+template <class Keep>
+PhasorRun kept_windows(const PhasorRun& run, const Keep& keep) {
+    PhasorRun kept = run;
+    kept.time_s.clear();
+    kept.c.clear();
+    kept.d.clear();
+    kept.sd.clear();
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        if (keep(k)) {
+            kept.time_s.push_back(run.time_s[k]);
+            kept.c.push_back(run.c[k]);
+            kept.d.push_back(run.d[k]);
+            kept.sd.push_back(run.sd[k]);
+        }
+    }
+    return kept;
 }
 
 }  // namespace vybeg

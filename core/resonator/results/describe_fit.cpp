@@ -1,15 +1,14 @@
 #include "core/resonator/results/describe_fit.h"
 
+#include "core/resonator/fit/posterior.h"
 #include "core/resonator/fit/run_information.h"
-#include "core/resonator/fit/unseen_directions.h"
 #include "core/resonator/noise/noise_claim.h"
 #include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/results/channel_findings.h"
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/sensitivities.h"
-#include "core/resonator/runs/decay_time.h"
-#include "core/resonator/runs/envelope_decay.h"
+#include "core/resonator/runs/decay.h"
 
 #include <algorithm>
 #include <array>

@@ -3,11 +3,10 @@
 #include "core/base/number_text.h"
 #include "core/numerics/median.h"
 #include "core/resonator/fit/map_fit.h"
-#include "core/resonator/model/kept_windows.h"
+#include "core/resonator/model/phasor_run.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/run_parameters.h"
-#include "core/resonator/runs/decay_time.h"
+#include "core/resonator/runs/decay.h"
 #include "core/resonator/runs/merge_windows.h"
 #include "core/resonator/runs/sum_of_modes.h"
 

@@ -2,9 +2,8 @@
 
 #include "core/base/number_text.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/run_parameters.h"
 #include "core/resonator/results/sensitivities.h"
-#include "core/resonator/runs/decay_time.h"
+#include "core/resonator/runs/decay.h"
 
 #include <Eigen/Eigenvalues>
 

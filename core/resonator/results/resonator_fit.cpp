@@ -1,6 +1,6 @@
 #include "core/resonator/results/resonator_fit.h"
 
-#include "core/resonator/results/run_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/set_fit.h"
 #include "core/resonator/runs/merge_windows.h"
 

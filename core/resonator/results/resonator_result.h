@@ -7,7 +7,7 @@
 #include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/reason.h"
 #include "core/resonator/noise/noise_shape.h"
-#include "core/resonator/runs/decay_law.h"
+#include "core/resonator/runs/decay.h"
 
 #include <array>
 #include <cstddef>

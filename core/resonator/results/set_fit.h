@@ -5,7 +5,7 @@
 #include "core/resonator/results/fit_options.h"
 #include "core/resonator/results/resonator_result.h"
 #include "core/resonator/results/set_examination.h"
-#include "core/resonator/runs/needed_windows.h"
+#include "core/resonator/runs/merge_windows.h"
 
 #include <Eigen/Core>
 
@@ -23,7 +23,7 @@ enum class Effort { whole, trial };
 // The whole fit of one set, step by step.
 class SetFit {
 public:
-    // `fine`: the runs before merging of windows; `whitenings` of channel_noise.h, empty: none.
+    // `fine`: the runs before merging of windows; `whitenings` of channels.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
            std::span<const Eigen::Matrix2d> whitenings, const FitOptions& options,
            const JobControl& job, Effort effort);

@@ -1,7 +1,7 @@
 #include "core/resonator/runs/sum_of_modes.h"
 
 #include "core/numerics/dense_solvers.h"
-#include "core/resonator/model/kept_windows.h"
+#include "core/resonator/model/phasor_run.h"
 
 #include <Eigen/Dense>
 

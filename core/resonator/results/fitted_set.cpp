@@ -1,4 +1,4 @@
-#include "core/resonator/results/reported_variances.h"
+#include "core/resonator/results/fitted_set.h"
 
 #include <algorithm>
 #include <cmath>
