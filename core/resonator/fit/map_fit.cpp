@@ -250,6 +250,14 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
     return fit;
 }
 
+double longest_s(const FitProblem& problem) {
+    double longest = 0;
+    for (const ScaledRun& run : problem.runs) {
+        longest = std::max(longest, run.duration_s);
+    }
+    return longest;
+}
+
 double degrees_of_freedom(const FitProblem& problem) {
     double degrees = 0;
     for (const ScaledRun& run : problem.runs) {

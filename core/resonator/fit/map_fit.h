@@ -78,6 +78,9 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& p, int steps,
                 const JobControl& job,
                 std::size_t windows = std::numeric_limits<std::size_t>::max());
 
+// Length of the longest run.
+double longest_s(const FitProblem& problem);
+
 // Number of residuals less that of the parameters without a prior.
 double degrees_of_freedom(const FitProblem& problem);
 

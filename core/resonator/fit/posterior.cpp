@@ -82,11 +82,12 @@ class Profile {
 public:
     Profile(const FitProblem& problem, const MapFit& fit, const Posterior& posterior, double scale,
             const JobControl& job)
-        : problem_(problem), fit_(fit), posterior_(posterior), scale_(scale), job_(job) {
-        for (const ScaledRun& run : problem.runs) {
-            longest_s_ = std::max(longest_s_, run.duration_s);
-        }
-    }
+        : problem_(problem),
+          fit_(fit),
+          posterior_(posterior),
+          scale_(scale),
+          job_(job),
+          longest_s_(longest_s(problem)) {}
 
     std::vector<ProfilePoint> points() {
         const std::array<Block, 3> blocks{{{{split_cos_at, split_sin_at}, 2 * std::numbers::pi},
@@ -105,11 +106,10 @@ private:
         }
         std::vector<Eigen::Index> places;
         for (const Eigen::Index parameter : block.parameters) {
-            const auto found = std::ranges::find(posterior_.active, parameter);
-            if (found == posterior_.active.end()) {
+            places.push_back(posterior_.place_of(parameter));
+            if (places.back() < 0) {
                 return;
             }
-            places.push_back(found - posterior_.active.begin());
         }
         const Eigen::MatrixXd part = posterior_.covariance(places, places);
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(part);
@@ -160,11 +160,16 @@ private:
     const Posterior& posterior_;
     double scale_;
     const JobControl& job_;
-    double longest_s_ = 0;
+    double longest_s_;
     std::vector<ProfilePoint> points_;
 };
 
 }  // namespace
+
+Eigen::Index Posterior::place_of(Eigen::Index parameter) const {
+    const auto found = std::ranges::find(active, parameter);
+    return found == active.end() ? -1 : found - active.begin();
+}
 
 double Posterior::chi2() const {
     double sum = 0;

@@ -217,10 +217,6 @@ Score cubic_score(const FitProblem& problem, const Posterior& posterior) {
 }
 
 SettlingScore settling_score(const FitProblem& problem, const Posterior& posterior) {
-    double longest_s = 0;
-    for (const ScaledRun& run : problem.runs) {
-        longest_s = std::max(longest_s, run.duration_s);
-    }
     SettlingScore best;
     const auto consider = [&](double settling_s) {
         const Score found =
@@ -230,7 +226,7 @@ SettlingScore settling_score(const FitProblem& problem, const Posterior& posteri
         }
     };
     for (const double share : settling_shares) {
-        consider(share * longest_s);
+        consider(share * longest_s(problem));
     }
     for (const double closer : {1.2, 1.1, 1.05, 1.025, 1.0125}) {
         const double middle_s = best.time_s;

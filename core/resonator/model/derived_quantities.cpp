@@ -63,6 +63,15 @@ void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& c
 
 }  // namespace
 
+double QuantityContext::mean_f_ref_hz() const {
+    const double share = 1 / static_cast<double>(f_ref_hz.size());
+    double mean = 0;
+    for (const double each : f_ref_hz) {
+        mean += share * each;
+    }
+    return mean;
+}
+
 std::complex<double> square_half_difference(const Eigen::VectorXd& p) {
     const SlowDynamics dynamics(rates_of(p));
     const std::complex<double> s = dynamics.half_difference();
@@ -75,10 +84,8 @@ Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& cont
     const auto share = 1 / static_cast<double>(runs);
     // References are kept separate, so that differences of frequencies keep their digits.
     double f_mean = 0;
-    double f_ref = 0;
     for (std::size_t run = 0; run < runs; ++run) {
         f_mean += share * frequency_of(p, run, context);
-        f_ref += share * context.f_ref_hz[run];
     }
     q[f_mean_of] = f_mean;
     q[decay_of] = p[decay_at];
@@ -92,6 +99,7 @@ Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& cont
     q[phase_of] = p[phase_at];
     q[cubic_of] = p[cubic_at];
     add_modes(p, context.order, q);
+    const double f_ref = context.mean_f_ref_hz();
     for (std::size_t run = 0; run < runs; ++run) {
         add_run(p, run, context, f_ref, q);
     }

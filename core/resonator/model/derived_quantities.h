@@ -52,6 +52,8 @@ struct QuantityContext {
     std::vector<PowerSums> power;
     std::vector<double> power_kept;  // by the windows' means
     ModeOrder order = ModeOrder::frequency;
+
+    double mean_f_ref_hz() const;
 };
 
 inline Eigen::Index quantity_of_run(std::size_t run, int quantity) {

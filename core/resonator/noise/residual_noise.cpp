@@ -16,7 +16,6 @@ namespace vybeg {
 namespace {
 
 using Complex = std::complex<double>;
-using Decomposition = Eigen::Tridiagonalization<MatrixXd>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector2cd;
@@ -76,6 +75,7 @@ struct Block {
 
 // A symmetric matrix as Q T Q', T tridiagonal: a solution with 1 + a T takes a time that grows with
 // the number of points, where the eigenvectors would take nine times that of Q.
+using Decomposition = Eigen::Tridiagonalization<MatrixXd>;
 
 // V0 + a K with V0 = L L': Q' L^-1 [x, U] for L^-1 K L^-T = Q T Q'.
 struct Spectrum {
@@ -469,14 +469,12 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
 
 NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posterior,
                              const JobControl& job) {
-    double longest_s = 0;
     for (std::size_t k = 0; k < problem.runs.size() && !job.cancelled(); ++k) {
         const std::size_t merge = (problem.runs[k].size() + most_points - 1) / most_points;
         series_.push_back(residual_series(problem, posterior, k, merge));
-        longest_s = std::max(longest_s, problem.runs[k].duration_s);
     }
     if (!job.cancelled()) {
-        noise_ = Search(series_, posterior, longest_s, job).find();
+        noise_ = Search(series_, posterior, longest_s(problem), job).find();
     }
 }
 

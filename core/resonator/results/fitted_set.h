@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -46,21 +47,29 @@ ReportedVariances reported_variances(const Posterior& posterior, const QuantityC
                                      const Eigen::MatrixXd& moved,
                                      const Eigen::MatrixXd& scattered);
 
-// A fit and its properties.
-struct FittedSet {
-    ResonatorModel model{};
+// A set of runs with its most likely parameters.
+struct SolvedSet {
+    std::span<const PhasorRun> runs;  // as fitted
+    std::span<const PhasorRun> fine;  // before their windows were merged
     const FitProblem* problem = nullptr;
     MapFit fit;
-    Posterior posterior;
-    QuantityContext context;
-    ChannelTolerance tolerance;  // told or assumed
-    Eigen::MatrixXd moved;       // by the tolerance (sensitivities.h)
-    Eigen::MatrixXd scattered;   // by one deviation of each run from the set
-    ReportedVariances variances;
-    double scale = 1;        // recording units of a scaled unit
-    double split_needs = 3;  // least size of a given split or anisotropy, standard deviations
-    Estimate cubic_limit;    // b and its sd if a fit with it was no better; scaled units
+    ResonatorModel model{};
+    double scale = 1;                // recording units of a scaled unit
+    Estimate cubic_limit;            // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
+    RunDeviation spread;             // sd of the deviations of the runs from the set
+    ChannelTolerance tolerance;      // told or assumed: the sizes of the errors in u
+};
+
+// A set with all that its numbers follow from. `tolerance`: of the free model that of the drifts
+// alone.
+struct FittedSet : SolvedSet {
+    Posterior posterior{};
+    QuantityContext context{};
+    Eigen::MatrixXd moved{};      // by the tolerance (sensitivities.h)
+    Eigen::MatrixXd scattered{};  // by one deviation of each run from the set
+    ReportedVariances variances{};
+    double split_needs = 3;  // least size of a given split or anisotropy, standard deviations
 };
 
 }  // namespace vybeg

@@ -4,6 +4,7 @@
 #include "core/numerics/median.h"
 #include "core/resonator/fit/map_fit.h"
 #include "core/resonator/model/phasor_run.h"
+#include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/decay.h"
@@ -425,18 +426,11 @@ private:
 
 Result<ResonatorFit> fit_one_projection(std::span<const PhasorRun> runs) {
     const Reason reason{ReasonCode::same_projection, {}};
-    const Estimate none{.reason = reason};
     ResonatorFit fit;
     fit.model = ResonatorModel::free;
-    for (const ResonatorParameter& parameter : resonator_parameters) {
-        fit.resonator.*parameter.member = none;
-    }
-    fit.sensitivities.assign(resonator_parameters.size(), {});
-    fit.shares.assign(resonator_parameters.size(), {});
+    refuse_resonator(reason, fit);
     RunEstimate run;
-    for (const RunParameter& parameter : run_parameters) {
-        run.*parameter.member = none;
-    }
+    refuse(run_parameters, reason, run);
     fit.runs.assign(runs.size(), run);
     std::array<ModeMean, 2> means;
     double chi2 = 0;

@@ -160,22 +160,18 @@ struct Line {
 // The strongest line within the windows' band, away from the wave.
 Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
                     std::span<const double> f_ref_hz, double scale, const JobControl& job) {
-    double longest_s = 0;
-    double step_s = std::numeric_limits<double>::infinity();
-    for (const ScaledRun& run : problem.runs) {
-        longest_s = std::max(longest_s, run.duration_s);
-        step_s = std::min(step_s, run.step_s);
-    }
+    const double longest = longest_s(problem);
+    const double step_s = std::ranges::min(problem.runs, {}, &ScaledRun::step_s).step_s;
     const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
-    const double step_hz = 1 / (lines_per_cycle * longest_s);
+    const double step_hz = 1 / (lines_per_cycle * longest);
     const double band_hz = 0.5 / step_s;
     const std::vector<DampedResidual> residuals = damped_residuals(problem, at, f_ref_hz);
     Line best;
     double most = 0;
     const auto steps =
-        static_cast<int>(std::min((band_hz - least_cycles / longest_s) / step_hz, most_lines));
+        static_cast<int>(std::min((band_hz - least_cycles / longest) / step_hz, most_lines));
     for (int step = 0; step < steps && !job.cancelled(); ++step) {
-        const double off = least_cycles / longest_s + step * step_hz;
+        const double off = least_cycles / longest + step * step_hz;
         for (const double f_hz : {wave_hz - off, wave_hz + off}) {
             const double power = line_power(residuals, f_hz);
             if (power > most) {
@@ -203,16 +199,13 @@ Line nearest_line(const FitProblem& problem, const Posterior& at, std::span<cons
                   const JobControl& job) {
     constexpr double nearest = 0.4;  // cycles over a run
     constexpr double step = 1.0 / 6;
-    double longest_s = 0;
-    for (const ScaledRun& run : problem.runs) {
-        longest_s = std::max(longest_s, run.duration_s);
-    }
+    const double longest = longest_s(problem);
     const double dof = degrees_of_freedom(problem);
     const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
     double needed = at.chi2() - noise_bound(dof) * dof;
     Line best;
     for (double cycles = nearest; cycles < least_cycles + 1 && !job.cancelled(); cycles += step) {
-        for (const double off_hz : {cycles / longest_s, -cycles / longest_s}) {
+        for (const double off_hz : {cycles / longest, -cycles / longest}) {
             for (const double decay_per_s : {std::abs(at.p[decay_at]), 0.0}) {
                 const Score line = score(
                     problem, at, line_effect(problem, f_ref_hz, wave_hz + off_hz, decay_per_s));

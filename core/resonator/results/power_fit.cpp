@@ -267,13 +267,6 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
     }
     turn_to(last.problem, fit.p, last.scaled);
     TRY(job.go_on());
-    ChannelTolerance tolerance = options.tolerance;
-    for (const ChannelError& error : channel_errors) {
-        double& size = tolerance.*error.tolerance;
-        size = size > 0 ? size : options.assumed.*error.tolerance;
-    }
-    const bool agrees =
-        examination.verdict == SetVerdict::fits || examination.verdict == SetVerdict::spread;
     found.fit = describe({found.runs,
                           found.runs,
                           &last.problem,
@@ -283,16 +276,10 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
                           {},
                           false,
                           examination.spread,
-                          tolerance},
+                          with_assumed(options).tolerance},
                          job);
-    if (!agrees) {
-        refuse_all({ReasonCode::set_refused, {}}, found.fit);
-        examination.verdict =
-            examination.verdict == SetVerdict::foreign ? SetVerdict::several : examination.verdict;
-    }
+    conclude(examination, !options.spread, found.fit);
     refuse_frequencies(found.fit);
-    const std::vector<Diagnostic> findings = set_findings(examination, !options.spread);
-    found.fit.warnings.insert(found.fit.warnings.begin(), findings.begin(), findings.end());
     return found;
 }
 

@@ -181,13 +181,10 @@ void add_foreign(const SetFit& whole, std::size_t count, ResonatorFit& fit) {
     for (FittedBreak& each : fit.breaks) {
         each.run += each.run >= out ? 1 : 0;
     }
-    const std::vector<Diagnostic> findings = set_findings(examination, false);
-    fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
+    add_findings(examination, false, fit);
     const auto at = static_cast<std::ptrdiff_t>(out);
     RunEstimate none;
-    for (const RunParameter& parameter : run_parameters) {
-        none.*parameter.member = Estimate{.reason = {ReasonCode::left_out, {}}};
-    }
+    refuse(run_parameters, {ReasonCode::left_out, {}}, none);
     fit.runs.insert(fit.runs.begin() + at, none);
     FittedMotion::Run motion = whole.motion().runs[out];
     motion.own = whole.own_given(fit.motion.shared, out);

@@ -42,6 +42,14 @@ struct ParameterOf {
     Estimate Owner::*member;
 };
 
+// Puts a reason in place of all numbers of an owner, by the table of its parameters.
+template <class Table, class Owner>
+void refuse(const Table& parameters, const Reason& reason, Owner& owner) {
+    for (const auto& parameter : parameters) {
+        owner.*parameter.member = Estimate{.reason = reason};
+    }
+}
+
 // Of each mode.
 using ModeParameter = ParameterOf<ModeEstimate>;
 

@@ -17,10 +17,9 @@ using std::numbers::pi;
 
 // Error of the active parameters by a unit of a channel error or of the cubic spring.
 Eigen::VectorXd wrong_by(const FitProblem& problem, const Posterior& p, int error) {
-    const auto found = std::ranges::find(p.active, Index{error});
-    if (found != p.active.end()) {
+    if (const Index place = p.place_of(error); place >= 0) {
         const double told = problem.priors.sd[error];
-        return -p.covariance.col(found - p.active.begin()) / (told * told);
+        return -p.covariance.col(place) / (told * told);
     }
     const Eigen::VectorXd cross = p.information.col(error)(p.active);
     return p.covariance * cross;
@@ -28,31 +27,32 @@ Eigen::VectorXd wrong_by(const FitProblem& problem, const Posterior& p, int erro
 
 // Position of a parameter among the quantities, and the factor from one to the other.
 struct Place {
-    Estimate ResonatorEstimate::*member;
     SharedQuantity quantity;
     double factor;
 };
 
-std::array<Place, 12> places_of(const FittedSet& set, double f_ref_hz) {
+// In the order of resonator_parameters.
+using Places = std::array<Place, resonator_parameters.size()>;
+static_assert(resonator_parameters[3].member == &ResonatorEstimate::tau_s &&
+              resonator_parameters[10].member == &ResonatorEstimate::delay_s);
+
+Places places_of(const FittedSet& set) {
     const ReportedVariances& at = set.variances;
+    const double f_ref_hz = set.context.mean_f_ref_hz();
     const double by_decay = -1 / (at.value[decay_of] * at.value[decay_of]);
     const double by_q = pi * (f_ref_hz + at.value[f_mean_of]) * by_decay;
-    return {{{&ResonatorEstimate::f_mean_hz, f_mean_of, 1},
-             {&ResonatorEstimate::split_hz, split_of, 1},
-             {&ResonatorEstimate::theta_w_rad, theta_w_of, 1},
-             {&ResonatorEstimate::tau_s, decay_of, by_decay},
-             {&ResonatorEstimate::q, decay_of, by_q},
-             {&ResonatorEstimate::damping_anisotropy_per_s, damping_of, 1},
-             {&ResonatorEstimate::theta_tau_rad, theta_tau_of, 1},
-             {&ResonatorEstimate::angle_rate_rad_s, angle_rate_of, 1},
-             {&ResonatorEstimate::kappa, kappa_of, 1},
-             {&ResonatorEstimate::non_orthogonality_rad, skew_of, 1},
-             {&ResonatorEstimate::delay_s, phase_of, -1 / (2 * pi * f_ref_hz)},
-             {&ResonatorEstimate::frequency_per_power, cubic_of, 1 / (set.scale * set.scale)}}};
-}
-
-const Place& place_of(const std::array<Place, 12>& places, const ResonatorParameter& parameter) {
-    return *std::ranges::find(places, parameter.member, &Place::member);
+    return {{{f_mean_of, 1},
+             {split_of, 1},
+             {theta_w_of, 1},
+             {decay_of, by_decay},
+             {decay_of, by_q},
+             {damping_of, 1},
+             {theta_tau_of, 1},
+             {angle_rate_of, 1},
+             {kappa_of, 1},
+             {skew_of, 1},
+             {phase_of, -1 / (2 * pi * f_ref_hz)},
+             {cubic_of, 1 / (set.scale * set.scale)}}};
 }
 
 }  // namespace
@@ -71,31 +71,26 @@ Eigen::MatrixXd moved_by(const FitProblem& problem, const Posterior& posterior,
     return moved;
 }
 
-std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& out,
-                                       double f_ref_hz) {
-    const auto places = places_of(set, f_ref_hz);
-    std::vector<BySource> all;
-    for (const ResonatorParameter& parameter : resonator_parameters) {
-        const Place& place = place_of(places, parameter);
-        BySource shares{};
-        for (std::size_t k = 0; k < channel_errors.size() && (out.*parameter.member).given(); ++k) {
-            shares[channel_errors[k].source] =
-                std::abs(place.factor) *
-                set.variances.shares(place.quantity, static_cast<Index>(k));
+std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& out) {
+    std::vector<BySource> all(resonator_parameters.size(), BySource{});
+    const Places places = places_of(set);
+    for (std::size_t of = 0; of < all.size(); ++of) {
+        if (!(out.*resonator_parameters[of].member).given()) {
+            continue;
         }
-        if ((out.*parameter.member).given()) {
-            shares[spread_error] = std::abs(place.factor) * set.variances.spread[place.quantity];
+        const auto& [quantity, factor] = places[of];
+        for (std::size_t k = 0; k < channel_errors.size(); ++k) {
+            all[of][channel_errors[k].source] =
+                std::abs(factor) * set.variances.shares(quantity, static_cast<Index>(k));
         }
-        all.push_back(shares);
+        all[of][spread_error] = std::abs(factor) * set.variances.spread[quantity];
     }
     return all;
 }
 
-std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& out,
-                                    double f_ref_hz) {
+std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& out) {
     const ReportedVariances& at = set.variances;
     const FitProblem& problem = *set.problem;
-    const auto places = places_of(set, f_ref_hz);
     // In units of the largest power of a set.
     double most_power = 0;
     for (const ScaledRun& run : problem.runs) {
@@ -108,7 +103,7 @@ std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimat
         wrong[error.source] = wrong_by(problem, set.posterior, error.parameter);
     }
     wrong[skew_error] *= pi / 180;
-    wrong[delay_error] *= -2 * pi * f_ref_hz;
+    wrong[delay_error] *= -2 * pi * set.context.mean_f_ref_hz();
     const auto effect = [&](ErrorSource source, const Effect& of, double unit) {
         wrong[source] = unit * followed(problem, set.posterior, of);
     };
@@ -121,23 +116,22 @@ std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimat
     effect(pickoff_error, both_pickoffs, 1 / most_power);
     effect(springs_error, springs_effect(problem, set.posterior), 1 / most_power);
     effect(eighth_error, eighth_effect(problem, set.posterior), 1);
-    std::vector<BySource> all;
-    for (const ResonatorParameter& parameter : resonator_parameters) {
-        const Place& place = place_of(places, parameter);
-        BySource sensitivity{};
-        for (int source = 0; source < error_sources; ++source) {
-            const Eigen::MatrixXd& by = wrong[static_cast<std::size_t>(source)];
+    std::vector<BySource> all(resonator_parameters.size(), BySource{});
+    const Places places = places_of(set);
+    for (std::size_t of = 0; of < all.size(); ++of) {
+        if (!(out.*resonator_parameters[of].member).given()) {
+            all[of].fill(std::numeric_limits<double>::quiet_NaN());
+            continue;
+        }
+        const auto& [quantity, factor] = places[of];
+        for (std::size_t source = 0; source < wrong.size(); ++source) {
+            const Eigen::MatrixXd& by = wrong[source];
             if (by.cols() == 1) {
-                sensitivity[source] = place.factor * at.gradient.row(place.quantity).dot(by.col(0));
+                all[of][source] = factor * at.gradient.row(quantity).dot(by.col(0));
             } else if (by.cols() > 1) {
-                sensitivity[source] =
-                    std::abs(place.factor) * (at.gradient.row(place.quantity) * by).norm();
+                all[of][source] = std::abs(factor) * (at.gradient.row(quantity) * by).norm();
             }
         }
-        if (!(out.*parameter.member).given()) {
-            sensitivity.fill(std::numeric_limits<double>::quiet_NaN());
-        }
-        all.push_back(sensitivity);
     }
     return all;
 }

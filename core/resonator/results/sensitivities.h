@@ -16,13 +16,11 @@ Eigen::MatrixXd moved_by(const FitProblem& problem, const Posterior& posterior,
                          const ChannelTolerance& tolerance);
 
 // By how much the resonator's parameters are wrong per unit of each error, in the order of
-// resonator_parameters; NaN if a parameter is not given. f_ref_hz: mean of the runs' references.
-std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& resonator,
-                                    double f_ref_hz);
+// resonator_parameters; NaN if a parameter is not given.
+std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& resonator);
 
 // Contributions of the channels' tolerances to the parameters' combined uncertainties, in the same
 // order. Zeros if a parameter is not given.
-std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& resonator,
-                                       double f_ref_hz);
+std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& resonator);
 
 }  // namespace vybeg

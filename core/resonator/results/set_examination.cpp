@@ -3,6 +3,7 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/fit_start.h"
 #include "core/resonator/noise/residual_noise.h"
+#include "core/resonator/results/given_or_refused.h"
 
 #include <algorithm>
 #include <array>
@@ -458,27 +459,39 @@ SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
     return Examination(problem, joint, spread, job).agreeing();
 }
 
-std::vector<Diagnostic> set_findings(const SetExamination& examination, bool assumed) {
-    const auto sizes = [&]() -> std::vector<MessageArg> {
-        const RunDeviation& sd = examination.spread;
-        return {number_arg(100 * sd.decay, 2), number_arg(100 * sd.split, 2),
-                number_arg(100 * sd.kappa, 2)};
+void add_findings(const SetExamination& examination, bool assumed, ResonatorFit& fit) {
+    const auto add = [&fit](DiagnosticKind kind, std::vector<MessageArg> args) {
+        fit.warnings.insert(fit.warnings.begin(), {kind, std::move(args)});
     };
+    const RunDeviation& sd = examination.spread;
+    const std::vector<MessageArg> sizes{number_arg(100 * sd.decay, 2),
+                                        number_arg(100 * sd.split, 2),
+                                        number_arg(100 * sd.kappa, 2)};
     switch (examination.verdict) {
         case SetVerdict::fits:
-            if (assumed && examination.spread.decay > 0) {
-                return {{DiagnosticKind::set_too_small, sizes()}};
+            if (assumed && sd.decay > 0) {
+                add(DiagnosticKind::set_too_small, sizes);
             }
-            return {};
-        case SetVerdict::spread: return {{DiagnosticKind::recordings_differ, sizes()}};
-        case SetVerdict::refused: return {{DiagnosticKind::set_inconsistent, {}}};
+            break;
+        case SetVerdict::spread: add(DiagnosticKind::recordings_differ, sizes); break;
+        case SetVerdict::refused: add(DiagnosticKind::set_inconsistent, {}); break;
         case SetVerdict::foreign:
-        case SetVerdict::several: break;
+        case SetVerdict::several:
+            add(examination.verdict == SetVerdict::foreign ? DiagnosticKind::foreign_recording
+                                                           : DiagnosticKind::foreign_among,
+                {either(examination.foreign), cause_words(examination)});
+            break;
     }
-    const MessageArg cause = cause_words(examination);
-    const bool one = examination.verdict == SetVerdict::foreign;
-    return {{one ? DiagnosticKind::foreign_recording : DiagnosticKind::foreign_among,
-             {either(examination.foreign), cause}}};
+}
+
+void conclude(SetExamination examination, bool assumed, ResonatorFit& fit) {
+    if (!examination.agrees()) {
+        refuse_all({ReasonCode::set_refused, {}}, fit);
+    }
+    if (examination.verdict == SetVerdict::foreign) {
+        examination.verdict = SetVerdict::several;
+    }
+    add_findings(examination, assumed, fit);
 }
 
 }  // namespace vybeg

@@ -96,10 +96,6 @@ NeededWindows SetFit::solve() {
     return needed_windows(motion_of(solved()), fine_);
 }
 
-bool SetFit::agrees() const {
-    return examination_.verdict == SetVerdict::fits || examination_.verdict == SetVerdict::spread;
-}
-
 Eigen::VectorXd SetFit::own_given(const Eigen::VectorXd& shared, std::size_t run) const {
     FitProblem one = part_of(problem_, std::array{run}, problem_.runs.subspan(run, 1));
     one.priors.mean.head(shared_count) = shared;
@@ -168,13 +164,7 @@ ResonatorFit SetFit::described() const {
     ResonatorFit fit = describe(solved(), job_);
     fit.free_over_structured = free_over_structured_;
     fit.warnings.insert(fit.warnings.begin(), warnings_.begin(), warnings_.end());
-    SetExamination told = examination_;
-    if (!agrees()) {
-        refuse_all({ReasonCode::set_refused, {}}, fit);
-        told.verdict = told.verdict == SetVerdict::foreign ? SetVerdict::several : told.verdict;
-    }
-    const std::vector<Diagnostic> findings = set_findings(told, !options_.spread);
-    fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
+    conclude(examination_, !options_.spread, fit);
     return fit;
 }
 

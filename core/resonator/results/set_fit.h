@@ -34,7 +34,7 @@ public:
     const SetExamination& examination() const { return examination_; }
 
     // Whether the runs are those of one resonator.
-    bool agrees() const;
+    bool agrees() const { return examination_.agrees(); }
 
     // A run's own parameters that fit it best with the shared ones of another set.
     Eigen::VectorXd own_given(const Eigen::VectorXd& shared, std::size_t run) const;
