@@ -124,6 +124,14 @@ Eigen::VectorXd curvature_along(const FitProblem& problem, const std::vector<Eig
 
 }  // namespace
 
+ParameterLayout layout_of(std::span<const ScaledRun> runs) {
+    std::vector<std::size_t> breaks;
+    for (const ScaledRun& run : runs) {
+        breaks.push_back(run.break_parameters());
+    }
+    return ParameterLayout(breaks);
+}
+
 void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
                    Eigen::MatrixXd& sum) {
     const Eigen::Index own = layout.own_size(run);
@@ -153,15 +161,11 @@ Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
 
 FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which,
                    std::span<const ScaledRun> runs) {
-    std::vector<std::size_t> breaks;
-    for (const ScaledRun& run : runs) {
-        breaks.push_back(run.break_parameters());
-    }
     const auto part = [&](const Eigen::VectorXd& of_all) {
         return part_of(problem.layout, of_all, which);
     };
     return {runs,
-            ParameterLayout(breaks),
+            layout_of(runs),
             {part(problem.priors.mean), part(problem.priors.sd)},
             problem.noise_ratio,
             problem.damping_share};

@@ -34,6 +34,8 @@ struct FitProblem {
     std::vector<HeldDirection> held = {};
 };
 
+ParameterLayout layout_of(std::span<const ScaledRun> runs);
+
 // The problem of some of its runs, `which`, with the same priors. `runs`: those runs.
 FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which,
                    std::span<const ScaledRun> runs);

@@ -35,15 +35,9 @@ Eigen::MatrixXd merged_correlation(const std::vector<double>& correlation, std::
     const auto n = static_cast<Eigen::Index>(merge);
     Eigen::MatrixXd merged = Eigen::MatrixXd::Zero(points, points);
     for (Eigen::Index lag = 0; lag < points; ++lag) {
-        double sum = 0;
-        for (Eigen::Index difference = 1 - n; difference < n; ++difference) {
-            const auto at = static_cast<std::size_t>(std::abs(lag * n + difference));
-            sum += at < correlation.size()
-                       ? static_cast<double>(n - std::abs(difference)) * correlation[at]
-                       : 0;
-        }
-        merged.diagonal(lag).setConstant(sum / static_cast<double>(n));
-        merged.diagonal(-lag).setConstant(sum / static_cast<double>(n));
+        const double mean = covariance_of_sums(correlation, n, lag) / static_cast<double>(n);
+        merged.diagonal(lag).setConstant(mean);
+        merged.diagonal(-lag).setConstant(mean);
     }
     return merged;
 }

@@ -246,22 +246,11 @@ private:
         }
     }
 
-    // Up to where the wave falls below ten deviations for good.
-    static PhasorRun seen_windows(const PhasorRun& run) {
-        std::size_t end = 0;
-        for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-            const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
-            end = power > 100 * run.sd[k] * run.sd[k] ? k + 1 : end;
-        }
-        return kept_windows(run, [end](std::size_t k) { return k < end; });
-    }
-
     std::optional<ResonatorFit> fit_of(const PhasorRun& run, const Part& part) const {
         if (part.size() < least_part || job_.cancelled()) {
             return {};
         }
-        return fitted(
-            kept_windows(run, [&](std::size_t k) { return k >= part.first && k < part.end; }));
+        return fitted(kept_windows(run, part.first, part.end));
     }
 
     // The part that decays freely, if the rest does not. `run`: its windows with a wave.
@@ -342,10 +331,7 @@ private:
     bool rest_is_similar(const PhasorRun& run, const Part& part) const {
         constexpr double similar = 0.3;
         const auto rate_of = [&](const Part& where) {
-            return decay_law(
-                       kept_windows(
-                           run, [&](std::size_t k) { return k >= where.first && k < where.end; }))
-                .line_per_s;
+            return decay_law(kept_windows(run, where.first, where.end)).line_per_s;
         };
         const double usual = rate_of(part);
         for (const Part& rest : {Part{0, part.first}, Part{part.end, run.time_s.size()}}) {

@@ -30,24 +30,12 @@ constexpr double least_cycles = 3;  // least distance of a line from the wave, c
 constexpr double lines_per_cycle = 3;
 constexpr double most_lines = 1e5;
 
-Effect channel_effect(const Posterior& at, int error) {
-    Effect effect;
-    for (const Linearised& run : at.runs) {
-        effect.emplace_back(run.by_parameter.col(error));
-    }
-    return effect;
-}
-
 // A line at `f_hz` that decays: both parts of its phasor in each channel and run.
 Effect line_effect(const FitProblem& problem, std::span<const double> f_ref_hz, double f_hz,
                    double decay_per_s) {
-    Effect effect;
-    const std::size_t runs = problem.runs.size();
-    for (std::size_t k = 0; k < runs; ++k) {
-        const ScaledRun& run = problem.runs[k];
-        MatrixXd by =
-            MatrixXd::Zero(4 * static_cast<Index>(run.size()), 4 * static_cast<Index>(runs));
-        for (std::size_t window = 0; window < run.size(); ++window) {
+    return effect_by_window(
+        problem, 4 * static_cast<Index>(problem.runs.size()),
+        [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
             const double t = run.time_s[window];
             const Complex turn =
                 std::polar(std::exp(-decay_per_s * t), 2 * pi * (f_hz - f_ref_hz[k]) * t);
@@ -56,10 +44,7 @@ Effect line_effect(const FitProblem& problem, std::span<const double> f_ref_hz, 
             put_effect(by, run, window, first + 1, {i * turn, 0});
             put_effect(by, run, window, first + 2, {0, turn});
             put_effect(by, run, window, first + 3, {0, i * turn});
-        }
-        effect.push_back(std::move(by));
-    }
-    return effect;
+        });
 }
 
 // Residual of a run, weighted for a mode that decays like the wave.
@@ -251,8 +236,7 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
     for (const ChannelError& error : channel_errors) {
         const bool held = problem.priors.sd[error.parameter] == 0 && error.source != kappa_error;
         if (structured && held) {
-            const Score found =
-                score(problem, posterior, channel_effect(posterior, error.parameter));
+            const Score found = parameter_score(problem, posterior, error.parameter);
             consider(found.fall, DiagnosticKind::misfit_channel,
                      named_error(error, found.size[0], f_ref_hz[0]));
         }

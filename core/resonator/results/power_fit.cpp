@@ -131,8 +131,7 @@ struct PowerProblem {
     FitProblem problem;
 
     PowerProblem(std::span<const PhasorRun> runs, double scale, const FitOptions& options)
-        : scaled(scaled_of(runs, scale)),
-          problem{scaled, ParameterLayout(std::vector<std::size_t>(runs.size(), 0)), {}} {
+        : scaled(scaled_runs(runs, scale)), problem{scaled, layout_of(scaled), {}} {
         problem.priors = structured_priors(scaled, problem.layout, options.tolerance);
         for (std::size_t k = 0; k < runs.size(); ++k) {
             for (const int own : {frequency_at, drift_at}) {
@@ -146,14 +145,6 @@ struct PowerProblem {
     }
     PowerProblem(const PowerProblem&) = delete;
     PowerProblem& operator=(const PowerProblem&) = delete;
-
-    static std::vector<ScaledRun> scaled_of(std::span<const PhasorRun> runs, double scale) {
-        std::vector<ScaledRun> scaled;
-        for (const PhasorRun& run : runs) {
-            scaled.push_back(scaled_run(run, scale));
-        }
-        return scaled;
-    }
 
     Eigen::VectorXd start(const Eigen::VectorXd& linear) const {
         Eigen::VectorXd p = problem.priors.mean;

@@ -29,7 +29,7 @@ LogAmplitude log_amplitude(const PhasorRun& run) {
     double mean = 0;
     double weights = 0;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-        const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
+        const double power = run.power(k);
         const double variance = run.sd[k] * run.sd[k];
         if (!(power > visible * visible * variance)) {
             // A wave that rests leaves noise; one window alone is a fault.
@@ -169,10 +169,6 @@ Estimate decay_time(double per_s, double sd, double u) {
     return {.reason = {ReasonCode::no_decay, {number_arg(1 / fastest, 3)}}};
 }
 
-double DecayLaw::rate_at(double at) const {
-    return per_s * std::pow(at / amplitude, power - 1);
-}
-
 double DecayLaw::scatter() const {
     return std::max(1.0, chi2 / std::max(static_cast<double>(windows) - 3, 1.0));
 }
@@ -188,7 +184,10 @@ bool DecayLaw::departs() const {
 }
 
 QBand q_band(const DecayLaw& law, double q) {
-    const auto q_at = [&](double amplitude) { return q * law.line_per_s / law.rate_at(amplitude); };
+    const auto q_at = [&](double amplitude) {
+        const double rate = law.per_s * std::pow(amplitude / law.amplitude, law.power - 1);
+        return q * law.line_per_s / rate;
+    };
     return {law.amplitude * std::pow(law.line_per_s / law.per_s, 1 / (law.power - 1)), law.largest,
             q_at(law.largest), law.smallest, q_at(law.smallest)};
 }

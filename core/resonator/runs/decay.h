@@ -35,8 +35,6 @@ struct DecayLaw {
     double still_chi2 = 0;  // of a constant amplitude
     std::size_t windows = 0;
 
-    // Decay rate at an amplitude, 1/s.
-    double rate_at(double at) const;
     // Whether the law explains most of what a free decay leaves of the amplitude, and is no free
     // decay by five deviations.
     bool departs() const;

@@ -26,24 +26,14 @@ bool touch(const PhasorRun& run, std::size_t k) {
            std::ranges::none_of(run.breaks, between, &RunBreak::time_s);
 }
 
-double correlation_at(const PhasorRun& run, std::ptrdiff_t lag) {
-    const auto at = static_cast<std::size_t>(std::abs(lag));
-    if (run.noise_correlation.empty()) {
-        return at == 0 ? 1 : 0;
-    }
-    return at < run.noise_correlation.size() ? run.noise_correlation[at] : 0;
-}
-
 // Covariance of the means of `count` windows each, `lag` of those means apart, in units of a
 // window's variance.
-double merged_covariance(const PhasorRun& run, std::size_t count, std::ptrdiff_t lag) {
+double merged_covariance(const PhasorRun& run, std::size_t count, std::size_t lag) {
     const auto n = static_cast<std::ptrdiff_t>(count);
-    double sum = 0;
-    for (std::ptrdiff_t difference = 1 - n; difference < n; ++difference) {
-        sum += static_cast<double>(n - std::abs(difference)) *
-               correlation_at(run, lag * n + difference);
-    }
-    return sum / static_cast<double>(n * n);
+    const std::vector<double> white{1};
+    return covariance_of_sums(run.noise_correlation.empty() ? white : run.noise_correlation, n,
+                              static_cast<std::ptrdiff_t>(lag)) /
+           static_cast<double>(n * n);
 }
 
 std::vector<double> merged_correlation(const PhasorRun& run, std::size_t count) {
@@ -51,8 +41,7 @@ std::vector<double> merged_correlation(const PhasorRun& run, std::size_t count) 
     const std::size_t lags = (run.noise_correlation.size() + count - 1) / count;
     const double own = merged_covariance(run, count, 0);
     for (std::size_t lag = 0; !run.noise_correlation.empty() && lag <= lags; ++lag) {
-        correlation.push_back(merged_covariance(run, count, static_cast<std::ptrdiff_t>(lag)) /
-                              own);
+        correlation.push_back(merged_covariance(run, count, lag) / own);
     }
     return correlation;
 }
@@ -65,7 +54,7 @@ double turn_per_window(const PhasorRun& run) {
         if (touch(run, k)) {
             change += std::norm(run.c[k + 1] - run.c[k]) + std::norm(run.d[k + 1] - run.d[k]) -
                       4 * (run.sd[k] * run.sd[k] + run.sd[k + 1] * run.sd[k + 1]);
-            power += std::norm(run.c[k]) + std::norm(run.d[k]);
+            power += run.power(k);
         }
     }
     return power > 0 ? std::sqrt(std::max(change, 0.0) / power) : most_turn;
@@ -209,6 +198,14 @@ PhasorRun usable_windows(const PhasorRun& run) {
         const double sum = run.time_s[k] + std::abs(run.c[k]) + std::abs(run.d[k]) + run.sd[k];
         return std::isfinite(sum) && run.sd[k] > 0;
     });
+}
+
+PhasorRun seen_windows(const PhasorRun& run) {
+    std::size_t end = 0;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        end = run.power(k) > 100 * run.sd[k] * run.sd[k] ? k + 1 : end;
+    }
+    return kept_windows(run, 0, end);
 }
 
 PhasorRun merge_windows(const PhasorRun& run, std::size_t most) {

@@ -17,6 +17,9 @@ PhasorRun merge_windows(const PhasorRun& run, std::size_t most);
 // The windows with finite values and a deviation.
 PhasorRun usable_windows(const PhasorRun& run);
 
+// The windows up to where the wave falls below ten deviations for good.
+PhasorRun seen_windows(const PhasorRun& run);
+
 struct NeededWindows {
     double by_motion = 0;
     double by_line = 0;

@@ -39,11 +39,6 @@ constexpr double outlier = 6;
 // the circular state turns by almost pi/2.
 constexpr double ambiguous_step = std::numbers::pi / 4;
 
-template <class Windows>
-double power_of(const Windows& run, std::size_t k) {
-    return std::norm(run.c[k]) + std::norm(run.d[k]);
-}
-
 // z_j^H z_k: its angle is the phase from window j to window k.
 template <class Windows>
 Complex product(const Windows& run, std::size_t j, std::size_t k) {
@@ -125,7 +120,7 @@ Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows
 // |z|^2. Without the mean contribution of noise to |v|^2; with the product of the noises of two
 // windows.
 double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, std::size_t behind) {
-    const double power = power_of(run, k);
+    const double power = run.power(k);
     const auto across = [&](std::size_t j) {
         return (run.c[k] * run.d[j] - run.d[k] * run.c[j]) *
                std::polar(1.0, -std::arg(product(run, k, j)));
@@ -160,7 +155,7 @@ bool beats_fast(const PhasorRun& run, const std::vector<std::size_t>& windows, d
             change += std::norm(run.c[k] * back - run.c[before]) +
                       std::norm(run.d[k] * back - run.d[before]) -
                       4 * (run.sd[k] * run.sd[k] + run.sd[before] * run.sd[before]);
-            power += power_of(run, k);
+            power += run.power(k);
         }
     }
     return change > fast * fast * power;
@@ -313,7 +308,7 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
                          product(z, windows[i - 1], k) * std::conj(product(z, windows[i - 2], k))) /
                 6;
         }
-        const double power = power_of(z, k);
+        const double power = std::norm(z.c[k]) + std::norm(z.d[k]);
         const double sd = run.sd[k];
         add(motion.phase, t, phase, sd / std::sqrt(power), own);
         part = own;
@@ -364,7 +359,7 @@ void mark_outliers(const RateSeries& series, const std::vector<std::size_t>& win
 Motion motion_without_outliers(const PhasorRun& run, const JobControl& job) {
     std::vector<std::size_t> windows;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-        if (power_of(run, k) > seen * seen * run.sd[k] * run.sd[k]) {
+        if (run.power(k) > seen * seen * run.sd[k] * run.sd[k]) {
             windows.push_back(k);
         }
     }
@@ -403,7 +398,7 @@ PhasorRun clear_windows(const PhasorRun& run) {
     double power = 0;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
         noise += run.sd[k] * run.sd[k];
-        power += power_of(run, k);
+        power += run.power(k);
     }
     const auto count = static_cast<double>(run.time_s.size());
     const double together = std::ceil(std::sqrt(4 * count * noise / (least * power)));
@@ -413,26 +408,13 @@ PhasorRun clear_windows(const PhasorRun& run) {
     return merge_windows(run, static_cast<std::size_t>(count / together));
 }
 
-Estimate missing(ReasonCode code) {
-    Estimate estimate;
-    estimate.reason.code = code;
-    return estimate;
-}
-
-Estimate given(double value, double sd) {
-    Estimate estimate;
-    estimate.value = value;
-    estimate.sd = sd;
-    return estimate;
-}
-
 WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobControl& job) {
     const PhasorRun run = clear_windows(windows);
     const Motion motion = motion_without_outliers(run, job);
     WaveMotion found;
     if (motion.phase.value.size() < least_windows) {
         found.f_hz = found.tau_s = found.theta_rate_rad_s = found.quadrature_rate_per_s =
-            found.decay_per_s = missing(ReasonCode::too_few_windows);
+            found.decay_per_s = Estimate{.reason = {ReasonCode::too_few_windows, {}}};
         return found;
     }
     constexpr double two_pi = 2 * std::numbers::pi;
@@ -444,14 +426,14 @@ WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobContr
     }
     const std::vector<MeanRate> rates =
         deviations ? mean_rates(series, inflation_of(run), job) : mean_slopes(series);
-    found.f_hz = given(run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi);
-    found.decay_per_s = given(-rates[1].value, rates[1].sd);
+    found.f_hz = {run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi, {}};
+    found.decay_per_s = {-rates[1].value, rates[1].sd, {}};
     found.tau_s =
         decay_time(-rates[1].value, rates[1].sd, std::numeric_limits<double>::quiet_NaN());
-    found.theta_rate_rad_s = circular || motion.branch_lost ? missing(ReasonCode::circular_wave)
-                                                            : given(rates[2].value, rates[2].sd);
-    found.quadrature_rate_per_s =
-        circular ? missing(ReasonCode::circular_wave) : given(rates[3].value, rates[3].sd);
+    const Estimate none{.reason = {ReasonCode::circular_wave, {}}};
+    found.theta_rate_rad_s =
+        circular || motion.branch_lost ? none : Estimate{rates[2].value, rates[2].sd, {}};
+    found.quadrature_rate_per_s = circular ? none : Estimate{rates[3].value, rates[3].sd, {}};
     return found;
 }
 
