@@ -50,6 +50,22 @@ Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, 
 void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
                    Eigen::MatrixXd& sum);
 
+// Likewise rows: of a vector, or of a matrix with its own columns.
+template <class Rows, class Sum>
+void add_rows(const ParameterLayout& layout, std::size_t run, const Rows& rows, Sum& sum) {
+    const Eigen::Index own = layout.own_size(run);
+    sum.topRows(shared_count) += rows.topRows(shared_count);
+    sum.middleRows(layout.at(run, 0), own) += rows.bottomRows(own);
+}
+
+// Predicted phasors in all windows of a run at p.
+std::vector<Eigen::Vector2cd> expected_phasors(const FitProblem& problem, const Eigen::VectorXd& p,
+                                               std::size_t run);
+
+// chi^2 at p of the first `windows` windows of all runs.
+double chi_square(const FitProblem& problem, const Eigen::VectorXd& p,
+                  std::size_t windows = std::numeric_limits<std::size_t>::max());
+
 // Derivatives of every run's residuals at p (phasor_model.h), of its first `windows` windows.
 std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
                                    bool with_cubic,

@@ -213,15 +213,6 @@ std::optional<SlowRates> delayed_pencil(const ScaledRun& run, const std::vector<
     return rates_of(Matrix(v * rates.asDiagonal() * v.inverse()));
 }
 
-double chi_square_at(const FitProblem& problem, const Eigen::VectorXd& p) {
-    double sum = 0;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        sum += chi_square(problem.runs[k], p.head(shared_count), own_of(problem.layout, p, k),
-                          problem.runs[k].size());
-    }
-    return sum;
-}
-
 std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind,
                                             const JobControl& job) {
     const std::span<const ScaledRun> runs = problem.runs;
@@ -232,7 +223,7 @@ std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil ki
             return;
         }
         Eigen::VectorXd p = parameters_under(problem, *rates);
-        const double chi2 = chi_square_at(problem, p);
+        const double chi2 = chi_square(problem, p);
         if (chi2 < least) {
             least = chi2;
             best = std::move(p);

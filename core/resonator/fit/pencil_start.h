@@ -30,7 +30,4 @@ enum class Pencil { two_channels, delayed };
 std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind,
                                             const JobControl& job);
 
-// chi^2 of all runs, as measured, at p.
-double chi_square_at(const FitProblem& problem, const Eigen::VectorXd& p);
-
 }  // namespace vybeg

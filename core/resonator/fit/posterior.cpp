@@ -52,10 +52,8 @@ Eigen::MatrixXd score_covariance(const FitProblem& problem, const Posterior& pos
 Eigen::VectorXd toward_residual(const FitProblem& problem, std::span<const Linearised> runs) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(problem.layout.size());
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        const Eigen::Index own = problem.layout.own_size(k);
         const Eigen::VectorXd toward = runs[k].by_parameter.transpose() * runs[k].residual;
-        sum.head(shared_count) += toward.head(shared_count);
-        sum.segment(problem.layout.at(k, 0), own) += toward.tail(own);
+        add_rows(problem.layout, k, toward, sum);
     }
     return sum;
 }

@@ -77,11 +77,8 @@ Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms
 MatrixXd along_parameters(const FitProblem& problem, const Posterior& at, const Effect& effect) {
     MatrixXd along = MatrixXd::Zero(at.information.rows(), effect.front().cols());
     for (std::size_t k = 0; k < effect.size(); ++k) {
-        const Index first = problem.layout.at(k, 0);
-        const Index own = problem.layout.own_size(k);
         const MatrixXd cross = at.runs[k].by_parameter.transpose() * effect[k];
-        along.topRows(shared_count) += cross.topRows(shared_count);
-        along.middleRows(first, own) += cross.bottomRows(own);
+        add_rows(problem.layout, k, cross, along);
     }
     return along;
 }

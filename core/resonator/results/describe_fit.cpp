@@ -102,11 +102,9 @@ public:
         set_.posterior = posterior(problem_, set_.fit);
         set_.split_needs = vector_needs;
         set_.context.layout = &problem_.layout;
-        for (std::size_t k = 0; k < set_.runs.size(); ++k) {
-            set_.context.f_ref_hz.push_back(set_.runs[k].f_ref_hz);
-            set_.context.window_s.push_back(set_.runs[k].window_s);
-            set_.context.power.push_back(problem_.runs[k].power_sums);
-            set_.context.power_kept.push_back(problem_.runs[k].power_kept);
+        set_.context.runs = problem_.runs;
+        for (const PhasorRun& run : set_.runs) {
+            set_.context.f_ref_hz.push_back(run.f_ref_hz);
         }
         set_covariance(ratio, dof);
         std::vector<ProfilePoint> beside;
@@ -202,14 +200,12 @@ private:
         Eigen::MatrixXd along = Eigen::MatrixXd::Zero(
             at.p.size(), deviation_count * static_cast<Eigen::Index>(at.runs.size()));
         for (std::size_t k = 0; k < at.runs.size(); ++k) {
-            const RowMajor& by = at.runs[k].by_parameter;
-            const Eigen::MatrixXd cross = by.transpose() *
+            const Eigen::MatrixXd cross = at.runs[k].by_parameter.transpose() *
                                           by_deviation(problem_.runs[k], at.runs[k], at.p) *
                                           sizes.asDiagonal();
-            const auto first = deviation_count * static_cast<Eigen::Index>(k);
-            along.block(0, first, shared_count, deviation_count) = cross.topRows(shared_count);
-            along.block(problem_.layout.at(k, 0), first, problem_.layout.own_size(k),
-                        deviation_count) = cross.bottomRows(problem_.layout.own_size(k));
+            auto of_run =
+                along.middleCols<deviation_count>(deviation_count * static_cast<Eigen::Index>(k));
+            add_rows(problem_.layout, k, cross, of_run);
         }
         return at.root * (at.root.transpose() * along(at.active, Eigen::all));
     }
@@ -229,7 +225,7 @@ private:
         for (std::size_t k = 0; k < problem_.runs.size(); ++k) {
             const ScaledRun& run = problem_.runs[k];
             const std::vector<Eigen::Vector2cd> expected =
-                expected_phasors(run, fit_.motion.shared, fit_.motion.runs[k].own, run.size());
+                expected_phasors(problem_, set_.fit.p, k);
             for (std::size_t window = 0; window < run.size(); ++window) {
                 squares += (run.z[window] - expected[window]).squaredNorm();
                 count += 4;

@@ -72,8 +72,7 @@ void add_linear(const PowerRun& run, Eigen::MatrixXd& information, Eigen::Vector
 // The phasors turned to those of the motion.
 void turn_to(const FitProblem& problem, const Eigen::VectorXd& p, std::vector<ScaledRun>& scaled) {
     for (std::size_t k = 0; k < scaled.size(); ++k) {
-        const std::vector<Vector2cd> expected = expected_phasors(
-            scaled[k], p.head(shared_count), own_of(problem.layout, p, k), scaled[k].size());
+        const std::vector<Vector2cd> expected = expected_phasors(problem, p, k);
         for (std::size_t row = 0; row < expected.size(); ++row) {
             const std::complex<double> along = expected[row].dot(scaled[k].z[row]);
             scaled[k].z[row] *= std::polar(1.0, -std::arg(along));
@@ -87,8 +86,7 @@ void take_noise(const std::vector<ScaledRun>& scaled, const FitProblem& problem,
                 const Eigen::VectorXd& p, std::vector<PhasorRun>& runs, double scale) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
         const ScaledRun& run = scaled[k];
-        const std::vector<Vector2cd> expected =
-            expected_phasors(run, p.head(shared_count), own_of(problem.layout, p, k), run.size());
+        const std::vector<Vector2cd> expected = expected_phasors(problem, p, k);
         std::array<double, 2> square{};  // over those of the law
         std::array<double, 2> log_sd{};
         for (std::size_t row = 3; row < run.size(); ++row) {

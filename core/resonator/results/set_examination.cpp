@@ -59,9 +59,14 @@ PartFit part_fit(const FitProblem& whole, const MapFit& joint, std::span<const s
     return part_fit(whole, joint, which, std::move(runs), job);
 }
 
+std::vector<std::size_t> all_of(std::size_t count) {
+    std::vector<std::size_t> all(count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
 std::vector<std::size_t> all_but(std::size_t count, std::size_t out) {
-    std::vector<std::size_t> kept(count);
-    std::iota(kept.begin(), kept.end(), std::size_t{0});
+    std::vector<std::size_t> kept = all_of(count);
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(out));
     return kept;
 }
@@ -196,9 +201,8 @@ private:
                   {ForeignCause::sign, with_sign(problem_.runs[k])}}) {
                 std::vector<ScaledRun> runs(problem_.runs.begin(), problem_.runs.end());
                 runs[k] = run;
-                std::vector<std::size_t> which(count_);
-                std::iota(which.begin(), which.end(), std::size_t{0});
-                const PartFit turned = part_fit(problem_, joint_, which, std::move(runs), job_);
+                const PartFit turned =
+                    part_fit(problem_, joint_, all_of(count_), std::move(runs), job_);
                 const double fall = joint_.cost - turned.fit.cost;
                 if (fall > margin &&
                     disagree(turned.problem, turned.fit.p, noise_) < most_disagreement) {
@@ -213,8 +217,7 @@ private:
 
     // The runs whose removal to try, the likeliest first.
     std::vector<std::size_t> suspects() const {
-        std::vector<std::size_t> order(count_);
-        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::vector<std::size_t> order = all_of(count_);
         if (count_ > most_trials) {
             const std::vector<double> falls =
                 falls_without(problem_, joint_.p, run_information(problem_, joint_.p, noise_));
