@@ -45,9 +45,9 @@ using Pair = std::array<Vector2cd, 2>;
 template <class Terms>
 Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms& terms_at) {
     const SlowDynamics dynamics(vybeg::rates_of(at.p));
-    Pair moved;
-    Pair last;
-    Vector2cd before;
+    Pair moved{Vector2cd::Zero(), Vector2cd::Zero()};
+    Pair last = moved;
+    Vector2cd before = Vector2cd::Zero();
     return effect_by_window(
         problem, 2, [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
             const Vector2cd z = expected_phasor(run, at.runs[k], window);

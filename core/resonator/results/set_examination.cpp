@@ -464,7 +464,7 @@ SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
 
 void add_findings(const SetExamination& examination, bool assumed, ResonatorFit& fit) {
     const auto add = [&fit](DiagnosticKind kind, std::vector<MessageArg> args) {
-        fit.warnings.insert(fit.warnings.begin(), {kind, std::move(args)});
+        fit.warnings.insert(fit.warnings.begin(), Diagnostic{kind, std::move(args)});
     };
     const RunDeviation& sd = examination.spread;
     const std::vector<MessageArg> sizes{number_arg(100 * sd.decay, 2),
