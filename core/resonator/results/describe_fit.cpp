@@ -5,9 +5,9 @@
 #include "core/resonator/noise/noise_claim.h"
 #include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/results/channel_findings.h"
+#include "core/resonator/results/fitted_set.h"
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
-#include "core/resonator/results/sensitivities.h"
 #include "core/resonator/runs/decay.h"
 
 #include <algorithm>
@@ -115,9 +115,8 @@ public:
         set_.context.order = mode_order();
         set_.scattered = scattered();
         const auto variances_with = [&](const ChannelTolerance& tolerance) {
-            set_.moved = moved_by(problem_, set_.posterior, tolerance);
-            return reported_variances(set_.posterior, set_.context, beside, set_.moved,
-                                      set_.scattered);
+            set_.moved = moved_by(set_, tolerance);
+            return reported_variances(set_, beside);
         };
         if (structured) {
             set_.variances = variances_with(set_.tolerance);

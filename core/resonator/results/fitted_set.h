@@ -37,16 +37,6 @@ struct ReportedVariances {
 // d(s^2)/d(active parameter), s of derived_quantities.h.
 Eigen::VectorXcd square_gradient(const Posterior& posterior);
 
-// By central differences. `beside`: parameters as likely as the maximum; `nothing` covers the
-// values of the quantities at them. `moved`: changes of the active parameters by the tolerances
-// (sensitivities.h); the quantities at both of their ends give the shares, because a size or an
-// axis is not linear where an error is as large as the vector. `scattered`: changes of the active
-// parameters by one deviation of each run from the set.
-ReportedVariances reported_variances(const Posterior& posterior, const QuantityContext& context,
-                                     const std::vector<ProfilePoint>& beside,
-                                     const Eigen::MatrixXd& moved,
-                                     const Eigen::MatrixXd& scattered);
-
 // A set of runs with its most likely parameters.
 struct SolvedSet {
     std::span<const PhasorRun> runs;  // as fitted
@@ -66,10 +56,30 @@ struct SolvedSet {
 struct FittedSet : SolvedSet {
     Posterior posterior{};
     QuantityContext context{};
-    Eigen::MatrixXd moved{};      // by the tolerance (sensitivities.h)
-    Eigen::MatrixXd scattered{};  // by one deviation of each run from the set
+    Eigen::MatrixXd moved{};      // moved_by() the tolerance
+    Eigen::MatrixXd scattered{};  // active parameters by one deviation of each run from the set
     ReportedVariances variances{};
     double split_needs = 3;  // least size of a given split or anisotropy, standard deviations
 };
+
+// The variances of a set with all the rest, by central differences. `beside`: parameters as likely
+// as the maximum; `nothing` covers the values of the quantities at them. The quantities at both
+// ends of what a tolerance moves give the shares, because a size or an axis is not linear where an
+// error is as large as the vector.
+ReportedVariances reported_variances(const FittedSet& set, const std::vector<ProfilePoint>& beside);
+
+// Errors of the active parameters by channel errors of the size of their tolerances, of which the
+// fit knows no more than its priors: columns as channel_errors. With J e the error in the phasors,
+// S the covariance and F the information, S F_e e where the fit holds the error at zero, and
+// -S_e e/s^2 where it has the prior s.
+Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance);
+
+// By how much the resonator's parameters are wrong per unit of each error, in the order of
+// resonator_parameters; NaN if a parameter is not given.
+std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& resonator);
+
+// Contributions of the channels' tolerances to the parameters' combined uncertainties, in the same
+// order. Zeros if a parameter is not given.
+std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& resonator);
 
 }  // namespace vybeg

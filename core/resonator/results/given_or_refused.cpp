@@ -1,8 +1,8 @@
 #include "core/resonator/results/given_or_refused.h"
 
 #include "core/base/number_text.h"
+#include "core/resonator/results/fitted_set.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/sensitivities.h"
 #include "core/resonator/runs/decay.h"
 
 #include <Eigen/Eigenvalues>
