@@ -3,8 +3,8 @@
 #include "app/cli_support.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
-#include "core/drift/log_reading.h"
 #include "core/drift/whole_angle_drift.h"
+#include "core/drift/whole_angle_log.h"
 #include "core/output/drift_json.h"
 #include "core/output/output_paths.h"
 

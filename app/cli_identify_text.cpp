@@ -4,7 +4,6 @@
 #include "core/base/plain_text.h"
 #include "core/output/quantity_text.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
 #include <array>

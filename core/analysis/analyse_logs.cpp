@@ -7,7 +7,7 @@
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/median.h"
 #include "core/resonator/results/power_fit.h"
-#include "core/resonator/runs/wave_uncertainty.h"
+#include "core/resonator/runs/wave_motion.h"
 #include "core/track/unwrap.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/merge_windows.h"
 #include "core/resonator/runs/sum_of_modes.h"
-#include "core/resonator/runs/wave_uncertainty.h"
+#include "core/resonator/runs/wave_motion.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

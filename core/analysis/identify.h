@@ -6,7 +6,7 @@
 #include "core/recording/samples/recording.h"
 #include "core/resonator/results/drift_function.h"
 #include "core/resonator/results/resonator_fit.h"
-#include "core/resonator/runs/channel_balance.h"
+#include "core/resonator/runs/channels.h"
 #include "core/resonator/runs/run_track.h"
 #include "core/resonator/runs/wave_motion.h"
 

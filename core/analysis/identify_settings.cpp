@@ -3,7 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
-#include "core/resonator/results/run_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <set>

@@ -51,76 +51,67 @@ struct Whitened {
     double freedom = 0;
 };
 
-class Whitening {
-public:
-    Whitening(const FitSegment& segment, bool own_start) : segment_(segment), own_(own_start) {}
-
-    void add_to(Whitened& sum, const SeriesNoise& noise) const {
-        const Eigen::Index columns = segment_.rows.cols() + (own_ ? 1 : 0);
-        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(columns, columns);
-        Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2, columns);
-        Eigen::RowVectorXd row(columns);
-        double p_walk = 0;
-        double p_cross = 0;
-        double p_slow = noise.slow == SeriesNoise::Slow::none ? 0 : noise.slow_variance;
-        // Determinant of the covariance of the states, by which its update subtracts nothing: where
-        // the slow noise is far above the white one, a difference has no digit and no sign.
-        double det = 0;
-        const double sees_slow = noise.slow == SeriesNoise::Slow::value ? 1 : 0;
-        for (std::size_t k = 0; k < segment_.time_s.size(); ++k) {
-            if (k > 0) {
-                const Step step = step_of(noise, segment_.time_s[k] - segment_.time_s[k - 1]);
-                state.row(0) += step.walk_by_slow * state.row(1);
-                state.row(1) *= step.slow_by_slow;
-                p_walk += 2 * step.walk_by_slow * p_cross +
-                          step.walk_by_slow * step.walk_by_slow * p_slow;
-                p_cross = step.slow_by_slow * (p_cross + step.walk_by_slow * p_slow);
-                p_slow *= step.slow_by_slow * step.slow_by_slow;
-                det = step.slow_by_slow * step.slow_by_slow * det + p_walk * step.q_slow +
-                      p_slow * step.q_walk - 2 * p_cross * step.q_cross +
-                      step.q_walk * step.q_slow - step.q_cross * step.q_cross;
-                p_walk += step.q_walk;
-                p_cross += step.q_cross;
-                p_slow += step.q_slow;
-            }
-            const auto at = static_cast<Eigen::Index>(k);
-            if (own_) {
-                row[0] = 1;
-            }
-            row.tail(segment_.rows.cols()) = segment_.rows.row(at);
-            row -= state.row(0) + sees_slow * state.row(1);
-            const double seen_walk = p_walk + sees_slow * p_cross;
-            const double seen_slow = p_cross + sees_slow * p_slow;
-            const double white = noise.white / segment_.count[at];
-            const double variance = seen_walk + sees_slow * seen_slow + white;
-            normal.selfadjointView<Eigen::Lower>().rankUpdate(row.transpose(), 1 / variance);
-            sum.log_det += std::log(variance);
-            state.row(0) += seen_walk / variance * row;
-            state.row(1) += seen_slow / variance * row;
-            p_walk = (p_walk * white + sees_slow * det) / variance;
-            p_cross = (p_cross * white - sees_slow * det) / variance;
-            p_slow = (p_slow * white + det) / variance;
-            det *= white / variance;
+// Adds a segment under a noise; with a start of its own one more column is eliminated.
+void add_white(const FitSegment& segment, bool own_start, const SeriesNoise& noise, Whitened& sum) {
+    const Eigen::Index columns = segment.rows.cols() + (own_start ? 1 : 0);
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(columns, columns);
+    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2, columns);
+    Eigen::RowVectorXd row(columns);
+    double p_walk = 0;
+    double p_cross = 0;
+    double p_slow = noise.slow == SeriesNoise::Slow::none ? 0 : noise.slow_variance;
+    // Determinant of the covariance of the states, by which its update subtracts nothing: where
+    // the slow noise is far above the white one, a difference has no digit and no sign.
+    double det = 0;
+    const double sees_slow = noise.slow == SeriesNoise::Slow::value ? 1 : 0;
+    for (std::size_t k = 0; k < segment.time_s.size(); ++k) {
+        if (k > 0) {
+            const Step step = step_of(noise, segment.time_s[k] - segment.time_s[k - 1]);
+            state.row(0) += step.walk_by_slow * state.row(1);
+            state.row(1) *= step.slow_by_slow;
+            p_walk +=
+                2 * step.walk_by_slow * p_cross + step.walk_by_slow * step.walk_by_slow * p_slow;
+            p_cross = step.slow_by_slow * (p_cross + step.walk_by_slow * p_slow);
+            p_slow *= step.slow_by_slow * step.slow_by_slow;
+            det = step.slow_by_slow * step.slow_by_slow * det + p_walk * step.q_slow +
+                  p_slow * step.q_walk - 2 * p_cross * step.q_cross + step.q_walk * step.q_slow -
+                  step.q_cross * step.q_cross;
+            p_walk += step.q_walk;
+            p_cross += step.q_cross;
+            p_slow += step.q_slow;
         }
-        normal.triangularView<Eigen::StrictlyUpper>() = normal.transpose();
-        sum.freedom += static_cast<double>(segment_.time_s.size());
-        if (own_) {
-            const double start = normal(0, 0);
-            const Eigen::Index others = columns - 1;
-            const Eigen::VectorXd mixed = normal.col(0).tail(others);
-            sum.normal +=
-                normal.bottomRightCorner(others, others) - mixed * mixed.transpose() / start;
-            sum.log_det += std::log(start);
-            sum.freedom -= 1;
-        } else {
-            sum.normal += normal;
+        const auto at = static_cast<Eigen::Index>(k);
+        if (own_start) {
+            row[0] = 1;
         }
+        row.tail(segment.rows.cols()) = segment.rows.row(at);
+        row -= state.row(0) + sees_slow * state.row(1);
+        const double seen_walk = p_walk + sees_slow * p_cross;
+        const double seen_slow = p_cross + sees_slow * p_slow;
+        const double white = noise.white / segment.count[at];
+        const double variance = seen_walk + sees_slow * seen_slow + white;
+        normal.selfadjointView<Eigen::Lower>().rankUpdate(row.transpose(), 1 / variance);
+        sum.log_det += std::log(variance);
+        state.row(0) += seen_walk / variance * row;
+        state.row(1) += seen_slow / variance * row;
+        p_walk = (p_walk * white + sees_slow * det) / variance;
+        p_cross = (p_cross * white - sees_slow * det) / variance;
+        p_slow = (p_slow * white + det) / variance;
+        det *= white / variance;
     }
-
-private:
-    const FitSegment& segment_;
-    bool own_;
-};
+    normal.triangularView<Eigen::StrictlyUpper>() = normal.transpose();
+    sum.freedom += static_cast<double>(segment.time_s.size());
+    if (own_start) {
+        const double start = normal(0, 0);
+        const Eigen::Index others = columns - 1;
+        const Eigen::VectorXd mixed = normal.col(0).tail(others);
+        sum.normal += normal.bottomRightCorner(others, others) - mixed * mixed.transpose() / start;
+        sum.log_det += std::log(start);
+        sum.freedom -= 1;
+    } else {
+        sum.normal += normal;
+    }
+}
 
 // The fit under a noise known up to its scale, and the logarithm of its restricted likelihood.
 struct Trial {
@@ -133,7 +124,7 @@ Trial trial_of(const std::vector<FitSegment>& segments, SeriesKind kind, const S
     Whitened sum;
     sum.normal = Eigen::MatrixXd::Zero(columns, columns);
     for (const FitSegment& segment : segments) {
-        Whitening(segment, kind == SeriesKind::angle).add_to(sum, noise);
+        add_white(segment, kind == SeriesKind::angle, noise, sum);
     }
     const Eigen::Index terms = columns - 1;
     const Eigen::VectorXd scale =

@@ -2,7 +2,7 @@
 
 #include "core/analysis/identify_settings.h"
 #include "core/base/setting_rows.h"
-#include "core/drift/log_reading.h"
+#include "core/drift/whole_angle_log.h"
 #include "core/resonator/model/channel_tolerance.h"
 
 #include <vector>

@@ -95,22 +95,22 @@ struct EffortPair {
 };
 
 // The weighted mean of all logs that have the efforts.
-EffortPair of_logs(std::span<const LogDrift> logs,
+EffortPair of_logs(std::span<const LogDrift* const> logs,
                    std::optional<EffortHarmonics> LogDrift::*effort) {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     Eigen::Vector2d moment = Eigen::Vector2d::Zero();
     double square = 0;
     double freedom = -2;
     EffortPair found;
-    for (const LogDrift& log : logs) {
-        if (!log.amplitude || !(log.*effort)) {
+    for (const LogDrift* log : logs) {
+        if (!log->amplitude || !(log->*effort)) {
             continue;
         }
-        if (drives(*log.amplitude, -1)) {
+        if (drives(*log->amplitude, -1)) {
             return {std::nullopt, {ReasonCode::effort_negative, {}}};
         }
-        if (drives(*log.amplitude, 1)) {
-            const Pair pair = relative(*(log.*effort), *log.amplitude);
+        if (drives(*log->amplitude, 1)) {
+            const Pair pair = relative(*(log->*effort), *log->amplitude);
             const Eigen::Matrix2d weight = pair.covariance.inverse();
             information += weight;
             moment += weight * pair.value;
@@ -159,7 +159,8 @@ Estimate tau_of(const Pair& damping, const EffortPair& effort) {
 }  // namespace
 
 HeldResonator held_resonator(const Eigen::Vector2d& drift, const Eigen::Matrix2d& of_noise,
-                             const Eigen::Matrix2d& with_channels, std::span<const LogDrift> logs) {
+                             const Eigen::Matrix2d& with_channels,
+                             std::span<const LogDrift* const> logs) {
     HeldResonator found;
     // (g/4) sin 4(theta - theta_tau) has cos4 = -g/4 sin 4 theta_tau, sin4 = g/4 cos 4 theta_tau.
     Eigen::Matrix2d to_damping;

@@ -21,6 +21,7 @@ struct HeldResonator {
 // What the fourth harmonic of the drift and the efforts of the logs say of the resonator. `drift`:
 // cos4, sin4, rad/s, with the covariance of its noise and that with the channels, for u.
 HeldResonator held_resonator(const Eigen::Vector2d& drift, const Eigen::Matrix2d& of_noise,
-                             const Eigen::Matrix2d& with_channels, std::span<const LogDrift> logs);
+                             const Eigen::Matrix2d& with_channels,
+                             std::span<const LogDrift* const> logs);
 
 }  // namespace vybeg

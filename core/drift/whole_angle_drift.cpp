@@ -6,7 +6,7 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/harmonic_terms.h"
 #include "core/numerics/median.h"
-#include "core/resonator/results/run_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -315,15 +315,10 @@ Eigen::Vector2d put_together(const ChannelTolerance& channels, WholeAngleDrift& 
             estimate.u = std::sqrt(with_channels(term, term));
         }
     }
-    std::vector<LogDrift> logs;
-    logs.reserve(used.size());
-    for (const LogDrift* log : used) {
-        logs.push_back(*log);
-    }
     if (agreement.back().agrees) {
         found.resonator =
             held_resonator(value.tail<2>(), found.covariance.block<2, 2>(fourth, fourth),
-                           with_channels.block<2, 2>(fourth, fourth), logs);
+                           with_channels.block<2, 2>(fourth, fourth), used);
         warn_of_one_turn(found);
         return errors;
     }

@@ -1,6 +1,11 @@
 #pragma once
 
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/samples/open_options.h"
+
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -42,5 +47,21 @@ struct UnwrappedAngle {
 // quarters of a turn, whatever its period; across a gap it is the nearest one to the turn so far,
 // and where the gap is too long for that a new stretch begins. An angle beyond one turn is whole.
 UnwrappedAngle unwrapped_angle(const WholeAngleLog& log);
+
+// How a whole-angle log is read.
+struct LogReading {
+    OpenOptions open;
+    std::string columns;            // t, theta, amplitude, quadrature as column_wishes() has them
+    double rad_per_angle_unit = 0;  // 0: by the file
+
+    friend bool operator==(const LogReading&, const LogReading&) = default;
+};
+
+// Whether a text is one of LogReading::columns. Errors: those of column_wishes().
+Status check_log_columns(const std::string& columns);
+
+// Errors: those of column_wishes(), read_log() and angle_factor().
+Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
+                                           const LogReading& reading, const JobControl& job);
 
 }  // namespace vybeg

@@ -6,7 +6,6 @@
 #include "core/base/number_text.h"
 #include "core/output/quantity_json.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -166,14 +165,15 @@ Json noise_json(const ResidualNoise& noise) {
             {"narrowest", noise.narrowest}};
 }
 
-Json identifiable_json(const Identifiable& identifiable) {
-    return {{"split", identifiable.split},
-            {"theta_w", identifiable.theta_w},
-            {"tau", identifiable.tau},
-            {"damping_anisotropy", identifiable.damping_anisotropy},
-            {"theta_tau", identifiable.theta_tau},
-            {"rotation", identifiable.rotation},
-            {"kappa", identifiable.kappa}};
+// Which of its quantities the recordings determine.
+Json identifiable_json(const ResonatorEstimate& resonator) {
+    return {{"split", resonator.split_hz.given()},
+            {"theta_w", resonator.theta_w_rad.given()},
+            {"tau", resonator.tau_s.given()},
+            {"damping_anisotropy", resonator.damping_anisotropy_per_s.given()},
+            {"theta_tau", resonator.theta_tau_rad.given()},
+            {"rotation", resonator.angle_rate_rad_s.given()},
+            {"kappa", resonator.kappa.given()}};
 }
 
 // The curve at every 2.5 degrees of its period, and that of the fitted resonator.
@@ -338,7 +338,7 @@ std::string identify_json(const SetResult& result) {
         json["residual_rms"] = residual_json(identification);
     }
     json["runs"] = runs_json(identification, inputs);
-    json["identifiable"] = identifiable_json(fit.identifiable);
+    json["identifiable"] = identifiable_json(fit.resonator);
     json["noise"] = noise_json(fit.noise);
     json["chi2_per_dof"] = number_json(fit.chi2_per_dof);
     json["free_over_structured"] = number_json(fit.free_over_structured);

@@ -6,7 +6,6 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "ui/document/drift_store.h"
 
-#include "core/drift/log_reading.h"
+#include "core/drift/whole_angle_log.h"
 
 #include <QFileInfo>
 

@@ -1,7 +1,7 @@
 #include "ui/report/report_sections.h"
 
 #include "core/output/batch_csv.h"
-#include "core/resonator/results/uncertainty_budget.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "ui/drift/drift_text.h"
 #include "ui/panels/reading.h"
 #include "ui/report/report_figures.h"

@@ -2,7 +2,7 @@
 
 #include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/score_test.h"
-#include "core/resonator/model/kept_windows.h"
+#include "core/resonator/model/phasor_run.h"
 
 #include <algorithm>
 #include <cmath>

@@ -41,14 +41,8 @@ double prior_cost(const FitProblem& problem, const Eigen::VectorXd& p) {
 }
 
 Cost cost_of(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t windows) {
-    Cost cost;
-    const Eigen::VectorXd shared = p.head(shared_count);
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        cost.data +=
-            chi_square(run, shared, own_of(problem.layout, p, k), std::min(windows, run.size()));
-    }
-    cost.all = cost.data + prior_cost(problem, p);
+    const double data = chi_square(problem, p, windows);
+    Cost cost{data, data + prior_cost(problem, p)};
     // A motion that overflows is no candidate.
     if (!std::isfinite(cost.all)) {
         cost.all = no_cost;
@@ -81,8 +75,7 @@ Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& act
         const Linearised& at = runs[k];
         add_symmetric(layout, k, square_of(at), matrix);
         const Eigen::VectorXd toward = at.by_parameter.transpose() * at.residual;
-        right.head(shared_count) += toward.head(shared_count);
-        right.segment(layout.at(k, 0), layout.own_size(k)) = toward.tail(layout.own_size(k));
+        add_rows(layout, k, toward, right);
     }
     for (const Eigen::Index k : active) {
         const double weight = 1 / (problem.priors.sd[k] * problem.priors.sd[k]);
@@ -116,13 +109,20 @@ Eigen::VectorXd curvature_along(const FitProblem& problem, const std::vector<Eig
         const Eigen::VectorXd second =
             (at.residual - moved - probe * (at.by_parameter * own_step)) * (2 / (probe * probe));
         const Eigen::VectorXd toward = at.by_parameter.transpose() * second;
-        sum.head(shared_count) += toward.head(shared_count);
-        sum.segment(layout.at(k, 0), layout.own_size(k)) = toward.tail(layout.own_size(k));
+        add_rows(layout, k, toward, sum);
     }
     return sum(active);
 }
 
 }  // namespace
+
+ParameterLayout layout_of(std::span<const ScaledRun> runs) {
+    std::vector<std::size_t> breaks;
+    for (const ScaledRun& run : runs) {
+        breaks.push_back(run.break_parameters());
+    }
+    return ParameterLayout(breaks);
+}
 
 void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
                    Eigen::MatrixXd& sum) {
@@ -153,15 +153,11 @@ Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
 
 FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which,
                    std::span<const ScaledRun> runs) {
-    std::vector<std::size_t> breaks;
-    for (const ScaledRun& run : runs) {
-        breaks.push_back(run.break_parameters());
-    }
     const auto part = [&](const Eigen::VectorXd& of_all) {
         return part_of(problem.layout, of_all, which);
     };
     return {runs,
-            ParameterLayout(breaks),
+            layout_of(runs),
             {part(problem.priors.mean), part(problem.priors.sd)},
             problem.noise_ratio,
             problem.damping_share};
@@ -169,6 +165,22 @@ FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which
 
 Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, std::size_t run) {
     return p.segment(layout.at(run, 0), layout.own_size(run));
+}
+
+std::vector<Eigen::Vector2cd> expected_phasors(const FitProblem& problem, const Eigen::VectorXd& p,
+                                               std::size_t run) {
+    return expected_phasors(problem.runs[run], p.head(shared_count), own_of(problem.layout, p, run),
+                            problem.runs[run].size());
+}
+
+double chi_square(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t windows) {
+    double sum = 0;
+    const Eigen::VectorXd shared = p.head(shared_count);
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        sum += chi_square(problem.runs[k], shared, own_of(problem.layout, p, k),
+                          std::min(windows, problem.runs[k].size()));
+    }
+    return sum;
 }
 
 std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
@@ -248,6 +260,14 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
     fit.cost = now.all;
     fit.chi2 = now.data;
     return fit;
+}
+
+double longest_s(const FitProblem& problem) {
+    double longest = 0;
+    for (const ScaledRun& run : problem.runs) {
+        longest = std::max(longest, run.duration_s);
+    }
+    return longest;
 }
 
 double degrees_of_freedom(const FitProblem& problem) {

@@ -34,6 +34,8 @@ struct FitProblem {
     std::vector<HeldDirection> held = {};
 };
 
+ParameterLayout layout_of(std::span<const ScaledRun> runs);
+
 // The problem of some of its runs, `which`, with the same priors. `runs`: those runs.
 FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which,
                    std::span<const ScaledRun> runs);
@@ -47,6 +49,22 @@ Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, 
 // Adds a run's symmetric matrix, shared parameters before its own, to one of all parameters.
 void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
                    Eigen::MatrixXd& sum);
+
+// Likewise rows: of a vector, or of a matrix with its own columns.
+template <class Rows, class Sum>
+void add_rows(const ParameterLayout& layout, std::size_t run, const Rows& rows, Sum& sum) {
+    const Eigen::Index own = layout.own_size(run);
+    sum.topRows(shared_count) += rows.topRows(shared_count);
+    sum.middleRows(layout.at(run, 0), own) += rows.bottomRows(own);
+}
+
+// Predicted phasors in all windows of a run at p.
+std::vector<Eigen::Vector2cd> expected_phasors(const FitProblem& problem, const Eigen::VectorXd& p,
+                                               std::size_t run);
+
+// chi^2 at p of the first `windows` windows of all runs.
+double chi_square(const FitProblem& problem, const Eigen::VectorXd& p,
+                  std::size_t windows = std::numeric_limits<std::size_t>::max());
 
 // Derivatives of every run's residuals at p (phasor_model.h), of its first `windows` windows.
 std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
@@ -77,6 +95,9 @@ struct MapFit {
 MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& p, int steps,
                 const JobControl& job,
                 std::size_t windows = std::numeric_limits<std::size_t>::max());
+
+// Length of the longest run.
+double longest_s(const FitProblem& problem);
 
 // Number of residuals less that of the parameters without a prior.
 double degrees_of_freedom(const FitProblem& problem);

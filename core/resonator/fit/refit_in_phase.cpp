@@ -1,7 +1,6 @@
 #include "core/resonator/fit/refit_in_phase.h"
 
 #include "core/resonator/fit/fit_start.h"
-#include "core/resonator/fit/pencil_start.h"
 #include "core/resonator/fit/score_test.h"
 
 #include <cmath>
@@ -23,12 +22,10 @@ struct Turned {
 Turned turned_by(const FitProblem& problem, const MapFit& fit) {
     constexpr double clear = 0.2;  // largest residual share of a wave
     Turned turned{{problem.runs.begin(), problem.runs.end()}, 0};
-    const Eigen::VectorXd shared = fit.p.head(shared_count);
     double count = 0;
     for (std::size_t k = 0; k < turned.runs.size(); ++k) {
         ScaledRun& run = turned.runs[k];
-        const std::vector<Eigen::Vector2cd> expected =
-            expected_phasors(run, shared, own_of(problem.layout, fit.p, k), run.size());
+        const std::vector<Eigen::Vector2cd> expected = expected_phasors(problem, fit.p, k);
         double left = 0;
         for (std::size_t window = 0; window < run.size(); ++window) {
             left += (run.z[window] - expected[window]).squaredNorm();
@@ -67,7 +64,7 @@ MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobCon
         return fit;
     }
     MapFit again = fit_turned(problem, turned, fit.p, job);
-    again.chi2 = chi_square_at(problem, again.p);
+    again.chi2 = chi_square(problem, again.p);
     return again;
 }
 
@@ -93,7 +90,7 @@ std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit
     if (above_noise(fit.chi2, 0.75 * dof)) {
         return {};
     }
-    fit.chi2 = chi_square_at(problem, fit.p);
+    fit.chi2 = chi_square(problem, fit.p);
     // Rates that leave only noise are replaced only by a settling that fits as well.
     constexpr double as_well = 25;
     if (fine) {

@@ -28,20 +28,14 @@ constexpr std::array settling_shares{0.03, 0.05, 0.07, 0.1,
 // A frequency that begins with an offset of `a` Hz in each run and settles with a common time
 // constant.
 Effect settling_effect(const FitProblem& problem, const Posterior& at, double settling_s) {
-    Effect effect;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()),
-                                     static_cast<Index>(problem.runs.size()));
-        for (std::size_t window = 0; window < run.size(); ++window) {
+    return effect_by_window(
+        problem, static_cast<Index>(problem.runs.size()),
+        [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
             const double phase =
                 -2 * pi * settling_s * std::expm1(-run.time_s[window] / settling_s);
             put_effect(by, run, window, static_cast<Index>(k),
                        phase * i * expected_phasor(run, at.runs[k], window));
-        }
-        effect.push_back(std::move(by));
-    }
-    return effect;
+        });
 }
 
 using Pair = std::array<Vector2cd, 2>;
@@ -51,14 +45,11 @@ using Pair = std::array<Vector2cd, 2>;
 template <class Terms>
 Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms& terms_at) {
     const SlowDynamics dynamics(vybeg::rates_of(at.p));
-    Effect effect;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 2);
-        Pair moved{Vector2cd::Zero(), Vector2cd::Zero()};
-        Pair last = moved;
-        Vector2cd before = Vector2cd::Zero();
-        for (std::size_t window = 0; window < run.size(); ++window) {
+    Pair moved{Vector2cd::Zero(), Vector2cd::Zero()};
+    Pair last = moved;
+    Vector2cd before = Vector2cd::Zero();
+    return effect_by_window(
+        problem, 2, [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
             const Vector2cd z = expected_phasor(run, at.runs[k], window);
             const Pair terms = terms_at(run, z);
             if (window > 0) {
@@ -79,21 +70,15 @@ Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms
             }
             last = terms;
             before = z;
-        }
-        effect.push_back(std::move(by));
-    }
-    return effect;
+        });
 }
 
 // Derivatives of the phasors, weighted, by the parameters along an effect's columns.
 MatrixXd along_parameters(const FitProblem& problem, const Posterior& at, const Effect& effect) {
     MatrixXd along = MatrixXd::Zero(at.information.rows(), effect.front().cols());
     for (std::size_t k = 0; k < effect.size(); ++k) {
-        const Index first = problem.layout.at(k, 0);
-        const Index own = problem.layout.own_size(k);
         const MatrixXd cross = at.runs[k].by_parameter.transpose() * effect[k];
-        along.topRows(shared_count) += cross.topRows(shared_count);
-        along.middleRows(first, own) += cross.bottomRows(own);
+        add_rows(problem.layout, k, cross, along);
     }
     return along;
 }
@@ -107,42 +92,33 @@ MatrixXd followed(const FitProblem& problem, const Posterior& at, const Effect& 
 
 Effect damping_effect(const FitProblem& problem, const Posterior& at, int exponent) {
     constexpr double seen = 3;  // least size of a wave, deviations
-    Effect effect;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 1);
-        double integral = 0;
-        double last_s = 0;
-        const auto rate = [&](const Vector2cd& z, std::size_t window) {
-            const double least = seen / run.weight[window];
-            const double power = std::max(z.squaredNorm(), least * least) / run.power_kept;
-            return std::pow(power, 0.5 * exponent);
-        };
-        for (std::size_t window = 0; window < run.size(); ++window) {
+    double integral = 0;
+    double last_s = 0;
+    return effect_by_window(
+        problem, 1, [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
+            if (window == 0) {
+                integral = last_s = 0;
+            }
+            const auto rate = [&](const Vector2cd& z) {
+                const double least = seen / run.weight[window];
+                const double power = std::max(z.squaredNorm(), least * least) / run.power_kept;
+                return std::pow(power, 0.5 * exponent);
+            };
             const Vector2cd z = expected_phasor(run, at.runs[k], window);
-            const double before = window > 0 ? rate(run.z[window - 1], window) : rate(z, window);
-            integral += (run.time_s[window] - last_s) * (before + rate(z, window)) / 2;
+            const double before = rate(window > 0 ? run.z[window - 1] : z);
+            integral += (run.time_s[window] - last_s) * (before + rate(z)) / 2;
             last_s = run.time_s[window];
             put_effect(by, run, window, 0, -integral * z);
-        }
-        effect.push_back(std::move(by));
-    }
-    return effect;
+        });
 }
 
 Effect pickoff_effect(const FitProblem& problem, const Posterior& at) {
-    Effect effect;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 2);
-        for (std::size_t window = 0; window < run.size(); ++window) {
+    return effect_by_window(
+        problem, 2, [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
             const Vector2cd z = expected_phasor(run, at.runs[k], window);
             put_effect(by, run, window, 0, {std::norm(z[0]) / run.power_kept * z[0], 0});
             put_effect(by, run, window, 1, {0, std::norm(z[1]) / run.power_kept * z[1]});
-        }
-        effect.push_back(std::move(by));
-    }
-    return effect;
+        });
 }
 
 Effect springs_effect(const FitProblem& problem, const Posterior& at) {
@@ -208,19 +184,16 @@ void put_effect(MatrixXd& effect, const ScaledRun& run, std::size_t window, Inde
         weighted[0].imag(), weighted[1].real(), weighted[1].imag();
 }
 
-Score cubic_score(const FitProblem& problem, const Posterior& posterior) {
+Score parameter_score(const FitProblem& problem, const Posterior& posterior,
+                      SharedParameter parameter) {
     Effect effect;
     for (const Linearised& run : posterior.runs) {
-        effect.emplace_back(run.by_parameter.col(cubic_at));
+        effect.emplace_back(run.by_parameter.col(parameter));
     }
     return score(problem, posterior, effect);
 }
 
 SettlingScore settling_score(const FitProblem& problem, const Posterior& posterior) {
-    double longest_s = 0;
-    for (const ScaledRun& run : problem.runs) {
-        longest_s = std::max(longest_s, run.duration_s);
-    }
     SettlingScore best;
     const auto consider = [&](double settling_s) {
         const Score found =
@@ -230,7 +203,7 @@ SettlingScore settling_score(const FitProblem& problem, const Posterior& posteri
         }
     };
     for (const double share : settling_shares) {
-        consider(share * longest_s);
+        consider(share * longest_s(problem));
     }
     for (const double closer : {1.2, 1.1, 1.05, 1.025, 1.0125}) {
         const double middle_s = best.time_s;

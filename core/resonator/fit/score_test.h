@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -52,8 +53,26 @@ Eigen::Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std
 void put_effect(Eigen::MatrixXd& effect, const ScaledRun& run, std::size_t window,
                 Eigen::Index column, const Eigen::Vector2cd& change);
 
-// The cubic spring b of the parameters.
-Score cubic_score(const FitProblem& problem, const Posterior& posterior);
+// The effect of so many columns that put(index, run, window, matrix) writes by put_effect(), window
+// after window of each run.
+template <class Put>
+Effect effect_by_window(const FitProblem& problem, Eigen::Index columns, const Put& put) {
+    Effect effect;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        Eigen::MatrixXd by =
+            Eigen::MatrixXd::Zero(4 * static_cast<Eigen::Index>(run.size()), columns);
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            put(k, run, window, by);
+        }
+        effect.push_back(std::move(by));
+    }
+    return effect;
+}
+
+// A parameter, held or not, such as the cubic spring b.
+Score parameter_score(const FitProblem& problem, const Posterior& posterior,
+                      SharedParameter parameter);
 
 // Frequencies that settle: one amplitude for each run, with the best common time constant.
 struct SettlingScore {

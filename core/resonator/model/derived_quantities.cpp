@@ -28,9 +28,9 @@ void add_modes(const Eigen::VectorXd& p, ModeOrder order, Eigen::VectorXd& q) {
 // Frequency of a run at the power of the wave. The fit has it at that of the recorded channels
 // (phasor_model.h), which depends on the gain ratio.
 double frequency_of(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& context) {
-    const PowerSums& power = context.power[run];
-    const double more = power.at(p[kappa_at]) - power.at(1);
-    return p[context.layout->at(run, frequency_at)] + p[cubic_at] * more / context.power_kept[run];
+    const ScaledRun& of = context.runs[run];
+    const double more = of.power_sums.at(p[kappa_at]) - of.power_sums.at(1);
+    return p[context.layout->at(run, frequency_at)] + p[cubic_at] * more / of.power_kept;
 }
 
 void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& context,
@@ -39,7 +39,8 @@ void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& c
     const double f = frequency_of(p, run, context);
     const SlowDynamics dynamics(rates_of(p));
     const Eigen::Vector2cd start =
-        dynamics.window_mean(context.window_s[run], own[frequency_at]).inverse() * start_of(own);
+        dynamics.window_mean(context.runs[run].window_s, own[frequency_at]).inverse() *
+        start_of(own);
     const WaveState wave = to_wave_state({start[0], start[1]});
     const auto at = [&](RunQuantity quantity) -> double& {
         return q[quantity_of_run(run, quantity)];
@@ -63,6 +64,15 @@ void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& c
 
 }  // namespace
 
+double QuantityContext::mean_f_ref_hz() const {
+    const double share = 1 / static_cast<double>(f_ref_hz.size());
+    double mean = 0;
+    for (const double each : f_ref_hz) {
+        mean += share * each;
+    }
+    return mean;
+}
+
 std::complex<double> square_half_difference(const Eigen::VectorXd& p) {
     const SlowDynamics dynamics(rates_of(p));
     const std::complex<double> s = dynamics.half_difference();
@@ -75,10 +85,8 @@ Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& cont
     const auto share = 1 / static_cast<double>(runs);
     // References are kept separate, so that differences of frequencies keep their digits.
     double f_mean = 0;
-    double f_ref = 0;
     for (std::size_t run = 0; run < runs; ++run) {
         f_mean += share * frequency_of(p, run, context);
-        f_ref += share * context.f_ref_hz[run];
     }
     q[f_mean_of] = f_mean;
     q[decay_of] = p[decay_at];
@@ -92,6 +100,7 @@ Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& cont
     q[phase_of] = p[phase_at];
     q[cubic_of] = p[cubic_at];
     add_modes(p, context.order, q);
+    const double f_ref = context.mean_f_ref_hz();
     for (std::size_t run = 0; run < runs; ++run) {
         add_run(p, run, context, f_ref, q);
     }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -47,11 +48,11 @@ enum class ModeOrder { frequency, decay };
 // Input of the quantities besides the parameters.
 struct QuantityContext {
     const ParameterLayout* layout = nullptr;
+    std::span<const ScaledRun> runs;
     std::vector<double> f_ref_hz;  // of each run
-    std::vector<double> window_s;
-    std::vector<PowerSums> power;
-    std::vector<double> power_kept;  // by the windows' means
     ModeOrder order = ModeOrder::frequency;
+
+    double mean_f_ref_hz() const;
 };
 
 inline Eigen::Index quantity_of_run(std::size_t run, int quantity) {

@@ -1,5 +1,6 @@
 #include "core/resonator/model/fitted_motion.h"
 
+#include "core/resonator/model/channel_tolerance.h"
 #include "core/resonator/model/phasor_model.h"
 
 namespace vybeg {
@@ -30,8 +31,8 @@ std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t r
 std::vector<Phasors> predicted_waves(const FittedMotion& motion, std::size_t run,
                                      const std::vector<double>& time_s) {
     Eigen::VectorXd ideal = motion.shared;
-    for (const int error : {skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at}) {
-        ideal[error] = 0;
+    for (const ChannelError& error : channel_errors) {
+        ideal[error.parameter] = 0;
     }
     ideal[kappa_at] = 1;
     FittedMotion::Run even = motion.runs[run];

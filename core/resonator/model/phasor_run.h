@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <cstdlib>
 #include <vector>
 
 namespace vybeg {
@@ -47,7 +49,24 @@ struct PhasorRun {
     double two_theta_zero = 0;
     // The phase common to c and d is unknown in each window: it says nothing, nor does f_ref.
     bool phase_lost = false;
+
+    // |z|^2 of a window.
+    double power(std::size_t window) const { return std::norm(c[window]) + std::norm(d[window]); }
 };
+
+// Covariance of the sums of `count` windows each, `lag` of those sums apart, in units of a window's
+// variance. `correlation`: of windows 0, 1, 2, ... windows apart.
+inline double covariance_of_sums(const std::vector<double>& correlation, std::ptrdiff_t count,
+                                 std::ptrdiff_t lag) {
+    double sum = 0;
+    for (std::ptrdiff_t difference = 1 - count; difference < count; ++difference) {
+        const auto at = static_cast<std::size_t>(std::abs(lag * count + difference));
+        sum += at < correlation.size()
+                   ? static_cast<double>(count - std::abs(difference)) * correlation[at]
+                   : 0;
+    }
+    return sum;
+}
 
 // Turns (c, d) into channels whose first electrode stands at the angle of which this is the double.
 template <class Value>
@@ -57,6 +76,30 @@ void turn_channels(double two_theta_zero, Value& c, Value& d) {
     const double sine = std::sin(two_theta_zero);
     c = cosine * old + sine * d;
     d = cosine * d - sine * old;
+}
+
+// The run with only those windows for which keep(index) is true.
+template <class Keep>
+PhasorRun kept_windows(const PhasorRun& run, const Keep& keep) {
+    PhasorRun kept = run;
+    kept.time_s.clear();
+    kept.c.clear();
+    kept.d.clear();
+    kept.sd.clear();
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        if (keep(k)) {
+            kept.time_s.push_back(run.time_s[k]);
+            kept.c.push_back(run.c[k]);
+            kept.d.push_back(run.d[k]);
+            kept.sd.push_back(run.sd[k]);
+        }
+    }
+    return kept;
+}
+
+// That with the windows from `first` up to `end`.
+inline PhasorRun kept_windows(const PhasorRun& run, std::size_t first, std::size_t end) {
+    return kept_windows(run, [=](std::size_t k) { return k >= first && k < end; });
 }
 
 }  // namespace vybeg

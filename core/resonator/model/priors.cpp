@@ -36,28 +36,15 @@ std::vector<Eigen::Index> Priors::active() const {
 }
 
 PriorKind prior_kind(const ParameterLayout& layout, Eigen::Index parameter) {
-    switch (parameter) {
-        case split_cos_at:
-        case split_sin_at:
-        case damping_cos_at:
-        case damping_sin_at:
-        case rotation_at:
-        case free_rotation_at:
-        case cubic_at: return PriorKind::physical;
-        case kappa_at:
-        case skew_at:
-        case phase_at:
-        case crosstalk_at:
-        case phase_drift_at:
-        case gain_drift_at: return PriorKind::channel;
-        default: break;
+    if (std::ranges::find(channel_errors, parameter, &ChannelError::parameter) !=
+        channel_errors.end()) {
+        return PriorKind::channel;
     }
+    bool physical = parameter < shared_count && parameter != decay_at;
     for (std::size_t run = 0; run < layout.runs(); ++run) {
-        if (parameter == layout.at(run, drift_at)) {
-            return PriorKind::physical;
-        }
+        physical = physical || parameter == layout.at(run, drift_at);
     }
-    return PriorKind::none;
+    return physical ? PriorKind::physical : PriorKind::none;
 }
 
 Priors structured_priors(std::span<const ScaledRun> runs, const ParameterLayout& layout,

@@ -73,4 +73,12 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
     return scaled;
 }
 
+std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale) {
+    std::vector<ScaledRun> scaled;
+    for (const PhasorRun& run : runs) {
+        scaled.push_back(scaled_run(run, scale));
+    }
+    return scaled;
+}
+
 }  // namespace vybeg

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -73,5 +74,6 @@ struct ScaledRun {
 
 // Precondition: at least two windows, all sd > 0.
 ScaledRun scaled_run(const PhasorRun& run, double scale);
+std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale);
 
 }  // namespace vybeg

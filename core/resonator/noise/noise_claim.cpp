@@ -23,7 +23,11 @@ struct ClaimedSeries {
     MatrixXd windows;  // covariance of the windows' noise
     MatrixXd colour;   // of the further parts; empty: none
 
-    Index half() const { return residual.size() / 2; }
+    // First row and number of rows of a half.
+    std::pair<Index, Index> rows(std::size_t half) const {
+        const Index first = residual.size() / 2;
+        return half == 0 ? std::pair(Index{0}, first) : std::pair(first, residual.size() - first);
+    }
     MatrixXd covariance() const { return colour.size() > 0 ? MatrixXd(windows + colour) : windows; }
 };
 
@@ -114,12 +118,14 @@ double deviate_of_likelihood(const std::vector<ClaimedSeries>& all, const JobCon
     double rise = 0;
     double count = 0;
     for (const ClaimedSeries& series : all) {
-        if (series.colour.size() == 0 || series.half() < 4 || job.cancelled()) {
+        if (series.colour.size() == 0 || series.residual.size() < 8 || job.cancelled()) {
             continue;
         }
-        rise += rise_of_half(series, 0, series.half());
-        rise += rise_of_half(series, series.half(), series.residual.size() - series.half());
-        count += 2;
+        for (const std::size_t half : {0, 1}) {
+            const auto [first, rows] = series.rows(half);
+            rise += rise_of_half(series, first, rows);
+            count += 1;
+        }
     }
     return count > 0 ? (rise - count) / std::sqrt(2 * count) : 0;
 }
@@ -136,13 +142,9 @@ void compare_parameters(const std::vector<ClaimedSeries>& all, const Posterior& 
         square[half].diagonal().array() += ridge;
         toward[half] = VectorXd::Zero(size);
     }
-    const auto rows_of = [](const ClaimedSeries& series, std::size_t half) {
-        return std::pair(half == 0 ? 0 : series.half(),
-                         half == 0 ? series.half() : series.residual.size() - series.half());
-    };
     for (const ClaimedSeries& series : all) {
         for (const std::size_t half : {0, 1}) {
-            const auto [first, count] = rows_of(series, half);
+            const auto [first, count] = series.rows(half);
             const auto by = series.by_root.middleRows(first, count);
             square[half] += by.transpose() * by;
             toward[half] += by.transpose() * series.residual.segment(first, count);
@@ -159,7 +161,7 @@ void compare_parameters(const std::vector<ClaimedSeries>& all, const Posterior& 
     for (const ClaimedSeries& series : all) {
         MatrixXd by(series.by_root.rows(), size);
         for (const std::size_t half : {0, 1}) {
-            const auto [first, count] = rows_of(series, half);
+            const auto [first, count] = series.rows(half);
             by.middleRows(first, count) =
                 (half == 0 ? 1 : -1) * series.by_root.middleRows(first, count) * inverse[half];
         }

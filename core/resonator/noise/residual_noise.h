@@ -1,13 +1,42 @@
 #pragma once
 
+#include "core/resonator/fit/posterior.h"
 #include "core/resonator/noise/noise_shape.h"
-#include "core/resonator/noise/residual_series.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 namespace vybeg {
+
+// Residual of a run in the frame of its fitted wave, and its derivatives: four real series in units
+// of the windows' noise. Along the wave: amplitude and phase, log(<z, y>/|z|^2) |z|; across it:
+// <z_perp, y>, z_perp = (-conj d, conj c)/|z|, rotated back by the residual's phase. The axes of
+// the ellipse are unsuitable, because noise of the phase leaks into them through the quadrature
+// wave.
+struct ResidualSeries {
+    enum Series { amplitude, phase, across_real, across_imaginary };
+
+    std::vector<double> time_s;
+    double window_s = 0;
+    Eigen::VectorXd size;         // |z|, in units of the noise
+    Eigen::VectorXd noise;        // of the windows' noise: that of the median over it
+    Eigen::MatrixXd correlation;  // of the windows' noise; empty: white
+    std::array<Eigen::VectorXd, 4> residual;
+    // Places in posterior.active of the shared parameters and the run's own: others do not change
+    // the run.
+    std::vector<Eigen::Index> places;
+    std::array<Eigen::MatrixXd, 4> by_parameter;  // columns as `places`
+};
+
+// The covariance of a part of the noise in a run's series, in units of their white noise.
+Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run);
+
+// The series of a run, `merge` consecutive windows averaged into one; a remainder at the end is
+// ignored. Averages keep unit white noise and reduce correlated noise.
+ResidualSeries residual_series(const FitProblem& problem, const Posterior& posterior,
+                               std::size_t run, std::size_t merge);
 
 // Noise of the residual by restricted maximum likelihood: the part absorbed by the fit is projected
 // out (FIT section 4). A line of one of eight widths common to all series, and a line or 1/f in the

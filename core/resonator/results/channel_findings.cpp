@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -23,14 +23,6 @@ constexpr double most_phase = 1;       // rad, of a channel that comes late
 constexpr double passive_share = 0.9;  // of the greatest anisotropy
 constexpr double passive_within = 2;   // combined uncertainties
 
-double f_ref_of(const FittedSet& set) {
-    double sum = 0;
-    for (const double f_hz : set.context.f_ref_hz) {
-        sum += f_hz;
-    }
-    return sum / static_cast<double>(set.context.f_ref_hz.size());
-}
-
 // Upper bound, close where it is small, of the probability that the correlation of n uncorrelated
 // pairs has 1 - r^2 below `rest`.
 double chance_of(double rest, std::size_t n) {
@@ -39,40 +31,8 @@ double chance_of(double rest, std::size_t n) {
     return std::pow(rest, half) / (half * beta * std::sqrt(std::max(1 - rest, 1e-6)));
 }
 
-// The error held at zero that leaves its assumed tolerance by most if all of them are opened, each
-// with its tolerance: alone each imitates the others.
-std::optional<Diagnostic> held_finding(const FitProblem& problem, const Posterior& posterior,
-                                       const ChannelTolerance& tolerance, double f_ref_hz) {
-    std::vector<ChannelError> held;
-    for (const ChannelError& error : channel_errors) {
-        if (problem.priors.sd[error.parameter] == 0 && tolerance.*error.tolerance > 0) {
-            held.push_back(error);
-        }
-    }
-    if (held.empty()) {
-        return {};
-    }
-    const auto count = static_cast<Eigen::Index>(held.size());
-    Effect effect;
-    for (const Linearised& run : posterior.runs) {
-        Eigen::MatrixXd by(run.by_parameter.rows(), count);
-        for (Eigen::Index k = 0; k < count; ++k) {
-            by.col(k) = tolerance.*held[static_cast<std::size_t>(k)].tolerance *
-                        run.by_parameter.col(held[static_cast<std::size_t>(k)].parameter);
-        }
-        effect.push_back(std::move(by));
-    }
-    // In tolerances; their prior has the precision of one.
-    const Score free = score(problem, posterior, effect);
-    const Eigen::VectorXd size =
-        (Eigen::MatrixXd::Identity(count, count) + free.inverse).ldlt().solve(free.size);
-    Eigen::Index most = 0;
-    if (!(size.cwiseAbs().maxCoeff(&most) > most_tolerances)) {
-        return {};
-    }
-    const ChannelError& error = held[static_cast<std::size_t>(most)];
-    return Diagnostic{DiagnosticKind::misfit_channel,
-                      named_error(error, size[most] * (tolerance.*error.tolerance), f_ref_hz)};
+const ChannelError& error_of(SharedParameter parameter) {
+    return *std::ranges::find(channel_errors, parameter, &ChannelError::parameter);
 }
 
 // A ratio a_B/a_A at the start of a recording.
@@ -81,19 +41,6 @@ struct Quadrature {
     double ratio = 0;
     double variance = 0;
 };
-
-std::vector<Quadrature> quadratures_of(const FittedSet& set, std::span<const RunEstimate> runs) {
-    std::vector<Quadrature> all;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const RunEstimate& run = runs[k];
-        if (run.two_theta_A_rad.given() && run.a_A.given() && run.a_B.given()) {
-            const double sd = run.a_B.sd / run.a_A.value;
-            all.push_back({run.two_theta_A_rad.value + set.problem->runs[k].two_theta_zero,
-                           run.a_B.value / run.a_A.value, sd * sd});
-        }
-    }
-    return all;
-}
 
 struct Followed {
     double size = 0;
@@ -130,73 +77,170 @@ Followed followed_by(const std::vector<Quadrature>& all, const Shape& shape) {
     return {xy / xx, chance_of(rest / (explained + rest), all.size())};
 }
 
-// Rotation (rad/s) that an error of one tolerance looks like.
-double rotation_by(const FittedSet& set, const ChannelError& error) {
-    return set.variances.gradient.row(angle_rate_of)
-        .dot(set.moved.col(&error - channel_errors.data()));
-}
+class Findings {
+public:
+    Findings(const FittedSet& set, const ResonatorFit& fit) : set_(set), fit_(fit) {}
 
-// Share of the rotation that an error does not explain, at most 1: that its size by the quadratures
-// fits the rotation is chance as often as this.
-double left_of_rotation(const FittedSet& set, const ResonatorEstimate& resonator,
-                        const ChannelError& error, double tolerances) {
-    const double by_error = tolerances * rotation_by(set, error);
-    const Estimate& rotation = resonator.angle_rate_rad_s;
-    return rotation.given() && by_error != 0
-               ? std::min(1.0, std::abs(rotation.value / by_error - 1))
-               : 1;
-}
+    std::vector<Diagnostic> found(bool white) {
+        add_left_priors();
+        if (white) {
+            add_held();
+        }
+        if (!add_quadrature()) {
+            add_rotation();
+        }
+        add_anisotropy();
+        return std::move(found_);
+    }
 
-std::optional<Diagnostic> quadrature_finding(const FittedSet& set,
-                                             const ResonatorEstimate& resonator,
-                                             std::span<const RunEstimate> runs,
-                                             const ChannelTolerance& tolerance, double f_ref_hz) {
-    const std::vector<Quadrature> all = quadratures_of(set, runs);
-    if (all.size() < least_runs) {
-        return {};
-    }
-    // a_A a_B = Im(c conj d) of a linear wave, to first order in the error.
-    const Followed phase =
-        followed_by(all, [](double two_theta) { return -std::sin(2 * two_theta) / 2; });
-    const Followed crosstalk = followed_by(
-        all, [](double two_theta) { return -std::cos(two_theta) * std::cos(two_theta); });
-    const bool is_phase = phase.chance <= crosstalk.chance;
-    const Followed& found = is_phase ? phase : crosstalk;
-    const SharedParameter parameter = is_phase ? phase_at : crosstalk_at;
-    const auto error = std::ranges::find(channel_errors, parameter, &ChannelError::parameter);
-    const double tolerances = found.size / (tolerance.*error->tolerance);
-    // The better one of two shapes, and with the rotation the product of two probabilities, which
-    // is below q with the probability q (1 - ln q).
-    const double alone = std::min(1.0, 2 * found.chance);
-    const double left = left_of_rotation(set, resonator, *error, tolerances);
-    const double both = alone * left;
-    const double chance = left < 1 ? both * (1 - std::log(both)) : alone;
-    if (!(std::abs(tolerances) > most_tolerances) || chance > by_chance) {
-        return {};
-    }
-    return Diagnostic{DiagnosticKind::quadrature_by_channel,
-                      named_error(*error, found.size, f_ref_hz)};
-}
+private:
+    double tolerance_of(const ChannelError& error) const { return set_.tolerance.*error.tolerance; }
 
-// A rotation that neither the Earth nor the delay's tolerance makes is one of the base, or a larger
-// delay of a channel, which the motion does not show.
-std::optional<Diagnostic> rotation_finding(const FittedSet& set, const Estimate& rotation,
-                                           const ChannelTolerance& tolerance, double f_ref_hz) {
-    const auto error = std::ranges::find(channel_errors, phase_at, &ChannelError::parameter);
-    const double assumed = tolerance.*error->tolerance;
-    if (!(assumed > 0) || !rotation.given() ||
-        !(std::abs(rotation.value) - most_tolerances * rotation.uncertainty() >
-          bryan * earth_rate_rad_s)) {
-        return {};
+    // An error of the channels with its size.
+    void add(DiagnosticKind kind, const ChannelError& error, double size) {
+        found_.push_back({kind, named_error(error, size, f_ref_hz_)});
     }
-    const double phase = rotation.value / rotation_by(set, *error) * assumed;
-    if (!(std::abs(phase) < most_phase)) {
-        return {};
+
+    void add_left_priors() {
+        for (const ChannelError& error : channel_errors) {
+            const Eigen::Index place = posterior_.place_of(error.parameter);
+            if (place < 0) {
+                continue;
+            }
+            const double told = problem_.priors.sd[error.parameter];
+            const double off =
+                posterior_.p[error.parameter] - problem_.priors.mean[error.parameter];
+            // Other errors within their tolerances move it, too.
+            if (std::abs(off) > most_tolerances * std::hypot(told, set_.moved.row(place).norm())) {
+                add(DiagnosticKind::prior_left, error, off);
+                found_.back().args.push_back(number_arg(std::abs(off) / told, 2));
+            }
+        }
     }
-    std::vector<MessageArg> args = named_error(*error, phase, f_ref_hz);
-    args.insert(args.begin(), number_arg(rotation.value * 180 / pi * 3600, 3, "deg/h"));
-    return Diagnostic{DiagnosticKind::rotation_or_channel, std::move(args)};
-}
+
+    // The error held at zero that leaves its assumed tolerance by most if all of them are opened,
+    // each with its tolerance: alone each imitates the others.
+    void add_held() {
+        std::vector<ChannelError> held;
+        for (const ChannelError& error : channel_errors) {
+            if (problem_.priors.sd[error.parameter] == 0 && tolerance_of(error) > 0) {
+                held.push_back(error);
+            }
+        }
+        if (held.empty()) {
+            return;
+        }
+        const auto count = static_cast<Eigen::Index>(held.size());
+        Effect effect;
+        for (const Linearised& run : posterior_.runs) {
+            Eigen::MatrixXd by(run.by_parameter.rows(), count);
+            for (Eigen::Index k = 0; k < count; ++k) {
+                const ChannelError& error = held[static_cast<std::size_t>(k)];
+                by.col(k) = tolerance_of(error) * run.by_parameter.col(error.parameter);
+            }
+            effect.push_back(std::move(by));
+        }
+        // In tolerances; their prior has the precision of one.
+        const Score free = score(problem_, posterior_, effect);
+        const Eigen::VectorXd size =
+            (Eigen::MatrixXd::Identity(count, count) + free.inverse).ldlt().solve(free.size);
+        Eigen::Index most = 0;
+        if (size.cwiseAbs().maxCoeff(&most) > most_tolerances) {
+            const ChannelError& error = held[static_cast<std::size_t>(most)];
+            add(DiagnosticKind::misfit_channel, error, size[most] * tolerance_of(error));
+        }
+    }
+
+    std::vector<Quadrature> quadratures() const {
+        std::vector<Quadrature> all;
+        for (std::size_t k = 0; k < fit_.runs.size(); ++k) {
+            const RunEstimate& run = fit_.runs[k];
+            if (run.two_theta_A_rad.given() && run.a_A.given() && run.a_B.given()) {
+                const double sd = run.a_B.sd / run.a_A.value;
+                all.push_back({run.two_theta_A_rad.value + problem_.runs[k].two_theta_zero,
+                               run.a_B.value / run.a_A.value, sd * sd});
+            }
+        }
+        return all;
+    }
+
+    // Rotation (rad/s) that an error of one tolerance looks like.
+    double rotation_by(const ChannelError& error) const {
+        return set_.variances.gradient.row(angle_rate_of)
+            .dot(set_.moved.col(&error - channel_errors.data()));
+    }
+
+    // Share of the rotation that an error does not explain, at most 1: that its size by the
+    // quadratures fits the rotation is chance as often as this.
+    double left_of_rotation(const ChannelError& error, double tolerances) const {
+        const double by_error = tolerances * rotation_by(error);
+        return rotation_.given() && by_error != 0
+                   ? std::min(1.0, std::abs(rotation_.value / by_error - 1))
+                   : 1;
+    }
+
+    bool add_quadrature() {
+        const std::vector<Quadrature> all = quadratures();
+        if (all.size() < least_runs) {
+            return false;
+        }
+        // a_A a_B = Im(c conj d) of a linear wave, to first order in the error.
+        const Followed phase =
+            followed_by(all, [](double two_theta) { return -std::sin(2 * two_theta) / 2; });
+        const Followed crosstalk = followed_by(
+            all, [](double two_theta) { return -std::cos(two_theta) * std::cos(two_theta); });
+        const bool is_phase = phase.chance <= crosstalk.chance;
+        const Followed& found = is_phase ? phase : crosstalk;
+        const ChannelError& error = error_of(is_phase ? phase_at : crosstalk_at);
+        const double tolerances = found.size / tolerance_of(error);
+        // The better one of two shapes, and with the rotation the product of two probabilities,
+        // which is below q with the probability q (1 - ln q).
+        const double alone = std::min(1.0, 2 * found.chance);
+        const double left = left_of_rotation(error, tolerances);
+        const double both = alone * left;
+        const double chance = left < 1 ? both * (1 - std::log(both)) : alone;
+        if (!(std::abs(tolerances) > most_tolerances) || chance > by_chance) {
+            return false;
+        }
+        add(DiagnosticKind::quadrature_by_channel, error, found.size);
+        return true;
+    }
+
+    // A rotation that neither the Earth nor the delay's tolerance makes is one of the base, or a
+    // larger delay of a channel, which the motion does not show.
+    void add_rotation() {
+        const ChannelError& error = error_of(phase_at);
+        const double assumed = tolerance_of(error);
+        if (!(assumed > 0) || !rotation_.given() ||
+            !(std::abs(rotation_.value) - most_tolerances * rotation_.uncertainty() >
+              bryan * earth_rate_rad_s)) {
+            return;
+        }
+        const double phase = rotation_.value / rotation_by(error) * assumed;
+        if (std::abs(phase) < most_phase) {
+            add(DiagnosticKind::rotation_or_channel, error, phase);
+            std::vector<MessageArg>& args = found_.back().args;
+            args.insert(args.begin(), number_arg(rotation_.value * 180 / pi * 3600, 3, "deg/h"));
+        }
+    }
+
+    void add_anisotropy() {
+        const Estimate& g = fit_.resonator.damping_anisotropy_per_s;
+        const double passive = 2 * posterior_.p[decay_at];
+        if (g.given() && g.value - passive_within * g.uncertainty() > passive_share * passive) {
+            found_.push_back({DiagnosticKind::anisotropy_not_passive,
+                              {number_arg(g.value, 3), number_arg(passive, 3)}});
+        }
+    }
+
+    const FittedSet& set_;
+    const ResonatorFit& fit_;
+    const FitProblem& problem_ = *set_.problem;
+    const Posterior& posterior_ = set_.posterior;
+    const Estimate& rotation_ = fit_.resonator.angle_rate_rad_s;
+    const double f_ref_hz_ = set_.context.mean_f_ref_hz();
+    std::vector<Diagnostic> found_;
+};
 
 }  // namespace
 
@@ -216,47 +260,9 @@ std::vector<MessageArg> named_error(const ChannelError& error, double size, doub
     return {tolerance_names[error.source], number_arg(size * unit, 2, name)};
 }
 
-std::vector<Diagnostic> channel_findings(const FittedSet& set, const ResonatorEstimate& resonator,
-                                         std::span<const RunEstimate> runs, bool white) {
-    std::vector<Diagnostic> found;
-    const FitProblem& problem = *set.problem;
-    const Posterior& posterior = set.posterior;
-    const ChannelTolerance& tolerance = set.tolerance;
-    const double f_ref_hz = f_ref_of(set);
-    for (const ChannelError& error : channel_errors) {
-        const double told = problem.priors.sd[error.parameter];
-        const double off = posterior.p[error.parameter] - problem.priors.mean[error.parameter];
-        const auto active = std::ranges::find(posterior.active, Eigen::Index{error.parameter});
-        if (active == posterior.active.end()) {
-            continue;
-        }
-        // Other errors within their tolerances move it, too.
-        const double known =
-            std::hypot(told, set.moved.row(active - posterior.active.begin()).norm());
-        if (std::abs(off) > most_tolerances * known) {
-            Diagnostic left{DiagnosticKind::prior_left, named_error(error, off, f_ref_hz)};
-            left.args.push_back(number_arg(std::abs(off) / told, 2));
-            found.push_back(std::move(left));
-        }
-    }
-    if (white) {
-        if (auto held = held_finding(problem, posterior, tolerance, f_ref_hz)) {
-            found.push_back(*std::move(held));
-        }
-    }
-    if (auto quadrature = quadrature_finding(set, resonator, runs, tolerance, f_ref_hz)) {
-        found.push_back(*std::move(quadrature));
-    } else if (auto rotation =
-                   rotation_finding(set, resonator.angle_rate_rad_s, tolerance, f_ref_hz)) {
-        found.push_back(*std::move(rotation));
-    }
-    const Estimate& g = resonator.damping_anisotropy_per_s;
-    const double passive = 2 * posterior.p[decay_at];
-    if (g.given() && g.value - passive_within * g.uncertainty() > passive_share * passive) {
-        found.push_back({DiagnosticKind::anisotropy_not_passive,
-                         {number_arg(g.value, 3), number_arg(passive, 3)}});
-    }
-    return found;
+std::vector<Diagnostic> channel_findings(const FittedSet& set, const ResonatorFit& fit,
+                                         bool white) {
+    return Findings(set, fit).found(white);
 }
 
 }  // namespace vybeg

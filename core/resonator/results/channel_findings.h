@@ -3,7 +3,6 @@
 #include "core/base/diagnostic.h"
 #include "core/resonator/results/fitted_set.h"
 
-#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -20,7 +19,6 @@ std::vector<MessageArg> named_error(const ChannelError& error, double size, doub
 // - a rotation faster than the Earth's, which a delay beyond its tolerance may look like
 //   (rotation_or_channel).
 // And an anisotropy that reaches that of a passive resonator. `white`: the residual is noise.
-std::vector<Diagnostic> channel_findings(const FittedSet& set, const ResonatorEstimate& resonator,
-                                         std::span<const RunEstimate> runs, bool white);
+std::vector<Diagnostic> channel_findings(const FittedSet& set, const ResonatorFit& fit, bool white);
 
 }  // namespace vybeg

@@ -1,15 +1,14 @@
 #include "core/resonator/results/describe_fit.h"
 
+#include "core/resonator/fit/posterior.h"
 #include "core/resonator/fit/run_information.h"
-#include "core/resonator/fit/unseen_directions.h"
 #include "core/resonator/noise/noise_claim.h"
 #include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/results/channel_findings.h"
+#include "core/resonator/results/fitted_set.h"
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
-#include "core/resonator/results/sensitivities.h"
-#include "core/resonator/runs/decay_time.h"
-#include "core/resonator/runs/envelope_decay.h"
+#include "core/resonator/runs/decay.h"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +39,7 @@ constexpr std::array<const char*, own_count> own_names{"c_re", "c_im", "d_re",
                                                        "d_im", "f_hz", "drift_hz_per_s"};
 
 // The fitted parameters that are not held, in recording units, with their covariance of all parts.
-RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> runs) {
+RawParameters raw_parameters(const FittedSet& set) {
     const ParameterLayout& layout = set.problem->layout;
     const Posterior& at = set.posterior;
     // Name, unit in recording units, origin of each parameter.
@@ -52,7 +51,7 @@ RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> ru
         names[k] = shared_names[k];
     }
     unit[cubic_at] = 1 / (set.scale * set.scale);
-    for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (std::size_t run = 0; run < set.runs.size(); ++run) {
         for (Eigen::Index k = 0; k < layout.own_size(run); ++k) {
             const Eigen::Index place = layout.at(run, 0) + k;
             names[static_cast<std::size_t>(place)] =
@@ -63,7 +62,7 @@ RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> ru
                 unit[place] = set.scale;
             }
         }
-        origin[layout.at(run, frequency_at)] = runs[run].f_ref_hz;
+        origin[layout.at(run, frequency_at)] = set.runs[run].f_ref_hz;
     }
     const Eigen::MatrixXd covariance = at.covariance_of(0, at.root.rows());
     RawParameters raw;
@@ -92,67 +91,58 @@ constexpr double evident_rise = 6;
 class Description {
 public:
     Description(const SolvedSet& solved, const JobControl& job)
-        : solved_(solved), problem_(*solved.problem), job_(job) {}
+        : set_{solved}, problem_(*solved.problem), job_(job) {}
 
     ResonatorFit made() {
         const double dof = degrees_of_freedom(problem_);
-        const double ratio = solved_.fit.chi2 / dof;
-        fit_.model = solved_.model;
+        const double ratio = set_.fit.chi2 / dof;
+        const bool structured = set_.model == ResonatorModel::structured;
+        fit_.model = set_.model;
         fit_.chi2_per_dof = ratio;
-        FittedSet set;
-        set.model = solved_.model;
-        set.problem = &problem_;
-        set.fit = solved_.fit;
-        set.posterior = posterior(problem_, solved_.fit);
-        set.scale = solved_.scale;
-        set.cubic_limit = solved_.cubic_limit;
-        set.amplitude_or_time = solved_.amplitude_or_time;
-        set.split_needs = vector_needs;
-        set.context.layout = &problem_.layout;
-        for (std::size_t k = 0; k < solved_.runs.size(); ++k) {
-            set.context.f_ref_hz.push_back(solved_.runs[k].f_ref_hz);
-            set.context.window_s.push_back(solved_.runs[k].window_s);
-            set.context.power.push_back(problem_.runs[k].power_sums);
-            set.context.power_kept.push_back(problem_.runs[k].power_kept);
+        set_.posterior = posterior(problem_, set_.fit);
+        set_.split_needs = vector_needs;
+        set_.context.layout = &problem_.layout;
+        set_.context.runs = problem_.runs;
+        for (const PhasorRun& run : set_.runs) {
+            set_.context.f_ref_hz.push_back(run.f_ref_hz);
         }
-        set_covariance(ratio, dof, set);
+        set_covariance(ratio, dof);
         std::vector<ProfilePoint> beside;
-        if (fit_.model == ResonatorModel::structured) {
+        if (structured) {
             beside =
-                unseen_directions(problem_, set.fit, set.posterior, std::max(1.0, ratio), job_);
+                unseen_directions(problem_, set_.fit, set_.posterior, std::max(1.0, ratio), job_);
         }
-        set.context.order = mode_order(set);
-        // The channels of the free model are any two projections; only their drifts falsify it. But
-        // the amplitudes and the angle of a wave are those of calibrated channels.
-        set.tolerance = solved_.tolerance;
-        if (solved_.model == ResonatorModel::free) {
-            set.tolerance = {.kappa = 0,
-                             .phase_drift = solved_.tolerance.phase_drift,
-                             .gain_drift = solved_.tolerance.gain_drift};
-        }
-        set.moved = moved_by(problem_, set.posterior, set.tolerance);
-        set.scattered = scattered(set.posterior);
-        set.variances =
-            reported_variances(set.posterior, set.context, beside, set.moved, set.scattered);
-        if (solved_.model == ResonatorModel::free) {
-            const ReportedVariances calibrated = reported_variances(
-                set.posterior, set.context, beside,
-                moved_by(problem_, set.posterior, solved_.tolerance), set.scattered);
-            for (Eigen::Index run = 0; run < std::ssize(solved_.runs); ++run) {
+        set_.context.order = mode_order();
+        set_.scattered = scattered();
+        const auto variances_with = [&](const ChannelTolerance& tolerance) {
+            set_.moved = moved_by(set_, tolerance);
+            return reported_variances(set_, beside);
+        };
+        if (structured) {
+            set_.variances = variances_with(set_.tolerance);
+        } else {
+            // The channels of the free model are any two projections; only their drifts falsify it.
+            // But the amplitudes and the angle of a wave are those of calibrated channels.
+            const ReportedVariances calibrated = variances_with(set_.tolerance);
+            set_.tolerance = {.kappa = 0,
+                              .phase_drift = set_.tolerance.phase_drift,
+                              .gain_drift = set_.tolerance.gain_drift};
+            set_.variances = variances_with(set_.tolerance);
+            for (std::size_t run = 0; run < set_.runs.size(); ++run) {
                 for (const int of : {a_A_of, a_B_of, two_theta_of}) {
-                    const Eigen::Index at = quantity_of_run(static_cast<std::size_t>(run), of);
-                    set.variances.shares.row(at) = calibrated.shares.row(at);
+                    const Eigen::Index at = quantity_of_run(run, of);
+                    set_.variances.shares.row(at) = calibrated.shares.row(at);
                 }
             }
         }
-        fit_.motion = motion_of(solved_);
-        add_estimates(set, solved_.runs, fit_);
-        fit_.raw = raw_parameters(set, solved_.runs);
+        fit_.motion = motion_of(set_);
+        add_estimates(set_, fit_);
+        fit_.raw = raw_parameters(set_);
         add_envelopes();
-        if (fit_.model == ResonatorModel::structured) {
+        if (structured) {
             const bool white =
                 fit_.noise.white() && ratio < 1 + residual_scatter * std::sqrt(2 / dof);
-            std::ranges::copy(channel_findings(set, fit_.resonator, fit_.runs, white),
+            std::ranges::copy(channel_findings(set_, fit_, white),
                               std::back_inserter(fit_.warnings));
         }
         warn();
@@ -160,27 +150,27 @@ public:
     }
 
 private:
-    void set_covariance(double ratio, double dof, FittedSet& set) {
+    void set_covariance(double ratio, double dof) {
+        Posterior& at = set_.posterior;
         const double scatter = residual_scatter * std::sqrt(2 / dof);
         std::optional<MisfitCause> cause;
         if (ratio > 1 + scatter) {
-            cause = misfit_cause(problem_, set.posterior, solved_.fine, solved_.scale, Causes::all,
-                                 job_);
+            cause = misfit_cause(problem_, at, set_.fine, set_.scale, Causes::all, job_);
             if (cause) {
                 fit_.warnings.push_back(cause->diagnostic);
             }
         }
-        const NoiseEstimate noise(problem_, set.posterior, job_);
+        const NoiseEstimate noise(problem_, at, job_);
         fit_.noise = noise.noise();
-        const NoiseClaim claim = noise_claim(noise, set.posterior, job_);
+        const NoiseClaim claim = noise_claim(noise, at, job_);
         if (!noise.noise().white()) {
-            set.posterior.data = noise.covariance(set.posterior);
-            set.split_needs = vector_needs_coloured;
+            at.data = noise.covariance(at);
+            set_.split_needs = vector_needs_coloured;
         } else if (ratio > 1 + scatter) {
-            set.posterior.data *= ratio;
+            at.data *= ratio;
         }
         if (!claim.holds()) {
-            set.posterior.data += claim.difference * claim.difference.transpose();
+            at.data += claim.difference * claim.difference.transpose();
             if (!cause) {
                 fit_.warnings.push_back({DiagnosticKind::motion_not_model, {}});
             }
@@ -191,12 +181,8 @@ private:
                     {DiagnosticKind::residual_coloured, {number_arg(ratio, 3)}});
             }
             if (evident && noise.noise().narrowest) {
-                double longest_s = 0;
-                for (const ScaledRun& run : problem_.runs) {
-                    longest_s = std::max(longest_s, run.duration_s);
-                }
                 fit_.warnings.push_back(
-                    {DiagnosticKind::noise_too_narrow, {number_arg(0.2 / longest_s, 2)}});
+                    {DiagnosticKind::noise_too_narrow, {number_arg(0.2 / longest_s(problem_), 2)}});
             }
         } else if (ratio > 1 + scatter) {
             fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {number_arg(ratio, 3)}});
@@ -206,27 +192,26 @@ private:
     }
 
     // Changes of the active parameters by one deviation of each run from the set.
-    Eigen::MatrixXd scattered(const Posterior& at) const {
-        const RunDeviation& sd = solved_.spread;
+    Eigen::MatrixXd scattered() const {
+        const Posterior& at = set_.posterior;
+        const RunDeviation& sd = set_.spread;
         const Eigen::Vector3d sizes(sd.decay, sd.split, sd.kappa);
         Eigen::MatrixXd along = Eigen::MatrixXd::Zero(
             at.p.size(), deviation_count * static_cast<Eigen::Index>(at.runs.size()));
         for (std::size_t k = 0; k < at.runs.size(); ++k) {
-            const RowMajor& by = at.runs[k].by_parameter;
-            const Eigen::MatrixXd cross = by.transpose() *
+            const Eigen::MatrixXd cross = at.runs[k].by_parameter.transpose() *
                                           by_deviation(problem_.runs[k], at.runs[k], at.p) *
                                           sizes.asDiagonal();
-            const auto first = deviation_count * static_cast<Eigen::Index>(k);
-            along.block(0, first, shared_count, deviation_count) = cross.topRows(shared_count);
-            along.block(problem_.layout.at(k, 0), first, problem_.layout.own_size(k),
-                        deviation_count) = cross.bottomRows(problem_.layout.own_size(k));
+            auto of_run =
+                along.middleCols<deviation_count>(deviation_count * static_cast<Eigen::Index>(k));
+            add_rows(problem_.layout, k, cross, of_run);
         }
         return at.root * (at.root.transpose() * along(at.active, Eigen::all));
     }
 
     // Order of the modes: by frequency if the frequencies differ, otherwise by decay.
-    ModeOrder mode_order(const FittedSet& set) const {
-        const Posterior& at = set.posterior;
+    ModeOrder mode_order() const {
+        const Posterior& at = set_.posterior;
         const std::complex<double> s = std::sqrt(square_half_difference(at.p));
         const Eigen::RowVectorXd by = (square_gradient(at) / (2.0 * s)).imag().transpose();
         const double sd = std::sqrt(at.covariance_of(by)(0, 0));
@@ -239,15 +224,15 @@ private:
         for (std::size_t k = 0; k < problem_.runs.size(); ++k) {
             const ScaledRun& run = problem_.runs[k];
             const std::vector<Eigen::Vector2cd> expected =
-                expected_phasors(run, fit_.motion.shared, fit_.motion.runs[k].own, run.size());
+                expected_phasors(problem_, set_.fit.p, k);
             for (std::size_t window = 0; window < run.size(); ++window) {
                 squares += (run.z[window] - expected[window]).squaredNorm();
                 count += 4;
             }
-            const double f_hz = solved_.runs[k].f_ref_hz + fit_.motion.runs[k].own[frequency_at];
+            const double f_hz = set_.runs[k].f_ref_hz + fit_.motion.runs[k].own[frequency_at];
             add_envelope(k, envelope_decay(run, expected), f_hz);
         }
-        fit_.residual_rms = solved_.scale * std::sqrt(squares / count);
+        fit_.residual_rms = set_.scale * std::sqrt(squares / count);
     }
 
     void add_envelope(std::size_t run, const EnvelopeDecay& envelope, double f_hz) {
@@ -285,13 +270,13 @@ private:
             fit_.warnings.push_back({DiagnosticKind::frequency_follows_amplitude,
                                      {number_arg(power.value, 3), number_arg(power.sd, 2)}});
         }
-        if (!solved_.fit.finished()) {
+        if (!set_.fit.finished()) {
             fit_.warnings.push_back({DiagnosticKind::fit_not_converged, {}});
             refuse_all({ReasonCode::not_converged, {}}, fit_);
         }
     }
 
-    const SolvedSet& solved_;
+    FittedSet set_;
     const FitProblem& problem_;
     const JobControl& job_;
     ResonatorFit fit_;

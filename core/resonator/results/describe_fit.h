@@ -1,27 +1,9 @@
 #pragma once
 
 #include "core/base/job_control.h"
-#include "core/resonator/fit/map_fit.h"
-#include "core/resonator/results/given_or_refused.h"
-#include "core/resonator/results/resonator_result.h"
-
-#include <span>
+#include "core/resonator/results/fitted_set.h"
 
 namespace vybeg {
-
-// A set of runs with its most likely parameters.
-struct SolvedSet {
-    std::span<const PhasorRun> runs;  // as fitted
-    std::span<const PhasorRun> fine;  // before their windows were merged
-    const FitProblem* problem = nullptr;
-    MapFit fit;
-    ResonatorModel model{};
-    double scale = 1;                // recording units of a scaled unit
-    Estimate cubic_limit;            // b and its sd where it is held at zero; scaled units
-    bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
-    RunDeviation spread;             // sd of the deviations of the runs from the set
-    ChannelTolerance tolerance;      // told or assumed: the sizes of the errors in u
-};
 
 FittedMotion motion_of(const SolvedSet& set);
 

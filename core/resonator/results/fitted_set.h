@@ -2,26 +2,84 @@
 
 #include "core/resonator/fit/map_fit.h"
 #include "core/resonator/fit/posterior.h"
-#include "core/resonator/results/reported_variances.h"
+#include "core/resonator/model/derived_quantities.h"
 #include "core/resonator/results/resonator_result.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
 
 namespace vybeg {
 
-// A fit and its properties.
-struct FittedSet {
-    ResonatorModel model{};
+// The derived quantities at the maximum of the posterior with the three parts of each one's
+// variance (posterior.h): from the data, from the known tolerances of the channels, and from priors
+// without information, of parameters that the recordings do not determine.
+struct ReportedVariances {
+    Eigen::VectorXd value;
+    Eigen::MatrixXd gradient;  // a row for each quantity, columns as posterior.active
+    Eigen::VectorXd data;
+    Eigen::VectorXd known;
+    Eigen::VectorXd nothing;
+    // Change of each quantity by an error of the size of each tolerance, told or assumed: root mean
+    // square of both signs. Columns as channel_errors.
+    Eigen::MatrixXd shares;
+    Eigen::VectorXd spread;  // deviation of each quantity by the spread between the runs
+
+    double sd(Eigen::Index quantity) const;     // of `data` and `nothing`
+    double width(Eigen::Index quantity) const;  // of all three: deviation of the posterior
+    double u(Eigen::Index quantity) const;      // of `sd`, `shares` and `spread`
+    double total(Eigen::Index quantity) const {
+        return data[quantity] + known[quantity] + nothing[quantity];
+    }
+};
+
+// d(s^2)/d(active parameter), s of derived_quantities.h.
+Eigen::VectorXcd square_gradient(const Posterior& posterior);
+
+// A set of runs with its most likely parameters.
+struct SolvedSet {
+    std::span<const PhasorRun> runs;  // as fitted
+    std::span<const PhasorRun> fine;  // before their windows were merged
     const FitProblem* problem = nullptr;
     MapFit fit;
-    Posterior posterior;
-    QuantityContext context;
-    ChannelTolerance tolerance;  // told or assumed
-    Eigen::MatrixXd moved;       // by the tolerance (sensitivities.h)
-    Eigen::MatrixXd scattered;   // by one deviation of each run from the set
-    ReportedVariances variances;
-    double scale = 1;        // recording units of a scaled unit
-    double split_needs = 3;  // least size of a given split or anisotropy, standard deviations
-    Estimate cubic_limit;    // b and its sd if a fit with it was no better; scaled units
+    ResonatorModel model{};
+    double scale = 1;                // recording units of a scaled unit
+    Estimate cubic_limit;            // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
+    RunDeviation spread;             // sd of the deviations of the runs from the set
+    ChannelTolerance tolerance;      // told or assumed: the sizes of the errors in u
 };
+
+// A set with all that its numbers follow from. `tolerance`: of the free model that of the drifts
+// alone.
+struct FittedSet : SolvedSet {
+    Posterior posterior{};
+    QuantityContext context{};
+    Eigen::MatrixXd moved{};      // moved_by() the tolerance
+    Eigen::MatrixXd scattered{};  // active parameters by one deviation of each run from the set
+    ReportedVariances variances{};
+    double split_needs = 3;  // least size of a given split or anisotropy, standard deviations
+};
+
+// The variances of a set with all the rest, by central differences. `beside`: parameters as likely
+// as the maximum; `nothing` covers the values of the quantities at them. The quantities at both
+// ends of what a tolerance moves give the shares, because a size or an axis is not linear where an
+// error is as large as the vector.
+ReportedVariances reported_variances(const FittedSet& set, const std::vector<ProfilePoint>& beside);
+
+// Errors of the active parameters by channel errors of the size of their tolerances, of which the
+// fit knows no more than its priors: columns as channel_errors. With J e the error in the phasors,
+// S the covariance and F the information, S F_e e where the fit holds the error at zero, and
+// -S_e e/s^2 where it has the prior s.
+Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance);
+
+// By how much the resonator's parameters are wrong per unit of each error, in the order of
+// resonator_parameters; NaN if a parameter is not given.
+std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& resonator);
+
+// Contributions of the channels' tolerances to the parameters' combined uncertainties, in the same
+// order. Zeros if a parameter is not given.
+std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& resonator);
 
 }  // namespace vybeg

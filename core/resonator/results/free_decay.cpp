@@ -3,11 +3,11 @@
 #include "core/base/number_text.h"
 #include "core/numerics/median.h"
 #include "core/resonator/fit/map_fit.h"
-#include "core/resonator/model/kept_windows.h"
+#include "core/resonator/model/phasor_run.h"
+#include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/run_parameters.h"
-#include "core/resonator/runs/decay_time.h"
+#include "core/resonator/runs/decay.h"
 #include "core/resonator/runs/merge_windows.h"
 #include "core/resonator/runs/sum_of_modes.h"
 
@@ -246,22 +246,11 @@ private:
         }
     }
 
-    // Up to where the wave falls below ten deviations for good.
-    static PhasorRun seen_windows(const PhasorRun& run) {
-        std::size_t end = 0;
-        for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-            const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
-            end = power > 100 * run.sd[k] * run.sd[k] ? k + 1 : end;
-        }
-        return kept_windows(run, [end](std::size_t k) { return k < end; });
-    }
-
     std::optional<ResonatorFit> fit_of(const PhasorRun& run, const Part& part) const {
         if (part.size() < least_part || job_.cancelled()) {
             return {};
         }
-        return fitted(
-            kept_windows(run, [&](std::size_t k) { return k >= part.first && k < part.end; }));
+        return fitted(kept_windows(run, part.first, part.end));
     }
 
     // The part that decays freely, if the rest does not. `run`: its windows with a wave.
@@ -342,10 +331,7 @@ private:
     bool rest_is_similar(const PhasorRun& run, const Part& part) const {
         constexpr double similar = 0.3;
         const auto rate_of = [&](const Part& where) {
-            return decay_law(
-                       kept_windows(
-                           run, [&](std::size_t k) { return k >= where.first && k < where.end; }))
-                .line_per_s;
+            return decay_law(kept_windows(run, where.first, where.end)).line_per_s;
         };
         const double usual = rate_of(part);
         for (const Part& rest : {Part{0, part.first}, Part{part.end, run.time_s.size()}}) {
@@ -368,78 +354,61 @@ private:
     ResonatorFit& fit_;
 };
 
-// Weighted mean of one mode's frequency and decay rate over recordings; deviations by the scatter
-// where it is the larger.
-class ModeMean {
+// Weighted mean over recordings; its deviation by the scatter where that is the larger.
+class Mean {
 public:
-    void add(double f_ref_hz, std::complex<double> rate, double sd) {
-        f_hz_.add(f_ref_hz + rate.imag() / (2 * std::numbers::pi), sd / (2 * std::numbers::pi));
-        decay_.add(-rate.real(), sd);
+    void add(double value, double sd) {
+        values_.push_back(value);
+        weights_.push_back(1 / (sd * sd));
     }
 
-    ModeEstimate estimate() const {
-        ModeEstimate mode;
-        mode.f_hz = f_hz_.estimate();
-        const Estimate decay = decay_.estimate();
-        mode.tau_s = decay_time(decay.value, decay.sd, decay.u);
-        mode.q = mode.tau_s;
-        if (mode.q.given()) {
-            const double by = std::numbers::pi * mode.f_hz.value;
-            mode.q.value *= by;
-            mode.q.sd *= by;
+    Estimate estimate() const {
+        double sum = 0;
+        double all = 0;
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            sum += weights_[k] * values_[k];
+            all += weights_[k];
         }
-        return mode;
+        const double mean = sum / all;
+        double chi2 = 0;
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            chi2 += weights_[k] * (values_[k] - mean) * (values_[k] - mean);
+        }
+        const double freedom = std::max(static_cast<double>(values_.size()) - 1, 1.0);
+        return {mean, std::sqrt(std::max(1.0, chi2 / freedom) / all), {}};
     }
 
 private:
-    struct Mean {
-        std::vector<double> values;
-        std::vector<double> weights;
-
-        void add(double value, double sd) {
-            values.push_back(value);
-            weights.push_back(1 / (sd * sd));
-        }
-
-        Estimate estimate() const {
-            double sum = 0;
-            double all = 0;
-            for (std::size_t k = 0; k < values.size(); ++k) {
-                sum += weights[k] * values[k];
-                all += weights[k];
-            }
-            const double mean = sum / all;
-            double chi2 = 0;
-            for (std::size_t k = 0; k < values.size(); ++k) {
-                chi2 += weights[k] * (values[k] - mean) * (values[k] - mean);
-            }
-            const double freedom = std::max(static_cast<double>(values.size()) - 1, 1.0);
-            return {mean, std::sqrt(std::max(1.0, chi2 / freedom) / all), {}};
-        }
-    };
-
-    Mean f_hz_;
-    Mean decay_;
+    std::vector<double> values_;
+    std::vector<double> weights_;
 };
+
+ModeEstimate mode_of(const Mean& f_hz, const Mean& decay_per_s) {
+    ModeEstimate mode;
+    mode.f_hz = f_hz.estimate();
+    const Estimate decay = decay_per_s.estimate();
+    mode.tau_s = decay_time(decay.value, decay.sd, decay.u);
+    mode.q = mode.tau_s;
+    if (mode.q.given()) {
+        const double by = std::numbers::pi * mode.f_hz.value;
+        mode.q.value *= by;
+        mode.q.sd *= by;
+    }
+    return mode;
+}
 
 }  // namespace
 
 Result<ResonatorFit> fit_one_projection(std::span<const PhasorRun> runs) {
     const Reason reason{ReasonCode::same_projection, {}};
-    const Estimate none{.reason = reason};
     ResonatorFit fit;
     fit.model = ResonatorModel::free;
-    for (const ResonatorParameter& parameter : resonator_parameters) {
-        fit.resonator.*parameter.member = none;
-    }
-    fit.sensitivities.assign(resonator_parameters.size(), {});
-    fit.shares.assign(resonator_parameters.size(), {});
+    refuse_resonator(reason, fit);
     RunEstimate run;
-    for (const RunParameter& parameter : run_parameters) {
-        run.*parameter.member = none;
-    }
+    refuse(run_parameters, reason, run);
     fit.runs.assign(runs.size(), run);
-    std::array<ModeMean, 2> means;
+    std::array<Mean, 2> f_hz;  // of each mode
+    std::array<Mean, 2> decay_per_s;
     double chi2 = 0;
     double freedom = 0;
     double squares = 0;
@@ -451,8 +420,11 @@ Result<ResonatorFit> fit_one_projection(std::span<const PhasorRun> runs) {
                          "recording " + std::to_string(k + 1),
                          {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
         }
-        for (std::size_t mode = 0; mode < means.size(); ++mode) {
-            means[mode].add(good.f_ref_hz, sum->rates[mode], sum->rate_sd[mode]);
+        for (std::size_t mode = 0; mode < f_hz.size(); ++mode) {
+            constexpr double turn = 2 * std::numbers::pi;
+            const double sd = sum->rate_sd[mode];
+            f_hz[mode].add(good.f_ref_hz + sum->rates[mode].imag() / turn, sd / turn);
+            decay_per_s[mode].add(-sum->rates[mode].real(), sd);
         }
         chi2 += sum->chi2;
         freedom += sum->freedom;
@@ -467,8 +439,8 @@ Result<ResonatorFit> fit_one_projection(std::span<const PhasorRun> runs) {
         fit.warnings.push_back(
             {DiagnosticKind::residual_above_noise, {number_arg(fit.chi2_per_dof, 3)}});
     }
-    for (const ModeMean& mean : means) {
-        fit.modes.push_back(mean.estimate());
+    for (std::size_t mode = 0; mode < f_hz.size(); ++mode) {
+        fit.modes.push_back(mode_of(f_hz[mode], decay_per_s[mode]));
     }
     return fit;
 }

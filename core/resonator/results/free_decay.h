@@ -10,7 +10,7 @@ namespace vybeg {
 // Verdicts on recordings that are no free decay, where the fit of the set leaves more than noise,
 // refuses the set or leaves one out of it:
 // - held or driven: the amplitude grows, or stays while those of the other recordings fall;
-// - friction: the amplitude falls by another law than the exponential one (decay_law.h), and this
+// - friction: the amplitude falls by another law than the exponential one (decay.h), and this
 //   law leaves less of it than the fit of the recording alone;
 // - only a part decays: a middle part fits alone, what lies outside departs from its continuation,
 //   and is no free decay of similar rate by itself (that is an event inside the recording).

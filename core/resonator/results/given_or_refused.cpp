@@ -1,10 +1,9 @@
 #include "core/resonator/results/given_or_refused.h"
 
 #include "core/base/number_text.h"
+#include "core/resonator/results/fitted_set.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/run_parameters.h"
-#include "core/resonator/results/sensitivities.h"
-#include "core/resonator/runs/decay_time.h"
+#include "core/resonator/runs/decay.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -13,6 +12,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace vybeg {
@@ -39,14 +39,10 @@ constexpr double circular_below = 5;  // standard deviations of the smaller trav
 
 class Estimates {
 public:
-    Estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit)
-        : set_(set), runs_(runs), at_(set.variances), fit_(fit) {}
+    Estimates(const FittedSet& set, ResonatorFit& fit)
+        : set_(set), p_(set.posterior), runs_(set.runs), at_(set.variances), fit_(fit) {}
 
     void add() {
-        const double share = 1 / static_cast<double>(runs_.size());
-        for (const PhasorRun& run : runs_) {
-            f_ref_hz_ += share * run.f_ref_hz;
-        }
         add_runs();
         if (set_.model == ResonatorModel::structured) {
             add_resonator();
@@ -91,10 +87,7 @@ private:
 
     // Covariance of two parameters side by side, with all its parts.
     Eigen::Matrix2d pair_covariance(int first) const {
-        const auto found = std::ranges::find(set_.posterior.active, Index{first});
-        const Index k = found - set_.posterior.active.begin();
-        const Posterior& p = set_.posterior;
-        return p.covariance_of(k, 2);
+        return p_.covariance_of(p_.place_of(first), 2);
     }
 
     // Largest turn of the wave of any run, degrees of theta_A.
@@ -147,9 +140,7 @@ private:
                        ? Estimate{.reason = within}
                        : number(axis);
         // Errors as large as the vector leave any axis.
-        const Index row =
-            std::ranges::find(set_.posterior.active, Index{first}) - set_.posterior.active.begin();
-        const double by_errors = set_.moved.middleRows(row, 2).norm();
+        const double by_errors = set_.moved.middleRows(p_.place_of(first), 2).norm();
         if (axis_out.given() && length < vector_needs_in_u * by_errors) {
             axis_out.u = std::hypot(axis_out.sd, any_axis_rad);
         }
@@ -232,21 +223,18 @@ private:
         if (!out.tau_s.given() && out.tau_s.reason.code == ReasonCode::one_direction) {
             fit_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
         }
-        fit_.sensitivities = sensitivities(set_, out, f_ref_hz_);
-        fit_.shares = tolerance_shares(set_, out, f_ref_hz_);
+        fit_.sensitivities = sensitivities(set_, out);
+        fit_.shares = tolerance_shares(set_, out);
         add_drift_terms();
     }
 
     void add_free() {
-        const Estimate none{.reason = {ReasonCode::free_model, {}}};
-        for (const ResonatorParameter& parameter : resonator_parameters) {
-            fit_.resonator.*parameter.member = none;
-        }
+        const Reason reason{ReasonCode::free_model, {}};
+        refuse_resonator(reason, fit_);
         for (RunEstimate& run : fit_.runs) {
-            run.split_sin_hz = run.direction_f_hz = run.direction_tau_s = none;
+            run.split_sin_hz = run.direction_f_hz = run.direction_tau_s =
+                Estimate{.reason = reason};
         }
-        fit_.sensitivities.assign(resonator_parameters.size(), {});
-        fit_.shares.assign(resonator_parameters.size(), {});
     }
 
     // Whether one of the decay rates is negative by more than its noise.
@@ -266,15 +254,14 @@ private:
 
     void add_modes() {
         fit_.mode_order = set_.context.order;
-        const Posterior& p = set_.posterior;
         // |s^2| against the largest deviation of its two parts.
-        const Eigen::VectorXcd gradient = square_gradient(p);
+        const Eigen::VectorXcd gradient = square_gradient(p_);
         Eigen::MatrixXd by(2, gradient.size());
         by << gradient.real().transpose(), gradient.imag().transpose();
-        const Eigen::Matrix2d spread = p.covariance_of(by);
+        const Eigen::Matrix2d spread = p_.covariance_of(by);
         const double most =
             std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[1]);
-        const bool apart = std::abs(square_half_difference(p.p)) > modes_need * most;
+        const bool apart = std::abs(square_half_difference(p_.p)) > modes_need * most;
         const bool seen =
             !unseen(mode_f_of, derived_share) && !unseen(mode_f_of + 1, derived_share);
         if (!apart || !seen) {
@@ -305,19 +292,17 @@ private:
     };
 
     TravellingSd travelling_sd(std::size_t run) const {
-        const Posterior& p = set_.posterior;
-        const Index first =
-            std::ranges::find(p.active, set_.problem->layout.at(run, start_at)) - p.active.begin();
-        const Eigen::Vector4d wave = p.p.segment<4>(set_.problem->layout.at(run, start_at));
+        const Index start = set_.problem->layout.at(run, start_at);
+        const Eigen::Vector4d wave = p_.p.segment<4>(start);
         const Eigen::Vector4d turned =
             Eigen::Vector4d(-wave[1], wave[0], -wave[3], wave[2]).normalized();
         const Eigen::Matrix4d rest = Eigen::Matrix4d::Identity() - turned * turned.transpose();
-        const Eigen::MatrixXd rows = rest * p.root.middleRows<4>(first);
-        const Eigen::Matrix4d start = rows * (p.data + p.nothing) * rows.transpose();
+        const Eigen::MatrixXd rows = rest * p_.root.middleRows<4>(p_.place_of(start));
+        const Eigen::Matrix4d covariance = rows * (p_.data + p_.nothing) * rows.transpose();
         const auto largest = [&](double sign) {
             Eigen::Matrix<double, 2, 4> of_start;
             of_start << 1, 0, 0, -sign, 0, 1, sign, 0;
-            const Eigen::Matrix2d spread = of_start * start * of_start.transpose();
+            const Eigen::Matrix2d spread = of_start * covariance * of_start.transpose();
             return std::sqrt(
                 Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[1]);
         };
@@ -395,15 +380,13 @@ private:
             return estimate.given() || estimate.reason.code == ReasonCode::within_noise;
         };
         terms.given = seen(out.damping_anisotropy_per_s) && out.angle_rate_rad_s.given();
-        const Posterior& p = set_.posterior;
+        const std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
         std::array<Index, 3> rows{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            constexpr std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
-            terms.value[static_cast<Index>(k)] = p.p[parameters[k]];
-            rows[k] = std::ranges::find(p.active, parameters[k]) - p.active.begin();
-        }
-        const Eigen::MatrixXd root = p.root(rows, Eigen::all);
-        terms.covariance = root * (p.data + p.nothing) * root.transpose();
+        std::ranges::transform(parameters, rows.begin(),
+                               [this](Index k) { return p_.place_of(k); });
+        terms.value = p_.p(parameters);
+        const Eigen::MatrixXd root = p_.root(rows, Eigen::all);
+        terms.covariance = root * (p_.data + p_.nothing) * root.transpose();
         const Eigen::MatrixXd scattered = set_.scattered(rows, Eigen::all);
         terms.spread = scattered * scattered.transpose();
         for (std::size_t k = 0; k < channel_errors.size(); ++k) {
@@ -419,9 +402,8 @@ private:
     // The motion of which an error that the fit does not know makes the fitted one.
     FittedMotion motion_with(SharedParameter error, double size,
                              const Eigen::VectorXd& moved) const {
-        const Posterior& p = set_.posterior;
-        Eigen::VectorXd at = p.p;
-        at(p.active) -= moved;
+        Eigen::VectorXd at = p_.p;
+        at(p_.active) -= moved;
         if (set_.problem->priors.sd[error] == 0) {
             at[error] += size;
         }
@@ -434,44 +416,35 @@ private:
     }
 
     const FittedSet& set_;
+    const Posterior& p_;
     std::span<const PhasorRun> runs_;
     const ReportedVariances& at_;
     ResonatorFit& fit_;
-    double f_ref_hz_ = 0;
+    const double f_ref_hz_ = set_.context.mean_f_ref_hz();
     std::optional<Reason> grown_;  // a mode that grows
 };
 
 }  // namespace
 
-void add_estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit) {
-    Estimates(set, runs, fit).add();
-    const ResonatorEstimate& given = fit.resonator;
-    fit.identifiable = {.split = given.split_hz.given(),
-                        .theta_w = given.theta_w_rad.given(),
-                        .tau = given.tau_s.given(),
-                        .damping_anisotropy = given.damping_anisotropy_per_s.given(),
-                        .theta_tau = given.theta_tau_rad.given(),
-                        .rotation = given.angle_rate_rad_s.given(),
-                        .kappa = given.kappa.given()};
+void add_estimates(const FittedSet& set, ResonatorFit& fit) {
+    Estimates(set, fit).add();
+}
+
+void refuse_resonator(const Reason& reason, ResonatorFit& fit) {
+    refuse(resonator_parameters, reason, fit.resonator);
+    fit.sensitivities.assign(resonator_parameters.size(), {});
+    fit.shares.assign(resonator_parameters.size(), {});
 }
 
 void refuse_all(const Reason& reason, ResonatorFit& fit) {
-    const Estimate none{.reason = reason};
-    for (const ResonatorParameter& parameter : resonator_parameters) {
-        fit.resonator.*parameter.member = none;
-    }
+    refuse_resonator(reason, fit);
     for (RunEstimate& run : fit.runs) {
-        for (const RunParameter& parameter : run_parameters) {
-            if (parameter.member != &RunEstimate::q_envelope) {
-                run.*parameter.member = none;
-            }
-        }
+        Estimate of_power = std::move(run.q_envelope);
+        refuse(run_parameters, reason, run);
+        run.q_envelope = std::move(of_power);
     }
     fit.modes.clear();
     fit.no_modes = reason;
-    fit.sensitivities.assign(resonator_parameters.size(), {});
-    fit.shares.assign(resonator_parameters.size(), {});
-    fit.identifiable = {};
     fit.drift_terms.given = false;
 }
 

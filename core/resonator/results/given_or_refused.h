@@ -1,15 +1,15 @@
 #pragma once
 
 #include "core/resonator/results/fitted_set.h"
-#include "core/resonator/results/resonator_result.h"
-
-#include <span>
 
 namespace vybeg {
 
 // Adds modes, resonator and runs: each number with its deviation, or the reason for its absence
-// (FIT section 5). `runs`: as fitted.
-void add_estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit);
+// (FIT section 5).
+void add_estimates(const FittedSet& set, ResonatorFit& fit);
+
+// Removes all numbers of the resonator, and with them their sensitivities and shares.
+void refuse_resonator(const Reason& reason, ResonatorFit& fit);
 
 // Removes all numbers of modes, resonator and runs, except Q of the envelope, which follows from
 // the recorded power only.

@@ -30,24 +30,12 @@ constexpr double least_cycles = 3;  // least distance of a line from the wave, c
 constexpr double lines_per_cycle = 3;
 constexpr double most_lines = 1e5;
 
-Effect channel_effect(const Posterior& at, int error) {
-    Effect effect;
-    for (const Linearised& run : at.runs) {
-        effect.emplace_back(run.by_parameter.col(error));
-    }
-    return effect;
-}
-
 // A line at `f_hz` that decays: both parts of its phasor in each channel and run.
 Effect line_effect(const FitProblem& problem, std::span<const double> f_ref_hz, double f_hz,
                    double decay_per_s) {
-    Effect effect;
-    const std::size_t runs = problem.runs.size();
-    for (std::size_t k = 0; k < runs; ++k) {
-        const ScaledRun& run = problem.runs[k];
-        MatrixXd by =
-            MatrixXd::Zero(4 * static_cast<Index>(run.size()), 4 * static_cast<Index>(runs));
-        for (std::size_t window = 0; window < run.size(); ++window) {
+    return effect_by_window(
+        problem, 4 * static_cast<Index>(problem.runs.size()),
+        [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
             const double t = run.time_s[window];
             const Complex turn =
                 std::polar(std::exp(-decay_per_s * t), 2 * pi * (f_hz - f_ref_hz[k]) * t);
@@ -56,10 +44,7 @@ Effect line_effect(const FitProblem& problem, std::span<const double> f_ref_hz, 
             put_effect(by, run, window, first + 1, {i * turn, 0});
             put_effect(by, run, window, first + 2, {0, turn});
             put_effect(by, run, window, first + 3, {0, i * turn});
-        }
-        effect.push_back(std::move(by));
-    }
-    return effect;
+        });
 }
 
 // Residual of a run, weighted for a mode that decays like the wave.
@@ -160,22 +145,18 @@ struct Line {
 // The strongest line within the windows' band, away from the wave.
 Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
                     std::span<const double> f_ref_hz, double scale, const JobControl& job) {
-    double longest_s = 0;
-    double step_s = std::numeric_limits<double>::infinity();
-    for (const ScaledRun& run : problem.runs) {
-        longest_s = std::max(longest_s, run.duration_s);
-        step_s = std::min(step_s, run.step_s);
-    }
+    const double longest = longest_s(problem);
+    const double step_s = std::ranges::min(problem.runs, {}, &ScaledRun::step_s).step_s;
     const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
-    const double step_hz = 1 / (lines_per_cycle * longest_s);
+    const double step_hz = 1 / (lines_per_cycle * longest);
     const double band_hz = 0.5 / step_s;
     const std::vector<DampedResidual> residuals = damped_residuals(problem, at, f_ref_hz);
     Line best;
     double most = 0;
     const auto steps =
-        static_cast<int>(std::min((band_hz - least_cycles / longest_s) / step_hz, most_lines));
+        static_cast<int>(std::min((band_hz - least_cycles / longest) / step_hz, most_lines));
     for (int step = 0; step < steps && !job.cancelled(); ++step) {
-        const double off = least_cycles / longest_s + step * step_hz;
+        const double off = least_cycles / longest + step * step_hz;
         for (const double f_hz : {wave_hz - off, wave_hz + off}) {
             const double power = line_power(residuals, f_hz);
             if (power > most) {
@@ -203,16 +184,13 @@ Line nearest_line(const FitProblem& problem, const Posterior& at, std::span<cons
                   const JobControl& job) {
     constexpr double nearest = 0.4;  // cycles over a run
     constexpr double step = 1.0 / 6;
-    double longest_s = 0;
-    for (const ScaledRun& run : problem.runs) {
-        longest_s = std::max(longest_s, run.duration_s);
-    }
+    const double longest = longest_s(problem);
     const double dof = degrees_of_freedom(problem);
     const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
     double needed = at.chi2() - noise_bound(dof) * dof;
     Line best;
     for (double cycles = nearest; cycles < least_cycles + 1 && !job.cancelled(); cycles += step) {
-        for (const double off_hz : {cycles / longest_s, -cycles / longest_s}) {
+        for (const double off_hz : {cycles / longest, -cycles / longest}) {
             for (const double decay_per_s : {std::abs(at.p[decay_at]), 0.0}) {
                 const Score line = score(
                     problem, at, line_effect(problem, f_ref_hz, wave_hz + off_hz, decay_per_s));
@@ -258,8 +236,7 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
     for (const ChannelError& error : channel_errors) {
         const bool held = problem.priors.sd[error.parameter] == 0 && error.source != kappa_error;
         if (structured && held) {
-            const Score found =
-                score(problem, posterior, channel_effect(posterior, error.parameter));
+            const Score found = parameter_score(problem, posterior, error.parameter);
             consider(found.fall, DiagnosticKind::misfit_channel,
                      named_error(error, found.size[0], f_ref_hz[0]));
         }

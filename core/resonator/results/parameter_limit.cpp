@@ -1,6 +1,6 @@
 #include "core/resonator/results/parameter_limit.h"
 
-#include "core/resonator/results/uncertainty_budget.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <iterator>

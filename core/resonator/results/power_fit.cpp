@@ -72,8 +72,7 @@ void add_linear(const PowerRun& run, Eigen::MatrixXd& information, Eigen::Vector
 // The phasors turned to those of the motion.
 void turn_to(const FitProblem& problem, const Eigen::VectorXd& p, std::vector<ScaledRun>& scaled) {
     for (std::size_t k = 0; k < scaled.size(); ++k) {
-        const std::vector<Vector2cd> expected = expected_phasors(
-            scaled[k], p.head(shared_count), own_of(problem.layout, p, k), scaled[k].size());
+        const std::vector<Vector2cd> expected = expected_phasors(problem, p, k);
         for (std::size_t row = 0; row < expected.size(); ++row) {
             const std::complex<double> along = expected[row].dot(scaled[k].z[row]);
             scaled[k].z[row] *= std::polar(1.0, -std::arg(along));
@@ -87,8 +86,7 @@ void take_noise(const std::vector<ScaledRun>& scaled, const FitProblem& problem,
                 const Eigen::VectorXd& p, std::vector<PhasorRun>& runs, double scale) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
         const ScaledRun& run = scaled[k];
-        const std::vector<Vector2cd> expected =
-            expected_phasors(run, p.head(shared_count), own_of(problem.layout, p, k), run.size());
+        const std::vector<Vector2cd> expected = expected_phasors(problem, p, k);
         std::array<double, 2> square{};  // over those of the law
         std::array<double, 2> log_sd{};
         for (std::size_t row = 3; row < run.size(); ++row) {
@@ -131,8 +129,7 @@ struct PowerProblem {
     FitProblem problem;
 
     PowerProblem(std::span<const PhasorRun> runs, double scale, const FitOptions& options)
-        : scaled(scaled_of(runs, scale)),
-          problem{scaled, ParameterLayout(std::vector<std::size_t>(runs.size(), 0)), {}} {
+        : scaled(scaled_runs(runs, scale)), problem{scaled, layout_of(scaled), {}} {
         problem.priors = structured_priors(scaled, problem.layout, options.tolerance);
         for (std::size_t k = 0; k < runs.size(); ++k) {
             for (const int own : {frequency_at, drift_at}) {
@@ -146,14 +143,6 @@ struct PowerProblem {
     }
     PowerProblem(const PowerProblem&) = delete;
     PowerProblem& operator=(const PowerProblem&) = delete;
-
-    static std::vector<ScaledRun> scaled_of(std::span<const PhasorRun> runs, double scale) {
-        std::vector<ScaledRun> scaled;
-        for (const PhasorRun& run : runs) {
-            scaled.push_back(scaled_run(run, scale));
-        }
-        return scaled;
-    }
 
     Eigen::VectorXd start(const Eigen::VectorXd& linear) const {
         Eigen::VectorXd p = problem.priors.mean;
@@ -267,13 +256,6 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
     }
     turn_to(last.problem, fit.p, last.scaled);
     TRY(job.go_on());
-    ChannelTolerance tolerance = options.tolerance;
-    for (const ChannelError& error : channel_errors) {
-        double& size = tolerance.*error.tolerance;
-        size = size > 0 ? size : options.assumed.*error.tolerance;
-    }
-    const bool agrees =
-        examination.verdict == SetVerdict::fits || examination.verdict == SetVerdict::spread;
     found.fit = describe({found.runs,
                           found.runs,
                           &last.problem,
@@ -283,16 +265,10 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
                           {},
                           false,
                           examination.spread,
-                          tolerance},
+                          with_assumed(options).tolerance},
                          job);
-    if (!agrees) {
-        refuse_all({ReasonCode::set_refused, {}}, found.fit);
-        examination.verdict =
-            examination.verdict == SetVerdict::foreign ? SetVerdict::several : examination.verdict;
-    }
+    conclude(examination, !options.spread, found.fit);
     refuse_frequencies(found.fit);
-    const std::vector<Diagnostic> findings = set_findings(examination, !options.spread);
-    found.fit.warnings.insert(found.fit.warnings.begin(), findings.begin(), findings.end());
     return found;
 }
 

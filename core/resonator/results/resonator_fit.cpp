@@ -1,6 +1,6 @@
 #include "core/resonator/results/resonator_fit.h"
 
-#include "core/resonator/results/run_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/set_fit.h"
 #include "core/resonator/runs/merge_windows.h"
 
@@ -38,7 +38,7 @@ struct OpenedBreaks {
 // Fits the set with each of the breaks; the fewest parameters that explain as much are kept.
 // Beating modes also determine a number of samples; numbers with the phase of a step are tried.
 OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak> likely,
-                        double scale, const FitOptions& options, const JobControl& job) {
+                        const SetTask& task) {
     constexpr double price = 9;  // chi^2 that a parameter must explain
     OpenedBreaks best;
     double least = std::numeric_limits<double>::infinity();
@@ -46,10 +46,10 @@ OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak>
         // A set keeps references to its runs.
         OpenedBreaks next{opened.runs, opened.breaks, {}};
         next.runs[found.run] = with_break(opened.runs[found.run], found);
-        if (next.runs[found.run].time_s.size() < least_windows || job.cancelled()) {
+        if (next.runs[found.run].time_s.size() < least_windows || task.job.cancelled()) {
             return;
         }
-        next.set = solved_set(next.runs, scale, options, job, Effort::trial);
+        next.set = solved_set(next.runs, task, Effort::trial);
         next.breaks.push_back(found);
         const double cost =
             next.set->excess() + price * parameters * std::max(1.0, next.set->chi2_per_dof());
@@ -70,21 +70,21 @@ OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak>
         }
     }
     if (best.set) {
-        best.set = solved_set(best.runs, scale, options, job);
+        best.set = solved_set(best.runs, task);
     }
     return best;
 }
 
 // The set with breaks. One break must explain nearly all of the residual, several must leave only
 // noise; a weaker condition would find breaks in any wandering phase.
-OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& closed, double scale,
-                         const FitOptions& options, const JobControl& job) {
+OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& closed,
+                         const SetTask& task) {
     constexpr std::size_t most_breaks = 4;
     constexpr double nearly_none = 0.2;
     OpenedBreaks opened{good, {}, {}};
     std::vector<FittedBreak> likely = closed.unexplained_breaks();
-    while (!likely.empty() && opened.breaks.size() < most_breaks && !job.cancelled()) {
-        OpenedBreaks next = open_break(opened, likely, scale, options, job);
+    while (!likely.empty() && opened.breaks.size() < most_breaks && !task.job.cancelled()) {
+        OpenedBreaks next = open_break(opened, likely, task);
         constexpr double halved = 0.6;
         const SetFit& before = opened.set ? *opened.set : closed;
         if (!next.set || (!next.set->at_noise() && next.set->excess() > halved * before.excess())) {
@@ -105,8 +105,7 @@ OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& close
 // foreign to its set, whose fit then does not see it. Without suspects, those of all runs of a
 // small set.
 std::vector<FittedBreak> open_own_breaks(const SetExamination& examination,
-                                         std::vector<PhasorRun>& runs, double scale,
-                                         const FitOptions& options, const JobControl& job) {
+                                         std::vector<PhasorRun>& runs, const SetTask& task) {
     constexpr std::size_t small = 4;
     std::vector<std::size_t> suspects = examination.foreign;
     if (suspects.empty() && runs.size() <= small) {
@@ -115,12 +114,12 @@ std::vector<FittedBreak> open_own_breaks(const SetExamination& examination,
     }
     std::vector<FittedBreak> all;
     for (const std::size_t k : suspects) {
-        if (job.cancelled()) {
+        if (task.job.cancelled()) {
             break;
         }
         const std::vector<PhasorRun> one{runs[k]};
-        const std::unique_ptr<SetFit> alone = solved_set(one, scale, options, job);
-        OpenedBreaks opened = with_breaks(one, *alone, scale, options, job);
+        const std::unique_ptr<SetFit> alone = solved_set(one, task);
+        OpenedBreaks opened = with_breaks(one, *alone, task);
         if (opened.set) {
             runs[k] = std::move(opened.runs.front());
             for (FittedBreak& each : opened.breaks) {
@@ -148,14 +147,13 @@ bool has_foreign(const SetFit& set) {
 // Leaves out the run that does not belong to the set, if the others agree; returns the set with it,
 // else null.
 std::unique_ptr<SetFit> without_foreign(std::vector<PhasorRun>& runs, std::unique_ptr<SetFit>& set,
-                                        double scale, const FitOptions& options,
-                                        const JobControl& job) {
+                                        const SetTask& task) {
     if (!has_foreign(*set) || runs.size() < 3) {
         return nullptr;
     }
     std::vector<PhasorRun> others = runs;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(set->examination().foreign.front()));
-    std::unique_ptr<SetFit> rest = solved_set(others, scale, options, job);
+    std::unique_ptr<SetFit> rest = solved_set(others, task);
     if (!rest->agrees()) {
         return nullptr;
     }
@@ -181,13 +179,10 @@ void add_foreign(const SetFit& whole, std::size_t count, ResonatorFit& fit) {
     for (FittedBreak& each : fit.breaks) {
         each.run += each.run >= out ? 1 : 0;
     }
-    const std::vector<Diagnostic> findings = set_findings(examination, false);
-    fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
+    add_findings(examination, false, fit);
     const auto at = static_cast<std::ptrdiff_t>(out);
     RunEstimate none;
-    for (const RunParameter& parameter : run_parameters) {
-        none.*parameter.member = Estimate{.reason = {ReasonCode::left_out, {}}};
-    }
+    refuse(run_parameters, {ReasonCode::left_out, {}}, none);
     fit.runs.insert(fit.runs.begin() + at, none);
     FittedMotion::Run motion = whole.motion().runs[out];
     motion.own = whole.own_given(fit.motion.shared, out);
@@ -219,33 +214,33 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
                      {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
     }
     const FitOptions usual = with_assumed(stated);
-    std::unique_ptr<SetFit> set = solved_set(good, scale, stated, job);
+    std::unique_ptr<SetFit> set = solved_set(good, {scale, stated, job});
     bool by_usual = false;
     if (usual.tolerance != stated.tolerance &&
         !(set->explains() && set->is_white() && set->unexplained_breaks().empty())) {
         // What channels within their usual tolerances explain is no finding, and hides the run that
         // does not belong to the set.
-        std::unique_ptr<SetFit> open = solved_set(good, scale, usual, job);
+        std::unique_ptr<SetFit> open = solved_set(good, {scale, usual, job});
         by_usual = open->explains() || (!set->agrees() && !has_foreign(*set) && has_foreign(*open));
         if (by_usual) {
             set = std::move(open);
         }
     }
-    const FitOptions& options = by_usual ? usual : stated;
+    const SetTask task{scale, by_usual ? usual : stated, job};
     std::vector<FittedBreak> breaks;
     if (!set->agrees()) {
-        breaks = open_own_breaks(set->examination(), good, scale, options, job);
+        breaks = open_own_breaks(set->examination(), good, task);
         if (!breaks.empty()) {
-            set = solved_set(good, scale, options, job);
+            set = solved_set(good, task);
         }
     }
-    const std::unique_ptr<SetFit> whole = without_foreign(good, set, scale, options, job);
+    const std::unique_ptr<SetFit> whole = without_foreign(good, set, task);
     if (whole) {
         breaks = breaks_without(std::move(breaks), whole->examination().foreign.front());
     }
     OpenedBreaks opened;
     if (set->agrees()) {
-        opened = with_breaks(good, *set, scale, options, job);
+        opened = with_breaks(good, *set, task);
     }
     if (opened.set) {
         set = std::move(opened.set);

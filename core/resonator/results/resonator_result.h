@@ -7,7 +7,7 @@
 #include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/reason.h"
 #include "core/resonator/noise/noise_shape.h"
-#include "core/resonator/runs/decay_law.h"
+#include "core/resonator/runs/decay.h"
 
 #include <array>
 #include <cstddef>
@@ -67,17 +67,6 @@ struct RawParameters {
     std::vector<double> covariance;  // row by row, names.size() squared
 };
 
-// Quantities that the recordings determine.
-struct Identifiable {
-    bool split = false;
-    bool theta_w = false;
-    bool tau = false;
-    bool damping_anisotropy = false;
-    bool theta_tau = false;
-    bool rotation = false;
-    bool kappa = false;
-};
-
 // Rotation and damping anisotropy, the terms of the drift of the angle, with their covariance: r,
 // g cos 4theta_tau, g sin 4theta_tau.
 struct DriftTerms {
@@ -109,7 +98,6 @@ struct ResonatorFit {
     // the sum of their squares and of sd^2. Zeros if the parameter is not given.
     std::vector<BySource> shares;
     std::vector<RunEstimate> runs;  // in the order of the given runs
-    Identifiable identifiable;
     DriftTerms drift_terms;
     double residual_rms = 0;          // of the windows' phasors per signal, recording units
     double chi2_per_dof = 0;          // squared residuals in units of the windows' sd

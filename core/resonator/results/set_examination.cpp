@@ -3,6 +3,7 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/fit_start.h"
 #include "core/resonator/noise/residual_noise.h"
+#include "core/resonator/results/given_or_refused.h"
 
 #include <algorithm>
 #include <array>
@@ -58,9 +59,14 @@ PartFit part_fit(const FitProblem& whole, const MapFit& joint, std::span<const s
     return part_fit(whole, joint, which, std::move(runs), job);
 }
 
+std::vector<std::size_t> all_of(std::size_t count) {
+    std::vector<std::size_t> all(count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
 std::vector<std::size_t> all_but(std::size_t count, std::size_t out) {
-    std::vector<std::size_t> kept(count);
-    std::iota(kept.begin(), kept.end(), std::size_t{0});
+    std::vector<std::size_t> kept = all_of(count);
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(out));
     return kept;
 }
@@ -195,9 +201,8 @@ private:
                   {ForeignCause::sign, with_sign(problem_.runs[k])}}) {
                 std::vector<ScaledRun> runs(problem_.runs.begin(), problem_.runs.end());
                 runs[k] = run;
-                std::vector<std::size_t> which(count_);
-                std::iota(which.begin(), which.end(), std::size_t{0});
-                const PartFit turned = part_fit(problem_, joint_, which, std::move(runs), job_);
+                const PartFit turned =
+                    part_fit(problem_, joint_, all_of(count_), std::move(runs), job_);
                 const double fall = joint_.cost - turned.fit.cost;
                 if (fall > margin &&
                     disagree(turned.problem, turned.fit.p, noise_) < most_disagreement) {
@@ -212,8 +217,7 @@ private:
 
     // The runs whose removal to try, the likeliest first.
     std::vector<std::size_t> suspects() const {
-        std::vector<std::size_t> order(count_);
-        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::vector<std::size_t> order = all_of(count_);
         if (count_ > most_trials) {
             const std::vector<double> falls =
                 falls_without(problem_, joint_.p, run_information(problem_, joint_.p, noise_));
@@ -458,27 +462,39 @@ SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
     return Examination(problem, joint, spread, job).agreeing();
 }
 
-std::vector<Diagnostic> set_findings(const SetExamination& examination, bool assumed) {
-    const auto sizes = [&]() -> std::vector<MessageArg> {
-        const RunDeviation& sd = examination.spread;
-        return {number_arg(100 * sd.decay, 2), number_arg(100 * sd.split, 2),
-                number_arg(100 * sd.kappa, 2)};
+void add_findings(const SetExamination& examination, bool assumed, ResonatorFit& fit) {
+    const auto add = [&fit](DiagnosticKind kind, std::vector<MessageArg> args) {
+        fit.warnings.insert(fit.warnings.begin(), Diagnostic{kind, std::move(args)});
     };
+    const RunDeviation& sd = examination.spread;
+    const std::vector<MessageArg> sizes{number_arg(100 * sd.decay, 2),
+                                        number_arg(100 * sd.split, 2),
+                                        number_arg(100 * sd.kappa, 2)};
     switch (examination.verdict) {
         case SetVerdict::fits:
-            if (assumed && examination.spread.decay > 0) {
-                return {{DiagnosticKind::set_too_small, sizes()}};
+            if (assumed && sd.decay > 0) {
+                add(DiagnosticKind::set_too_small, sizes);
             }
-            return {};
-        case SetVerdict::spread: return {{DiagnosticKind::recordings_differ, sizes()}};
-        case SetVerdict::refused: return {{DiagnosticKind::set_inconsistent, {}}};
+            break;
+        case SetVerdict::spread: add(DiagnosticKind::recordings_differ, sizes); break;
+        case SetVerdict::refused: add(DiagnosticKind::set_inconsistent, {}); break;
         case SetVerdict::foreign:
-        case SetVerdict::several: break;
+        case SetVerdict::several:
+            add(examination.verdict == SetVerdict::foreign ? DiagnosticKind::foreign_recording
+                                                           : DiagnosticKind::foreign_among,
+                {either(examination.foreign), cause_words(examination)});
+            break;
     }
-    const MessageArg cause = cause_words(examination);
-    const bool one = examination.verdict == SetVerdict::foreign;
-    return {{one ? DiagnosticKind::foreign_recording : DiagnosticKind::foreign_among,
-             {either(examination.foreign), cause}}};
+}
+
+void conclude(SetExamination examination, bool assumed, ResonatorFit& fit) {
+    if (!examination.agrees()) {
+        refuse_all({ReasonCode::set_refused, {}}, fit);
+    }
+    if (examination.verdict == SetVerdict::foreign) {
+        examination.verdict = SetVerdict::several;
+    }
+    add_findings(examination, assumed, fit);
 }
 
 }  // namespace vybeg

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/diagnostic.h"
 #include "core/resonator/fit/map_fit.h"
 #include "core/resonator/fit/run_information.h"
+#include "core/resonator/results/resonator_result.h"
 
 #include <cstddef>
 #include <optional>
@@ -33,6 +33,9 @@ struct SetExamination {
     std::vector<RunDeviation> deviation;  // of each run; of verdict `spread`
     Eigen::VectorXd p;                    // likewise: the set's parameters
     RunDeviation spread;                  // sd of the deviations; of small sets, too
+
+    // Whether the runs are those of one resonator.
+    bool agrees() const { return verdict == SetVerdict::fits || verdict == SetVerdict::spread; }
 };
 
 // Sets of fewer runs do not show whether they belong together: free parameters absorb what differs.
@@ -51,7 +54,11 @@ bool runs_agree(const FitProblem& problem, const MapFit& joint);
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
                             std::optional<double> spread, const JobControl& job);
 
-// What is said of it; `assumed`: its spread is, where the runs agree.
-std::vector<Diagnostic> set_findings(const SetExamination& examination, bool assumed);
+// Puts what is said of a set before the other warnings; `assumed`: its spread is, where the runs
+// agree.
+void add_findings(const SetExamination& examination, bool assumed, ResonatorFit& fit);
+
+// The same of a set that stays whole: without agreement it has no numbers.
+void conclude(SetExamination examination, bool assumed, ResonatorFit& fit);
 
 }  // namespace vybeg

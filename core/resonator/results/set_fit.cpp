@@ -7,7 +7,7 @@
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/structured_verdict.h"
-#include "core/resonator/runs/channel_noise.h"
+#include "core/resonator/runs/channels.h"
 #include "core/resonator/runs/merge_windows.h"
 
 #include <algorithm>
@@ -32,14 +32,11 @@ constexpr int later_cubic_steps = 60;
 constexpr int own_steps = 40;
 constexpr double hopeless = 100;
 
-std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale,
-                                   std::span<const Eigen::Matrix2d> whitenings) {
-    std::vector<ScaledRun> scaled;
-    for (const PhasorRun& run : runs) {
-        scaled.push_back(scaled_run(run, scale));
-        if (!whitenings.empty()) {
-            scaled.back().whitening = whitenings[scaled.size() - 1];
-        }
+std::vector<ScaledRun> whitened_runs(std::span<const PhasorRun> runs, double scale,
+                                     std::span<const Eigen::Matrix2d> whitenings) {
+    std::vector<ScaledRun> scaled = scaled_runs(runs, scale);
+    for (std::size_t k = 0; k < whitenings.size(); ++k) {
+        scaled[k].whitening = whitenings[k];
     }
     return scaled;
 }
@@ -55,18 +52,17 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
 
 }  // namespace
 
-SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
-               std::span<const Eigen::Matrix2d> whitenings, const FitOptions& options,
-               const JobControl& job, Effort effort)
+SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
+               std::span<const Eigen::Matrix2d> whitenings, const SetTask& task, Effort effort)
     : runs_(std::move(runs)),
       fine_(fine),
-      scaled_(scaled_runs(runs_, scale, whitenings)),
-      scale_(scale),
-      options_(options),
-      job_(job),
+      scaled_(whitened_runs(runs_, task.scale, whitenings)),
+      scale_(task.scale),
+      options_(task.options),
+      job_(task.job),
       effort_(effort),
       problem_{scaled_, layout_of(scaled_), {}} {
-    problem_.priors = structured_priors(scaled_, problem_.layout, options.tolerance);
+    problem_.priors = structured_priors(scaled_, problem_.layout, options_.tolerance);
     if (effort == Effort::trial) {
         problem_.noise_ratio = std::numeric_limits<double>::infinity();
     }
@@ -94,10 +90,6 @@ NeededWindows SetFit::solve() {
         main_ = refit_in_phase(problem_, main_, job_);
     }
     return needed_windows(motion_of(solved()), fine_);
-}
-
-bool SetFit::agrees() const {
-    return examination_.verdict == SetVerdict::fits || examination_.verdict == SetVerdict::spread;
 }
 
 Eigen::VectorXd SetFit::own_given(const Eigen::VectorXd& shared, std::size_t run) const {
@@ -168,23 +160,8 @@ ResonatorFit SetFit::described() const {
     ResonatorFit fit = describe(solved(), job_);
     fit.free_over_structured = free_over_structured_;
     fit.warnings.insert(fit.warnings.begin(), warnings_.begin(), warnings_.end());
-    SetExamination told = examination_;
-    if (!agrees()) {
-        refuse_all({ReasonCode::set_refused, {}}, fit);
-        told.verdict = told.verdict == SetVerdict::foreign ? SetVerdict::several : told.verdict;
-    }
-    const std::vector<Diagnostic> findings = set_findings(told, !options_.spread);
-    fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
+    conclude(examination_, !options_.spread, fit);
     return fit;
-}
-
-ParameterLayout SetFit::layout_of(const std::vector<ScaledRun>& runs) {
-    std::vector<std::size_t> breaks;
-    breaks.reserve(runs.size());
-    for (const ScaledRun& run : runs) {
-        breaks.push_back(run.break_parameters());
-    }
-    return ParameterLayout(breaks);
 }
 
 SolvedSet SetFit::solved() const {
@@ -241,7 +218,7 @@ void SetFit::find_main() {
 
 void SetFit::try_cubic() {
     const Posterior at = posterior(problem_, main_);
-    const Score score = cubic_score(problem_, at);
+    const Score score = parameter_score(problem_, at, cubic_at);
     const double dof = degrees_of_freedom(problem_);
     double scale = std::max(1.0, (main_.chi2 - score.fall) / dof);
     cubic_limit_ = {score.size[0], std::sqrt(score.inverse(0, 0) * scale), {}};
@@ -297,7 +274,7 @@ bool SetFit::is_of_free_runs() const {
         return false;
     }
     for (std::size_t k = 0; k < runs_.size(); ++k) {
-        SetFit alone({runs_[k]}, fine_.subspan(k, 1), scale_, {}, options_, job_, Effort::whole);
+        SetFit alone({runs_[k]}, fine_.subspan(k, 1), {}, {scale_, options_, job_}, Effort::whole);
         alone.solve();
         if (alone.model_ != ResonatorModel::free) {
             return false;
@@ -379,12 +356,10 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
     return false;
 }
 
-std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,
-                                   const FitOptions& options, const JobControl& job,
+std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const SetTask& task,
                                    Effort effort) {
     const auto fit_of = [&](std::size_t windows, std::span<const Eigen::Matrix2d> by) {
-        return std::make_unique<SetFit>(merged(good, windows), good, scale, by, options, job,
-                                        effort);
+        return std::make_unique<SetFit>(merged(good, windows), good, by, task, effort);
     };
     std::unique_ptr<SetFit> set = fit_of(enough_windows, {});
     NeededWindows needed = set->solve();
@@ -396,7 +371,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double sc
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
     const double windows = std::min(std::max(needed.by_motion, needed.by_line), most_windows);
-    if (windows > static_cast<double>(enough_windows) && !job.cancelled()) {
+    if (windows > static_cast<double>(enough_windows) && !task.job.cancelled()) {
         std::unique_ptr<SetFit> finer = fit_of(static_cast<std::size_t>(windows) + 1, by);
         finer->solve();
         // A line may be a disturbance far from the carrier, which longer windows suppress.

@@ -5,7 +5,7 @@
 #include "core/resonator/results/fit_options.h"
 #include "core/resonator/results/resonator_result.h"
 #include "core/resonator/results/set_examination.h"
-#include "core/resonator/runs/needed_windows.h"
+#include "core/resonator/runs/merge_windows.h"
 
 #include <Eigen/Core>
 
@@ -20,13 +20,19 @@ namespace vybeg {
 // A trial of a break takes neither further starts nor the free model.
 enum class Effort { whole, trial };
 
+// What all fits of a set share. `scale`: unit of the phasors.
+struct SetTask {
+    double scale;
+    const FitOptions& options;
+    const JobControl& job;
+};
+
 // The whole fit of one set, step by step.
 class SetFit {
 public:
-    // `fine`: the runs before merging of windows; `whitenings` of channel_noise.h, empty: none.
-    SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
-           std::span<const Eigen::Matrix2d> whitenings, const FitOptions& options,
-           const JobControl& job, Effort effort);
+    // `fine`: the runs before merging of windows; `whitenings` of channels.h, empty: none.
+    SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
+           std::span<const Eigen::Matrix2d> whitenings, const SetTask& task, Effort effort);
 
     // Finds the most likely parameters; returns the number of windows of a run that they need.
     NeededWindows solve();
@@ -34,7 +40,7 @@ public:
     const SetExamination& examination() const { return examination_; }
 
     // Whether the runs are those of one resonator.
-    bool agrees() const;
+    bool agrees() const { return examination_.agrees(); }
 
     // A run's own parameters that fit it best with the shared ones of another set.
     Eigen::VectorXd own_given(const Eigen::VectorXd& shared, std::size_t run) const;
@@ -71,8 +77,6 @@ public:
     ResonatorFit described() const;
 
 private:
-    static ParameterLayout layout_of(const std::vector<ScaledRun>& runs);
-
     SolvedSet solved() const;
 
     // Whether the set is one at all. A cause common to all runs that leaves only noise is named
@@ -128,10 +132,8 @@ private:
     std::vector<Diagnostic> warnings_;
 };
 
-// The set with as many windows of a run as its solution needs; it refers to the runs. `scale`: unit
-// of the phasors.
-std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, double scale,
-                                   const FitOptions& options, const JobControl& job,
+// The set with as many windows of a run as its solution needs; it refers to the runs.
+std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, const SetTask& task,
                                    Effort effort = Effort::whole);
 
 }  // namespace vybeg

@@ -1,11 +1,17 @@
 #include "core/resonator/runs/merge_windows.h"
 
-#include "core/resonator/model/kept_windows.h"
+#include "core/numerics/fft.h"
+#include "core/numerics/kaiser.h"
+#include "core/numerics/median.h"
+#include "core/resonator/model/parameters.h"
+#include "core/resonator/model/phasor_run.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace vybeg {
@@ -20,24 +26,14 @@ bool touch(const PhasorRun& run, std::size_t k) {
            std::ranges::none_of(run.breaks, between, &RunBreak::time_s);
 }
 
-double correlation_at(const PhasorRun& run, std::ptrdiff_t lag) {
-    const auto at = static_cast<std::size_t>(std::abs(lag));
-    if (run.noise_correlation.empty()) {
-        return at == 0 ? 1 : 0;
-    }
-    return at < run.noise_correlation.size() ? run.noise_correlation[at] : 0;
-}
-
 // Covariance of the means of `count` windows each, `lag` of those means apart, in units of a
 // window's variance.
-double merged_covariance(const PhasorRun& run, std::size_t count, std::ptrdiff_t lag) {
+double merged_covariance(const PhasorRun& run, std::size_t count, std::size_t lag) {
     const auto n = static_cast<std::ptrdiff_t>(count);
-    double sum = 0;
-    for (std::ptrdiff_t difference = 1 - n; difference < n; ++difference) {
-        sum += static_cast<double>(n - std::abs(difference)) *
-               correlation_at(run, lag * n + difference);
-    }
-    return sum / static_cast<double>(n * n);
+    const std::vector<double> white{1};
+    return covariance_of_sums(run.noise_correlation.empty() ? white : run.noise_correlation, n,
+                              static_cast<std::ptrdiff_t>(lag)) /
+           static_cast<double>(n * n);
 }
 
 std::vector<double> merged_correlation(const PhasorRun& run, std::size_t count) {
@@ -45,8 +41,7 @@ std::vector<double> merged_correlation(const PhasorRun& run, std::size_t count) 
     const std::size_t lags = (run.noise_correlation.size() + count - 1) / count;
     const double own = merged_covariance(run, count, 0);
     for (std::size_t lag = 0; !run.noise_correlation.empty() && lag <= lags; ++lag) {
-        correlation.push_back(merged_covariance(run, count, static_cast<std::ptrdiff_t>(lag)) /
-                              own);
+        correlation.push_back(merged_covariance(run, count, lag) / own);
     }
     return correlation;
 }
@@ -59,7 +54,7 @@ double turn_per_window(const PhasorRun& run) {
         if (touch(run, k)) {
             change += std::norm(run.c[k + 1] - run.c[k]) + std::norm(run.d[k + 1] - run.d[k]) -
                       4 * (run.sd[k] * run.sd[k] + run.sd[k + 1] * run.sd[k + 1]);
-            power += std::norm(run.c[k]) + std::norm(run.d[k]);
+            power += run.power(k);
         }
     }
     return power > 0 ? std::sqrt(std::max(change, 0.0) / power) : most_turn;
@@ -101,6 +96,101 @@ PhasorRun merged_by(const PhasorRun& run, std::size_t count) {
     return merged;
 }
 
+// Power over that of the noise around, of both channels: noise of a million bins reaches 20.
+constexpr double stands_out = 30;
+// Bins of a line, and those of noise around it.
+constexpr std::ptrdiff_t own_bins = 10;
+constexpr std::ptrdiff_t around_bins = 40;
+constexpr std::size_t least_points = 128;
+// Side lobes below -90 dB: the residual of the wave in merged windows stays near it.
+constexpr double beta = 12;
+
+// Power of both channels' residual by frequency bin, windows on the grid of their times.
+std::vector<double> bin_powers(const PhasorRun& run, const std::vector<Phasors>& expected) {
+    const auto place = [&run](std::size_t k) {
+        return static_cast<std::size_t>(
+            std::lround((run.time_s[k] - run.time_s[0]) / run.window_s));
+    };
+    const std::size_t points = place(run.time_s.size() - 1) + 1;
+    const std::size_t size = std::bit_ceil(points);
+    std::vector<std::complex<double>> c(size);
+    std::vector<std::complex<double>> d(size);
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        const std::size_t at = place(k);
+        const double x = 2 * (static_cast<double>(at) + 0.5) / static_cast<double>(points) - 1;
+        const double weight = kaiser_window(x, beta) / run.sd[k];
+        c[at] = weight * (run.c[k] - expected[k].c);
+        d[at] = weight * (run.d[k] - expected[k].d);
+    }
+    const Fft transform(size);
+    transform.forward(c);
+    transform.forward(d);
+    std::vector<double> power(size);
+    for (std::size_t bin = 0; bin < size; ++bin) {
+        power[bin] = std::norm(c[bin]) + std::norm(d[bin]);
+    }
+    return power;
+}
+
+double noise_around(const std::vector<double>& power, std::ptrdiff_t bin) {
+    // Median over mean of the sum of four squares.
+    constexpr double median_over_mean = 0.83917;
+    const auto size = std::ssize(power);
+    std::vector<double> around;
+    for (std::ptrdiff_t apart = own_bins; apart < own_bins + around_bins; ++apart) {
+        for (const std::ptrdiff_t at : {bin - apart, bin + apart}) {
+            around.push_back(power[static_cast<std::size_t>((at % size + size) % size)]);
+        }
+    }
+    return median(std::move(around)) / median_over_mean;
+}
+
+// Difference of the turn of a window between the ends of a run, rad; a mean loses (turn)^2/24 of
+// the amplitude.
+double uneven_turn(const FittedMotion& motion) {
+    const Eigen::VectorXd& shared = motion.shared;
+    double most = 0;
+    for (const FittedMotion::Run& run : motion.runs) {
+        const double fallen = -std::expm1(-2 * shared[decay_at] * run.frame.duration_s);
+        const double by_power =
+            shared[cubic_at] * run.own.segment<4>(start_at).squaredNorm() * fallen;
+        const double change_hz =
+            std::abs(run.own[drift_at]) * run.frame.duration_s + std::abs(by_power);
+        most = std::max(most, 2 * std::numbers::pi * change_hz * run.frame.window_s);
+    }
+    return most;
+}
+
+// Distance from the reference frequency, Hz, of the strongest line in the residual of the unmerged
+// windows beyond the band of the merged ones, where it acts at its alias. Zero if no line exceeds
+// the noise.
+double line_beyond(const FittedMotion& motion, std::span<const PhasorRun> fine) {
+    double best_hz = 0;
+    double most = 0;
+    for (std::size_t k = 0; k < fine.size(); ++k) {
+        const PhasorRun& run = fine[k];
+        const double band_hz = 0.5 / motion.runs[k].frame.window_s;
+        if (run.time_s.size() < least_points || band_hz >= 0.49 / run.window_s) {
+            continue;
+        }
+        const std::vector<double> power = bin_powers(run, predicted_phasors(motion, k, run.time_s));
+        const auto size = std::ssize(power);
+        for (std::ptrdiff_t bin = 0; bin < size; ++bin) {
+            const double f_hz = static_cast<double>(std::min(bin, size - bin)) /
+                                (static_cast<double>(size) * run.window_s);
+            if (f_hz <= band_hz) {
+                continue;
+            }
+            const double height = power[static_cast<std::size_t>(bin)] / noise_around(power, bin);
+            if (height > stands_out && height > most) {
+                most = height;
+                best_hz = f_hz;
+            }
+        }
+    }
+    return best_hz;
+}
+
 }  // namespace
 
 PhasorRun usable_windows(const PhasorRun& run) {
@@ -108,6 +198,14 @@ PhasorRun usable_windows(const PhasorRun& run) {
         const double sum = run.time_s[k] + std::abs(run.c[k]) + std::abs(run.d[k]) + run.sd[k];
         return std::isfinite(sum) && run.sd[k] > 0;
     });
+}
+
+PhasorRun seen_windows(const PhasorRun& run) {
+    std::size_t end = 0;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        end = run.power(k) > 100 * run.sd[k] * run.sd[k] ? k + 1 : end;
+    }
+    return kept_windows(run, 0, end);
 }
 
 PhasorRun merge_windows(const PhasorRun& run, std::size_t most) {
@@ -125,6 +223,40 @@ PhasorRun merge_windows(const PhasorRun& run, std::size_t most) {
         }
     }
     return run;
+}
+
+NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorRun> fine) {
+    constexpr double even_turn = 0.01;  // rad
+    constexpr double whole_turn = 0.02;
+    constexpr double most_for_turn = 1000;
+    constexpr double per_cycle = 4;
+    // Lines that would need more windows are left aliased, because the time of the fit would grow
+    // tenfold.
+    constexpr double most_for_line = 700;
+    const double beyond_hz = line_beyond(motion, fine);
+    const double uneven = uneven_turn(motion) / even_turn;
+    const double mode_hz =
+        std::abs(SlowDynamics(motion.rates()).half_difference().imag()) / (2 * std::numbers::pi);
+    NeededWindows needed;
+    for (const FittedMotion::Run& run : motion.runs) {
+        const double now = run.frame.duration_s / run.frame.window_s;
+        double for_turn = now * uneven;
+        if (motion.shared[cubic_at] != 0) {
+            // The spring depends on the whole amplitude of both modes, of which means lose a part.
+            const double turn = 2 * std::numbers::pi * mode_hz * run.frame.window_s;
+            for_turn = std::max(for_turn, now * turn / whole_turn);
+        }
+        const double mode_at_hz = std::abs(run.own[frequency_at]) + mode_hz;
+        const double cycles = per_cycle * run.frame.duration_s;
+        // NaN of a fit that failed asks for no more windows.
+        for (const double windows : {std::min(for_turn, most_for_turn), cycles * mode_at_hz}) {
+            needed.by_motion = windows > needed.by_motion ? windows : needed.by_motion;
+        }
+        if (cycles * beyond_hz < most_for_line) {
+            needed.by_line = std::max(needed.by_line, cycles * beyond_hz);
+        }
+    }
+    return needed;
 }
 
 }  // namespace vybeg

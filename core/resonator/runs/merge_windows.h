@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/phasor_run.h"
 
 #include <cstddef>
+#include <span>
 
 namespace vybeg {
 
@@ -14,5 +16,21 @@ PhasorRun merge_windows(const PhasorRun& run, std::size_t most);
 
 // The windows with finite values and a deviation.
 PhasorRun usable_windows(const PhasorRun& run);
+
+// The windows up to where the wave falls below ten deviations for good.
+PhasorRun seen_windows(const PhasorRun& run);
+
+struct NeededWindows {
+    double by_motion = 0;
+    double by_line = 0;
+};
+
+// Number of merged windows that a run needs, by the result of the fit. by_motion: windows so short
+// that the changing frequency turns the phasor by about the same angle in each of them (a mean
+// loses turn^2/24 of the amplitude). by_line: several windows per cycle of the modes found and of
+// any line beyond their band in the residual of the unmerged windows. Such a line acts at its
+// alias: near the axis of one mode a wave shows the other mode too weakly for merge_windows().
+// `fine`: the runs of the motion, unmerged.
+NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorRun> fine);
 
 }  // namespace vybeg

@@ -1,7 +1,7 @@
 #include "core/resonator/runs/sum_of_modes.h"
 
 #include "core/numerics/dense_solvers.h"
-#include "core/resonator/model/kept_windows.h"
+#include "core/resonator/runs/merge_windows.h"
 
 #include <Eigen/Dense>
 
@@ -307,7 +307,7 @@ ShapeAngle shape_angle(const PhasorRun& run, const ModeSum& sum) {
     for (Index k = 0; k < rows; ++k) {
         const auto at = static_cast<std::size_t>(k);
         const double t = run.time_s[at] - run.time_s.front();
-        power += (std::norm(run.c[at]) + std::norm(run.d[at])) / (run.sd[at] * run.sd[at]);
+        power += run.power(at) / (run.sd[at] * run.sd[at]);
         waves(k, 0) = std::exp(sum.rates[0] * t) / run.sd[at];
         waves(k, 1) = std::exp(sum.rates[1] * t) / run.sd[at];
         z[k] = across.dot(Eigen::Vector2cd(run.c[at], run.d[at])) / run.sd[at];
@@ -336,20 +336,14 @@ bool one_persists(const ModeSum& sum) {
 // behind a drive, a knock or a hand. A beat shows in every third.
 bool one_mode_in_a_third(const PhasorRun& run) {
     constexpr double little = 1e-3;  // of the power
-    std::size_t end = 0;
-    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-        const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
-        end = power > 100 * run.sd[k] * run.sd[k] ? k + 1 : end;
-    }
+    const PhasorRun seen = seen_windows(run);
+    const std::size_t end = seen.time_s.size();
     for (std::size_t sixth = 0; sixth < 5; ++sixth) {
-        const std::size_t from = end * sixth / 6;
-        const std::size_t to = end * (sixth + 2) / 6;
-        PhasorRun part =
-            kept_windows(run, [from, to](std::size_t k) { return k >= from && k < to; });
+        PhasorRun part = kept_windows(seen, end * sixth / 6, end * (sixth + 2) / 6);
         double power = 0;
         double noise = 0;
         for (std::size_t k = 0; k < part.time_s.size(); ++k) {
-            power += std::norm(part.c[k]) + std::norm(part.d[k]);
+            power += part.power(k);
             noise += 4 * part.sd[k] * part.sd[k];
             part.sd[k] = 1;
         }

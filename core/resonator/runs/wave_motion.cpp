@@ -1,26 +1,33 @@
 #include "core/resonator/runs/wave_motion.h"
 
 #include "core/estimators/wave/wave_state.h"
+#include "core/numerics/dense_solvers.h"
 #include "core/numerics/median.h"
 #include "core/numerics/phase.h"
-#include "core/resonator/runs/between_windows.h"
-#include "core/resonator/runs/decay_time.h"
+#include "core/resonator/runs/decay.h"
 #include "core/resonator/runs/mean_rate.h"
 #include "core/resonator/runs/merge_windows.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace vybeg {
 namespace {
 
 using Complex = std::complex<double>;
+using Eigen::Index;
+using std::numbers::pi;
 
 constexpr std::size_t least_windows = 8;
 // Least size of a wave and of its smaller travelling wave, deviations; below it a window is
@@ -31,11 +38,6 @@ constexpr double outlier = 6;
 // Step of 2theta_A, of period pi, that may as well be one the other way. A wave that passes near
 // the circular state turns by almost pi/2.
 constexpr double ambiguous_step = std::numbers::pi / 4;
-
-template <class Windows>
-double power_of(const Windows& run, std::size_t k) {
-    return std::norm(run.c[k]) + std::norm(run.d[k]);
-}
 
 // z_j^H z_k: its angle is the phase from window j to window k.
 template <class Windows>
@@ -118,7 +120,7 @@ Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows
 // |z|^2. Without the mean contribution of noise to |v|^2; with the product of the noises of two
 // windows.
 double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, std::size_t behind) {
-    const double power = power_of(run, k);
+    const double power = run.power(k);
     const auto across = [&](std::size_t j) {
         return (run.c[k] * run.d[j] - run.d[k] * run.c[j]) *
                std::polar(1.0, -std::arg(product(run, k, j)));
@@ -153,10 +155,91 @@ bool beats_fast(const PhasorRun& run, const std::vector<std::size_t>& windows, d
             change += std::norm(run.c[k] * back - run.c[before]) +
                       std::norm(run.d[k] * back - run.d[before]) -
                       4 * (run.sd[k] * run.sd[k] + run.sd[before] * run.sd[before]);
-            power += power_of(run, k);
+            power += run.power(k);
         }
     }
     return change > fast * fast * power;
+}
+
+constexpr double band = 0.25;  // cycles per window
+constexpr Index frequencies = 64;
+// Weight of the noise gain, so small that it costs 1e-6 of the signal.
+constexpr double regularisation = 1e-6;
+
+// Phasors between the centres of windows, from the means of 2 reach consecutive windows: the
+// weights of least squares for which every frequency up to a quarter of a cycle per window (a beat
+// of four windows and more) passes unchanged within 1e-6.
+class BetweenWindows {
+public:
+    static constexpr std::size_t reach = 8;   // windows on each side
+    static constexpr std::size_t parts = 16;  // of the way from a window to the next
+
+    BetweenWindows();
+
+    // The phasor `part` parts after the centre of the window before the last `reach` means.
+    std::complex<double> at(std::size_t part, std::span<const std::complex<double>> means) const;
+
+    // Phase from that centre to the next one, weighted by the power of both channels; summed over
+    // steps so short that unequal modes are weighted by their power.
+    double phase(std::span<const std::complex<double>> c,
+                 std::span<const std::complex<double>> d) const;
+
+    // Noise gain at a centre, in units of a window's noise variance.
+    double noise_gain() const { return weights_.row(0).squaredNorm(); }
+
+private:
+    Eigen::MatrixXd weights_;  // a row for each part
+};
+
+BetweenWindows::BetweenWindows() {
+    constexpr auto taps = static_cast<Index>(2 * reach);
+    Eigen::MatrixXd passed = Eigen::MatrixXd::Zero(2 * frequencies + taps, taps);
+    Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(passed.rows(), parts + 1);
+    for (Index k = 0; k < frequencies; ++k) {
+        const double turn = 2 * pi * band * (static_cast<double>(k) + 0.5) /
+                            static_cast<double>(frequencies);  // per window
+        const double mean = std::sin(turn / 2) / (turn / 2);
+        for (Index tap = 0; tap < taps; ++tap) {
+            const double off = static_cast<double>(tap) - (static_cast<double>(reach) - 1);
+            passed(2 * k, tap) = mean * std::cos(turn * off);
+            passed(2 * k + 1, tap) = mean * std::sin(turn * off);
+        }
+        for (Index part = 0; part <= static_cast<Index>(parts); ++part) {
+            const double off = static_cast<double>(part) / static_cast<double>(parts);
+            wanted(2 * k, part) = std::cos(turn * off);
+            wanted(2 * k + 1, part) = std::sin(turn * off);
+        }
+    }
+    passed.bottomRows(taps).diagonal().setConstant(regularisation *
+                                                   std::sqrt(static_cast<double>(frequencies)));
+    weights_ = passed.colPivHouseholderQr().solve(wanted).transpose();
+}
+
+Complex BetweenWindows::at(std::size_t part, std::span<const Complex> means) const {
+    Complex sum = 0;
+    for (std::size_t tap = 0; tap < 2 * reach; ++tap) {
+        sum += weights_(static_cast<Index>(part), static_cast<Index>(tap)) * means[tap];
+    }
+    return sum;
+}
+
+double BetweenWindows::phase(std::span<const Complex> c, std::span<const Complex> d) const {
+    std::array<Complex, parts + 1> by_c;
+    std::array<Complex, parts + 1> by_d;
+    for (std::size_t part = 0; part <= parts; ++part) {
+        by_c[part] = at(part, c);
+        by_d[part] = at(part, d);
+    }
+    const auto sum = [&](std::size_t step) {
+        double phase = 0;
+        for (std::size_t part = 0; part < parts; part += step) {
+            phase += std::arg(std::conj(by_c[part]) * by_c[part + step] +
+                              std::conj(by_d[part]) * by_d[part + step]);
+        }
+        return phase;
+    };
+    // A step weights unequal modes by their power, with an error of third order.
+    return (4 * sum(1) - sum(2)) / 3;
 }
 
 // Windows of a fast beat: with enough consecutive windows on both sides, phasors and phase steps
@@ -225,7 +308,7 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
                          product(z, windows[i - 1], k) * std::conj(product(z, windows[i - 2], k))) /
                 6;
         }
-        const double power = power_of(z, k);
+        const double power = std::norm(z.c[k]) + std::norm(z.d[k]);
         const double sd = run.sd[k];
         add(motion.phase, t, phase, sd / std::sqrt(power), own);
         part = own;
@@ -276,7 +359,7 @@ void mark_outliers(const RateSeries& series, const std::vector<std::size_t>& win
 Motion motion_without_outliers(const PhasorRun& run, const JobControl& job) {
     std::vector<std::size_t> windows;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-        if (power_of(run, k) > seen * seen * run.sd[k] * run.sd[k]) {
+        if (run.power(k) > seen * seen * run.sd[k] * run.sd[k]) {
             windows.push_back(k);
         }
     }
@@ -315,7 +398,7 @@ PhasorRun clear_windows(const PhasorRun& run) {
     double power = 0;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
         noise += run.sd[k] * run.sd[k];
-        power += power_of(run, k);
+        power += run.power(k);
     }
     const auto count = static_cast<double>(run.time_s.size());
     const double together = std::ceil(std::sqrt(4 * count * noise / (least * power)));
@@ -325,26 +408,13 @@ PhasorRun clear_windows(const PhasorRun& run) {
     return merge_windows(run, static_cast<std::size_t>(count / together));
 }
 
-Estimate missing(ReasonCode code) {
-    Estimate estimate;
-    estimate.reason.code = code;
-    return estimate;
-}
-
-Estimate given(double value, double sd) {
-    Estimate estimate;
-    estimate.value = value;
-    estimate.sd = sd;
-    return estimate;
-}
-
 WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobControl& job) {
     const PhasorRun run = clear_windows(windows);
     const Motion motion = motion_without_outliers(run, job);
     WaveMotion found;
     if (motion.phase.value.size() < least_windows) {
         found.f_hz = found.tau_s = found.theta_rate_rad_s = found.quadrature_rate_per_s =
-            found.decay_per_s = missing(ReasonCode::too_few_windows);
+            found.decay_per_s = Estimate{.reason = {ReasonCode::too_few_windows, {}}};
         return found;
     }
     constexpr double two_pi = 2 * std::numbers::pi;
@@ -356,15 +426,38 @@ WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobContr
     }
     const std::vector<MeanRate> rates =
         deviations ? mean_rates(series, inflation_of(run), job) : mean_slopes(series);
-    found.f_hz = given(run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi);
-    found.decay_per_s = given(-rates[1].value, rates[1].sd);
+    found.f_hz = {run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi, {}};
+    found.decay_per_s = {-rates[1].value, rates[1].sd, {}};
     found.tau_s =
         decay_time(-rates[1].value, rates[1].sd, std::numeric_limits<double>::quiet_NaN());
-    found.theta_rate_rad_s = circular || motion.branch_lost ? missing(ReasonCode::circular_wave)
-                                                            : given(rates[2].value, rates[2].sd);
-    found.quadrature_rate_per_s =
-        circular ? missing(ReasonCode::circular_wave) : given(rates[3].value, rates[3].sd);
+    const Estimate none{.reason = {ReasonCode::circular_wave, {}}};
+    found.theta_rate_rad_s =
+        circular || motion.branch_lost ? none : Estimate{rates[2].value, rates[2].sd, {}};
+    found.quadrature_rate_per_s = circular ? none : Estimate{rates[3].value, rates[3].sd, {}};
     return found;
+}
+
+// Members affected by channel errors; tau follows from the decay rate.
+constexpr std::array numbers{&WaveMotion::f_hz, &WaveMotion::theta_rate_rad_s,
+                             &WaveMotion::quadrature_rate_per_s, &WaveMotion::decay_per_s};
+
+// The run with one more error of its D, by the channels of phasor_model.h.
+PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, double size) {
+    ChannelTolerance one{.kappa = 0};
+    one.*error = size;
+    PhasorRun seen = run;
+    for (std::size_t k = 0; k < run.d.size(); ++k) {
+        const double x = run.time_s[k] / (run.time_s.back() + run.window_s / 2);
+        const Complex gain = (1 + one.gain_drift * x) / (1 + one.kappa) *
+                             std::polar(1.0, one.phase_rad + one.phase_drift * x);
+        Complex c = run.c[k];
+        Complex& d = seen.d[k];
+        turn_channels(-run.two_theta_zero, c, d);
+        d = gain * d + Complex(std::sin(one.skew_rad), one.crosstalk) * c;
+        turn_channels(run.two_theta_zero, c, d);
+        seen.c[k] = c;
+    }
+    return seen;
 }
 
 }  // namespace
@@ -375,6 +468,32 @@ WaveMotion wave_motion(const PhasorRun& run, const JobControl& job) {
 
 WaveMotion wave_values(const PhasorRun& run, const JobControl& job) {
     return motion_with(run, false, job);
+}
+
+WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
+                       const JobControl& job) {
+    WaveMotion found = wave_motion(run, job);
+    std::array<double, numbers.size()> variance{};
+    for (const ChannelError& error : channel_errors) {
+        const double size = tolerance.*error.tolerance;
+        if (size == 0 || job.cancelled()) {
+            continue;
+        }
+        const WaveMotion moved = wave_values(with_error(run, error.tolerance, size), job);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            const double change = (moved.*numbers[k]).value - (found.*numbers[k]).value;
+            variance[k] += std::isfinite(change) ? change * change : 0;
+        }
+    }
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        Estimate& number = found.*numbers[k];
+        number.u = std::sqrt(number.sd * number.sd + variance[k]);
+    }
+    const Estimate& decay = found.decay_per_s;
+    if (decay.given()) {
+        found.tau_s = decay_time(decay.value, decay.sd, decay.u);
+    }
+    return found;
 }
 
 }  // namespace vybeg

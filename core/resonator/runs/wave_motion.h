@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/job_control.h"
+#include "core/resonator/model/channel_tolerance.h"
 #include "core/resonator/model/phasor_run.h"
 #include "core/resonator/model/reason.h"
 
@@ -35,5 +36,10 @@ WaveMotion wave_motion(const PhasorRun& run, const JobControl& job = {});
 
 // The values alone, their deviations NaN, at a fraction of the cost. tau has none.
 WaveMotion wave_values(const PhasorRun& run, const JobControl& job = {});
+
+// wave_motion() with `u` for each number: sd combined with the change by one deviation of each
+// channel error, errors independent. Preconditions: as there.
+WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
+                       const JobControl& job = {});
 
 }  // namespace vybeg

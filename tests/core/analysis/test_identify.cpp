@@ -1,6 +1,5 @@
 #include "core/analysis/identify.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/resonator/results/uncertainty_budget.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"

@@ -1,4 +1,4 @@
-#include "core/resonator/fit/delayed_pencil.h"
+#include "core/resonator/fit/pencil_start.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 #include "tests/test_registry.h"

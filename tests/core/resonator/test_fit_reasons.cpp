@@ -35,11 +35,12 @@ private slots:
         for (const double angle : {0.0, 10.0, 11.46, 33.96, 60.0}) {
             for (std::uint64_t seed = 1; seed <= 3; ++seed) {
                 const ResonatorFit fit = fitted(set_of(decay, {angle}, 1000, seed));
-                QVERIFY(!fit.identifiable.theta_w && !fit.identifiable.damping_anisotropy &&
-                        !fit.identifiable.rotation && !fit.identifiable.kappa);
+                QVERIFY(!fit.resonator.theta_w_rad.given() &&
+                        !fit.resonator.damping_anisotropy_per_s.given() &&
+                        !fit.resonator.angle_rate_rad_s.given() && !fit.resonator.kappa.given());
                 // At 45 degrees to the axes the curvature of the motion shows a little of the
                 // split.
-                if (fit.identifiable.split) {
+                if (fit.resonator.split_hz.given()) {
                     VYBEG_NEAR(fit.resonator.split_hz, 1e-4, 4, 4e-5);
                 }
                 const Reason& reason = fit.resonator.damping_anisotropy_per_s.reason;
@@ -136,7 +137,7 @@ private slots:
             fitted(set_of(decay, {5, 27.5}, 1000, 1), {.tolerance = {.kappa = 0}});
         VYBEG_NEAR(statistical(fit.resonator.split_hz), 1e-5, 4, 1e-7);
         VYBEG_NEAR(statistical(fit.resonator.theta_w_rad), -0.3, 4, 1e-2);
-        QVERIFY(fit.identifiable.rotation);
+        QVERIFY(fit.resonator.angle_rate_rad_s.given());
         QVERIFY(fit.resonator.damping_anisotropy_per_s.reason.code == ReasonCode::within_noise);
     }
 
@@ -156,7 +157,7 @@ private slots:
             std::stod(english(fit.resonator.damping_anisotropy_per_s.reason.args[0]));
         VYBEG_MORE(damping_limit, 0);
         VYBEG_LESS(damping_limit, 5e-6);
-        QVERIFY(!fit.identifiable.split && !fit.identifiable.theta_w);
+        QVERIFY(!fit.resonator.split_hz.given() && !fit.resonator.theta_w_rad.given());
         QVERIFY(fit.modes.empty());
     }
 
@@ -193,7 +194,7 @@ private slots:
                          code == ReasonCode::grows,
                      reason_name(code).c_str());
         }
-        QVERIFY(!fit.identifiable.tau);
+        QVERIFY(!fit.resonator.tau_s.given());
     }
 
     void whatIsToldIsNotEstimated() {

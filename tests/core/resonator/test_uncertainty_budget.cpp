@@ -1,6 +1,6 @@
 // The uncertainty budget: shares of the tolerances, against the combined uncertainty and against
 // fits to channels that are really off.
-#include "core/resonator/results/uncertainty_budget.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 #include "tests/test_registry.h"

@@ -1,6 +1,6 @@
 // The wave's own numbers under channel errors drawn from their tolerances: the truth, that of the
 // same noise without errors, lies within 2u (TRUTH principle 2).
-#include "core/resonator/runs/wave_uncertainty.h"
+#include "core/resonator/runs/wave_motion.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 #include "tests/test_registry.h"

@@ -1,4 +1,4 @@
-#include "core/resonator/results/uncertainty_budget.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 

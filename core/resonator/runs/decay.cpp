@@ -1,4 +1,4 @@
-#include "core/resonator/runs/decay_law.h"
+#include "core/resonator/runs/decay.h"
 
 #include <Eigen/Dense>
 
@@ -29,7 +29,7 @@ LogAmplitude log_amplitude(const PhasorRun& run) {
     double mean = 0;
     double weights = 0;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-        const double power = std::norm(run.c[k]) + std::norm(run.d[k]);
+        const double power = run.power(k);
         const double variance = run.sd[k] * run.sd[k];
         if (!(power > visible * visible * variance)) {
             // A wave that rests leaves noise; one window alone is a fault.
@@ -150,8 +150,23 @@ double correlation_time(const LogAmplitude& series, const Vector3d& law) {
 
 }  // namespace
 
-double DecayLaw::rate_at(double at) const {
-    return per_s * std::pow(at / amplitude, power - 1);
+Estimate decay_time(double per_s, double sd, double u) {
+    constexpr double given_from = 5;
+    constexpr double limit = 2;
+    const double width = u > sd ? u : sd;
+    if (per_s >= given_from * width) {
+        return {1 / per_s, sd / (per_s * per_s), {}, u / (per_s * per_s)};
+    }
+    const double fastest = per_s + limit * width;
+    if (fastest <= 0) {
+        return {.reason = {ReasonCode::grows, {number_arg(-per_s, 3), number_arg(width, 2)}}};
+    }
+    const double slowest = per_s - limit * width;
+    if (slowest > 0) {
+        return {.reason = {ReasonCode::decay_limits,
+                           {number_arg(1 / fastest, 3), number_arg(1 / slowest, 3)}}};
+    }
+    return {.reason = {ReasonCode::no_decay, {number_arg(1 / fastest, 3)}}};
 }
 
 double DecayLaw::scatter() const {
@@ -169,7 +184,10 @@ bool DecayLaw::departs() const {
 }
 
 QBand q_band(const DecayLaw& law, double q) {
-    const auto q_at = [&](double amplitude) { return q * law.line_per_s / law.rate_at(amplitude); };
+    const auto q_at = [&](double amplitude) {
+        const double rate = law.per_s * std::pow(amplitude / law.amplitude, law.power - 1);
+        return q * law.line_per_s / rate;
+    };
     return {law.amplitude * std::pow(law.line_per_s / law.per_s, 1 / (law.power - 1)), law.largest,
             q_at(law.largest), law.smallest, q_at(law.smallest)};
 }
@@ -224,6 +242,55 @@ DecayLaw decay_law(const PhasorRun& run) {
     const double sd = std::sqrt(covariance(2, 2));
     found.power_sd = std::isfinite(sd) && sd > 0 ? sd : std::numeric_limits<double>::infinity();
     return found;
+}
+
+EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector2cd> expected) {
+    double weights = 0;
+    double mean_t = 0;
+    int used = 0;
+    // Both sums use the same windows and weights, so that a decay other than a straight line
+    // affects both alike.
+    const auto for_windows = [&](const auto& use) {
+        for (std::size_t k = 0; k < run.size(); ++k) {
+            const double power = run.z[k].squaredNorm();
+            const double variance = 1 / (run.weight[k] * run.weight[k]);
+            if (power > 100 * variance) {
+                // The noise adds four variances to the power; the logarithm's variance is 4
+                // variances over the power.
+                use(k, power - 4 * variance, power / (4 * variance));
+            }
+        }
+    };
+    for_windows([&](std::size_t k, double, double weight) {
+        weights += weight;
+        mean_t += weight * run.time_s[k];
+        ++used;
+    });
+    if (used < 3) {
+        return {0, std::numeric_limits<double>::infinity(), 0};
+    }
+    mean_t /= weights;
+    double spread = 0;
+    double seen = 0;
+    double fitted = 0;
+    double difference = 0;  // of measured and expected logarithm
+    double square = 0;
+    for_windows([&](std::size_t k, double power, double weight) {
+        const double t = run.time_s[k] - mean_t;
+        spread += weight * t * t;
+        seen += weight * t * std::log(power);
+        fitted += weight * t * std::log(expected[k].squaredNorm());
+        const double off = std::log(power / expected[k].squaredNorm());
+        difference += weight * off;
+        square += weight * off * off;
+    });
+    // The scatter refers to the predicted line, because a motion other than a line bends both
+    // alike.
+    const double slope = (seen - fitted) / spread;
+    const double scatter =
+        (square - difference * difference / weights - slope * slope * spread) / (used - 2);
+    return {-seen / spread / 2, 0.5 * std::sqrt(std::max(scatter, 1.0) / spread),
+            -fitted / spread / 2};
 }
 
 }  // namespace vybeg

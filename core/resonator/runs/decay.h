@@ -2,11 +2,20 @@
 
 #include "core/estimators/wave/wave_state.h"
 #include "core/resonator/model/phasor_run.h"
+#include "core/resonator/model/reason.h"
+#include "core/resonator/model/scaled_run.h"
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <span>
 
 namespace vybeg {
+
+// Decay time of a decay rate (1/s) with its standard deviation and combined uncertainty, given from
+// five deviations on, because 1/x is biased below. Otherwise the reason: limits of two deviations,
+// or a growing motion.
+Estimate decay_time(double per_s, double sd, double u);
 
 // How the amplitude a = |z| of a recording falls: da/dt = -k a^p, by least squares of log a over
 // the windows from the first to the last before a falls below ten deviations. p = 1 is the free
@@ -26,8 +35,6 @@ struct DecayLaw {
     double still_chi2 = 0;  // of a constant amplitude
     std::size_t windows = 0;
 
-    // Decay rate at an amplitude, 1/s.
-    double rate_at(double at) const;
     // Whether the law explains most of what a free decay leaves of the amplitude, and is no free
     // decay by five deviations.
     bool departs() const;
@@ -53,5 +60,18 @@ double log_amplitude_chi2(const PhasorRun& run, std::span<const Phasors> expecte
 // Precondition: the windows have finite values and deviations above 0. Fewer than eight windows
 // above the noise: windows = 0.
 DecayLaw decay_law(const PhasorRun& run);
+
+// Decay of the power |z|^2 of a run, independent of phase and frequency: a weighted straight line
+// through log |z|^2, down to a power of 100 noise variances.
+struct EnvelopeDecay {
+    double per_s = 0;  // 1/tau, half the slope
+    // From the scatter about the line, at least that of the noise; infinite for fewer than three
+    // usable windows.
+    double sd = 0;
+    double model_per_s = 0;  // the same line through the power of `expected`
+};
+
+// `expected`: the phasors of a fitted motion in the run's windows, scaled units.
+EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector2cd> expected);
 
 }  // namespace vybeg

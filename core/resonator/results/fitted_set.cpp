@@ -1,0 +1,246 @@
+#include "core/resonator/results/fitted_set.h"
+
+#include "core/resonator/fit/score_test.h"
+#include "core/resonator/results/resonator_parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace vybeg {
+namespace {
+
+using Eigen::Index;
+using std::numbers::pi;
+
+// Step of central differences, as a share of a parameter's deviation with all others known. Within
+// its full deviation a parameter that depends on others would leave the linear range.
+constexpr double difference_share = 0.03;
+
+// Share of a variance that a profile must add for the direction to count as undetermined.
+constexpr double unseen_share = 0.25;
+
+double by_shorter_way(double difference, double period) {
+    return period > 0 ? std::remainder(difference, period) : difference;
+}
+
+// Parameters to both sides of the maximum along one of them.
+struct Neighbours {
+    Eigen::VectorXd up;
+    Eigen::VectorXd down;
+    double step = 0;  // between them, after rounding
+};
+
+Neighbours neighbours(const Posterior& posterior, Index k) {
+    const Index at = posterior.active[static_cast<std::size_t>(k)];
+    const double h = difference_share * posterior.alone_sd[k];
+    Neighbours near{posterior.p, posterior.p, 0};
+    near.up[at] += h;
+    near.down[at] -= h;
+    near.step = near.up[at] - near.down[at];
+    return near;
+}
+
+// Error of the active parameters by a unit of a channel error or of the cubic spring.
+Eigen::VectorXd wrong_by(const FittedSet& set, int error) {
+    const Posterior& p = set.posterior;
+    if (const Index place = p.place_of(error); place >= 0) {
+        const double told = set.problem->priors.sd[error];
+        return -p.covariance.col(place) / (told * told);
+    }
+    const Eigen::VectorXd cross = p.information.col(error)(p.active);
+    return p.covariance * cross;
+}
+
+// Position of a parameter among the quantities, and the factor from one to the other.
+struct Place {
+    SharedQuantity quantity;
+    double factor;
+};
+
+// In the order of resonator_parameters.
+using Places = std::array<Place, resonator_parameters.size()>;
+static_assert(resonator_parameters[3].member == &ResonatorEstimate::tau_s &&
+              resonator_parameters[10].member == &ResonatorEstimate::delay_s);
+
+Places places_of(const FittedSet& set) {
+    const ReportedVariances& at = set.variances;
+    const double f_ref_hz = set.context.mean_f_ref_hz();
+    const double by_decay = -1 / (at.value[decay_of] * at.value[decay_of]);
+    const double by_q = pi * (f_ref_hz + at.value[f_mean_of]) * by_decay;
+    return {{{f_mean_of, 1},
+             {split_of, 1},
+             {theta_w_of, 1},
+             {decay_of, by_decay},
+             {decay_of, by_q},
+             {damping_of, 1},
+             {theta_tau_of, 1},
+             {angle_rate_of, 1},
+             {kappa_of, 1},
+             {skew_of, 1},
+             {phase_of, -1 / (2 * pi * f_ref_hz)},
+             {cubic_of, 1 / (set.scale * set.scale)}}};
+}
+
+}  // namespace
+
+Eigen::VectorXcd square_gradient(const Posterior& posterior) {
+    Eigen::VectorXcd by(static_cast<Index>(posterior.active.size()));
+    for (Index k = 0; k < by.size(); ++k) {
+        const Neighbours near = neighbours(posterior, k);
+        by[k] = (square_half_difference(near.up) - square_half_difference(near.down)) / near.step;
+    }
+    return by;
+}
+
+double ReportedVariances::sd(Index quantity) const {
+    return std::sqrt(std::max(data[quantity] + nothing[quantity], 0.0));
+}
+
+double ReportedVariances::width(Index quantity) const {
+    return std::sqrt(std::max(total(quantity), 0.0));
+}
+
+double ReportedVariances::u(Index quantity) const {
+    return std::hypot(sd(quantity), shares.row(quantity).norm(), spread[quantity]);
+}
+
+ReportedVariances reported_variances(const FittedSet& set,
+                                     const std::vector<ProfilePoint>& beside) {
+    const Posterior& posterior = set.posterior;
+    const QuantityContext& context = set.context;
+    const Eigen::MatrixXd& moved = set.moved;
+    ReportedVariances out;
+    out.value = quantities(posterior.p, context);
+    const Eigen::VectorXd period = quantity_periods(context.layout->runs());
+    const Index count = out.value.size();
+    out.gradient.resize(count, static_cast<Index>(posterior.active.size()));
+    for (Index k = 0; k < out.gradient.cols(); ++k) {
+        const Neighbours near = neighbours(posterior, k);
+        const Eigen::VectorXd difference =
+            quantities(near.up, context) - quantities(near.down, context);
+        for (Index q = 0; q < count; ++q) {
+            out.gradient(q, k) = by_shorter_way(difference[q], period[q]) / near.step;
+        }
+    }
+    const Eigen::MatrixXd in_root = out.gradient * posterior.root;
+    const auto variances = [&](const Eigen::MatrixXd& part) {
+        return Eigen::VectorXd((in_root * part).cwiseProduct(in_root).rowwise().sum());
+    };
+    out.data = variances(posterior.data);
+    out.known = variances(posterior.known);
+    out.nothing = variances(posterior.nothing);
+    for (const ProfilePoint& point : beside) {
+        const Eigen::VectorXd there = quantities(point.p, context);
+        for (Index q = 0; q < count; ++q) {
+            const double off = by_shorter_way(there[q] - out.value[q], period[q]);
+            const double missing = off * off / point.rise - out.total(q);
+            if (missing > 0) {
+                // A small part is the curvature of the quantity along a determined direction.
+                (missing > unseen_share * out.total(q) ? out.nothing : out.data)[q] += missing;
+            }
+        }
+    }
+    out.shares = Eigen::MatrixXd::Zero(count, moved.cols());
+    for (Index k = 0; k < moved.cols(); ++k) {
+        if (moved.col(k).isZero(0)) {
+            continue;
+        }
+        for (const double sign : {1.0, -1.0}) {
+            Eigen::VectorXd p = posterior.p;
+            p(posterior.active) += sign * moved.col(k);
+            const Eigen::VectorXd there = quantities(p, context);
+            for (Index q = 0; q < count; ++q) {
+                double off = by_shorter_way(there[q] - out.value[q], period[q]);
+                if (!std::isfinite(off)) {
+                    off = out.gradient.row(q).dot(moved.col(k));
+                }
+                out.shares(q, k) += off * off / 2;
+            }
+        }
+    }
+    out.shares = out.shares.cwiseSqrt();
+    out.spread = (out.gradient * set.scattered).rowwise().norm();
+    return out;
+}
+
+Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance) {
+    Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(static_cast<Index>(set.posterior.active.size()),
+                                                  static_cast<Index>(channel_errors.size()));
+    for (std::size_t k = 0; k < channel_errors.size(); ++k) {
+        const double size = tolerance.*channel_errors[k].tolerance;
+        if (size > 0) {
+            moved.col(static_cast<Index>(k)) = size * wrong_by(set, channel_errors[k].parameter);
+        }
+    }
+    return moved;
+}
+
+std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& out) {
+    std::vector<BySource> all(resonator_parameters.size(), BySource{});
+    const Places places = places_of(set);
+    for (std::size_t of = 0; of < all.size(); ++of) {
+        if (!(out.*resonator_parameters[of].member).given()) {
+            continue;
+        }
+        const auto& [quantity, factor] = places[of];
+        for (std::size_t k = 0; k < channel_errors.size(); ++k) {
+            all[of][channel_errors[k].source] =
+                std::abs(factor) * set.variances.shares(quantity, static_cast<Index>(k));
+        }
+        all[of][spread_error] = std::abs(factor) * set.variances.spread[quantity];
+    }
+    return all;
+}
+
+std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& out) {
+    const ReportedVariances& at = set.variances;
+    const FitProblem& problem = *set.problem;
+    // In units of the largest power of a set.
+    double most_power = 0;
+    for (const ScaledRun& run : problem.runs) {
+        for (const Eigen::Vector2cd& z : run.z) {
+            most_power = std::max(most_power, z.squaredNorm() / run.power_kept);
+        }
+    }
+    std::array<Eigen::MatrixXd, error_sources> wrong;
+    for (const ChannelError& error : channel_errors) {
+        wrong[error.source] = wrong_by(set, error.parameter);
+    }
+    wrong[skew_error] *= pi / 180;
+    wrong[delay_error] *= -2 * pi * set.context.mean_f_ref_hz();
+    const auto effect = [&](ErrorSource source, const Effect& of, double unit) {
+        wrong[source] = unit * followed(problem, set.posterior, of);
+    };
+    wrong[cubic_error] = wrong_by(set, cubic_at) / most_power;
+    effect(damping_error, damping_effect(problem, set.posterior), at.value[decay_of] / most_power);
+    Effect both_pickoffs = pickoff_effect(problem, set.posterior);
+    for (Eigen::MatrixXd& run : both_pickoffs) {
+        run = run.rowwise().sum().eval();
+    }
+    effect(pickoff_error, both_pickoffs, 1 / most_power);
+    effect(springs_error, springs_effect(problem, set.posterior), 1 / most_power);
+    effect(eighth_error, eighth_effect(problem, set.posterior), 1);
+    std::vector<BySource> all(resonator_parameters.size(), BySource{});
+    const Places places = places_of(set);
+    for (std::size_t of = 0; of < all.size(); ++of) {
+        if (!(out.*resonator_parameters[of].member).given()) {
+            all[of].fill(std::numeric_limits<double>::quiet_NaN());
+            continue;
+        }
+        const auto& [quantity, factor] = places[of];
+        for (std::size_t source = 0; source < wrong.size(); ++source) {
+            const Eigen::MatrixXd& by = wrong[source];
+            if (by.cols() == 1) {
+                all[of][source] = factor * at.gradient.row(quantity).dot(by.col(0));
+            } else if (by.cols() > 1) {
+                all[of][source] = std::abs(factor) * (at.gradient.row(quantity) * by).norm();
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace vybeg
