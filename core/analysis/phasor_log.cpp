@@ -342,7 +342,7 @@ void centre(double step_s, Rows& rows) {
     rows.f_ref_hz += offset_hz;
 }
 
-// What the calibration says of D and of the electrodes' angle (calibration.h, without offsets).
+// What the calibration says of D and of the electrodes' angle (Calibration, without offsets).
 void calibrate(const Calibration& calibration, Rows& rows) {
     const Complex gain =
         std::polar(calibration.kappa, 2 * pi * rows.f_ref_hz * calibration.delay_d_s);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/samples/recording_format.h"
+#include "core/recording/samples/recording.h"
 
 #include <QString>
 

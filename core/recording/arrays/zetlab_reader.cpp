@@ -155,7 +155,7 @@ Result<Recording> open_zetlab(std::shared_ptr<const FileBytes> file, const OpenO
                     FormatPart::channels(1)};
     found.channels = {{header.name.empty() ? "1" : header.name, header.unit}};
     found.own_rate = SampleRate{header.rate_hz, RateOrigin::file};
-    found.frames = frames;
+    found.present_frames = frames;
     if (frames > 0) {
         found.source = column_source(column, column);
     }

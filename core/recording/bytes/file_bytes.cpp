@@ -82,6 +82,16 @@ Error FileBytes::error(ErrorCode code, std::vector<MessageArg> args) const {
     return {code, path_.string(), std::move(args)};
 }
 
+Error FileBytes::damaged(const std::string& format, const char* text,
+                         std::vector<MessageArg> args) const {
+    return error(ErrorCode::format_damaged, {format, words(text, std::move(args))});
+}
+
+Error FileBytes::unsupported(const std::string& format, const char* text,
+                             std::vector<MessageArg> args) const {
+    return error(ErrorCode::format_unsupported, {format, words(text, std::move(args))});
+}
+
 Result<std::int64_t> FileBytes::read(std::int64_t offset, std::span<char> out) const {
     std::int64_t done = 0;
     const auto wanted = static_cast<std::int64_t>(out.size());
@@ -121,6 +131,38 @@ Error too_many_parts(const std::string& where, const std::string& format, const 
             where,
             {format, words(text, {count_arg(most)}),
              words(VYBEG_MESSAGE("Words", "Save the recording in a file of its own"))}};
+}
+
+namespace {
+
+class FilePart final : public ByteSource {
+public:
+    FilePart(std::shared_ptr<const FileBytes> file, std::int64_t offset, std::int64_t size)
+        : file_(std::move(file)), offset_(offset), size_(size) {}
+
+    std::int64_t size() const override { return size_; }
+
+    Status read(std::int64_t offset, std::span<char> out) const override {
+        const auto got = TRY(file_->read(offset_ + offset, out));
+        if (got < static_cast<std::int64_t>(out.size())) {
+            return file_->error(
+                ErrorCode::file_read_failed,
+                {words(VYBEG_MESSAGE("Words", "the file became shorter while it was read"))});
+        }
+        return {};
+    }
+
+private:
+    std::shared_ptr<const FileBytes> file_;
+    std::int64_t offset_;
+    std::int64_t size_;
+};
+
+}  // namespace
+
+std::shared_ptr<const ByteSource> file_part(std::shared_ptr<const FileBytes> file,
+                                            std::int64_t offset, std::int64_t size) {
+    return std::make_shared<FilePart>(std::move(file), offset, size);
 }
 
 }  // namespace vybeg

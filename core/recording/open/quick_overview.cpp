@@ -2,9 +2,8 @@
 
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/envelope/envelope_builder.h"
-#include "core/recording/envelope/sparse_scan.h"
 #include "core/recording/open/file_format.h"
-#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/text/text_recording.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 namespace vybeg {
 namespace {
 
-constexpr std::size_t chunk_bytes = std::size_t{1} << 20;  // even, for UTF-16
+constexpr std::size_t chunk_bytes = std::size_t{1} << 16;  // even, for UTF-16
 
 }  // namespace
 
@@ -20,7 +20,8 @@ Error line_too_long(const FileBytes& file, const char* format, std::int64_t line
                              "channel"))});
 }
 
-TextLines::TextLines(std::shared_ptr<const FileBytes> file) : file_(std::move(file)) {}
+TextLines::TextLines(std::shared_ptr<const FileBytes> file, const char* format)
+    : file_(std::move(file)), format_(format) {}
 
 std::int64_t TextLines::position() const {
     const std::string_view left = std::string_view(buffer_).substr(begin_);
@@ -32,6 +33,12 @@ std::int64_t TextLines::position() const {
         return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
     });
     return offset_ / 2 * 2 - 2 * static_cast<std::int64_t>(characters);
+}
+
+void TextLines::skip(std::int64_t bytes) {
+    const auto held = static_cast<std::int64_t>(buffer_.size() - begin_);
+    begin_ += static_cast<std::size_t>(std::min(bytes, held));
+    offset_ += std::min(std::max<std::int64_t>(bytes - held, 0), file_->size() - offset_);
 }
 
 Status TextLines::fill() {
@@ -68,7 +75,7 @@ Result<std::optional<std::string_view>> TextLines::next() {
             break;
         }
         if (end - begin_ > longest_line) {
-            return line_too_long(*file_, "text", number_ + 1);
+            return line_too_long(*file_, format_, number_ + 1);
         }
         end -= begin_;
         TRY(fill());

@@ -22,11 +22,16 @@ Error line_too_long(const FileBytes& file, const char* format, std::int64_t line
 // without the byte order mark. Holds one chunk of the file in memory.
 class TextLines {
 public:
-    explicit TextLines(std::shared_ptr<const FileBytes> file);
+    // `format` names the file in errors.
+    explicit TextLines(std::shared_ptr<const FileBytes> file, const char* format = "text");
 
     // The next line, valid until the next call; nothing behind the last one. Errors:
     // file_read_failed; format_limit where a line is longer than 1 MiB.
     Result<std::optional<std::string_view>> next();
+
+    // Passes over bytes that are no lines. Precondition: they are not negative, and the text is not
+    // UTF-16.
+    void skip(std::int64_t bytes);
 
     std::int64_t number() const { return number_; }  // of the line last returned, from 1
     bool ended() const { return ended_; }            // whether that line had a line end
@@ -36,6 +41,7 @@ private:
     Status fill();
 
     std::shared_ptr<const FileBytes> file_;
+    const char* format_;
     TextEncoding encoding_ = TextEncoding::bytes;
     std::string buffer_;  // decoded text that is not yet returned, from begin_ on
     std::size_t begin_ = 0;

@@ -64,10 +64,7 @@ struct BlockScan {
     Status read;
     std::int64_t rows = 0;
     std::int64_t lines = 0;
-    std::int64_t lines_ignored = 0;
-    std::int64_t missing_samples = 0;
-    std::int64_t rows_with_missing = 0;
-    std::int64_t first_missing_row = -1;
+    LeftOut left_out;
     std::optional<TextFault> fault;  // in the last line
     bool backwards = false;          // the time in the last line lies below the one before
     double before = 0;               // of these, in the column's unit
@@ -77,7 +74,6 @@ struct BlockScan {
     std::int64_t first_line = 0;     // of the first row
     std::int64_t repeated_line = 0;  // of the first row whose time is that of the row before
     double repeated = 0;             // this time
-    std::array<std::int64_t, 2> over_range{};
     FinestDigits digits;
     UniformTimeDetector times{0};
 };
@@ -101,7 +97,7 @@ public:
         }
         found.fault = rows.fault();
         found.lines = rows.lines();
-        found.lines_ignored = rows.ignored();
+        found.left_out.lines_ignored = rows.ignored();
         return found;
     }
 
@@ -113,11 +109,12 @@ private:
         const bool two = table_.columns.d != table_.columns.c;
         const int missing = (std::isnan(row.c()) ? 1 : 0) + (two && std::isnan(row.d()) ? 1 : 0);
         if (missing > 0) {
-            found.over_range[0] += row.c_over_range() ? 1 : 0;
-            found.over_range[1] += two && row.d_over_range() ? 1 : 0;
-            found.missing_samples += missing;
-            if (found.rows_with_missing++ == 0) {
-                found.first_missing_row = found.rows;
+            LeftOut& out = found.left_out;
+            out.over_range[0] += row.c_over_range() ? 1 : 0;
+            out.over_range[1] += two && row.d_over_range() ? 1 : 0;
+            out.missing_samples += missing;
+            if (out.rows_with_missing++ == 0) {
+                out.first_missing_row = found.rows;
             }
         }
         ++found.rows;
@@ -175,15 +172,7 @@ public:
         if (block.fault) {
             return fault_error(table_.blocks.file(), line(block.lines), *block.fault);
         }
-        if (block.rows_with_missing > 0 && scan_.rows_with_missing == 0) {
-            scan_.first_missing_row = scan_.rows() + block.first_missing_row;
-        }
-        scan_.missing_samples += block.missing_samples;
-        for (std::size_t i = 0; i < scan_.over_range.size(); ++i) {
-            scan_.over_range[i] += block.over_range[i];
-        }
-        scan_.rows_with_missing += block.rows_with_missing;
-        scan_.lines_ignored += block.lines_ignored;
+        add(block.left_out);
         lines_ += block.lines;
         if (timed) {
             scan_.first_time = scan_.rows() == 0 ? block.first_time : scan_.first_time;
@@ -213,6 +202,19 @@ public:
     }
 
 private:
+    void add(const LeftOut& next) {
+        LeftOut& all = scan_.left_out;
+        if (next.rows_with_missing > 0 && all.rows_with_missing == 0) {
+            all.first_missing_row = scan_.rows() + next.first_missing_row;
+        }
+        all.missing_samples += next.missing_samples;
+        for (std::size_t i = 0; i < all.over_range.size(); ++i) {
+            all.over_range[i] += next.over_range[i];
+        }
+        all.rows_with_missing += next.rows_with_missing;
+        all.lines_ignored += next.lines_ignored;
+    }
+
     // Equal times follow each other where they are written more coarsely than they step; of times
     // that are even otherwise it is no error.
     void note_repeated(std::int64_t in_block, double time) {
@@ -277,9 +279,7 @@ Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
                 blocks[i] = scanner.scan(first + static_cast<std::int64_t>(i));
             }
         });
-        if (job.cancelled()) {
-            return table.blocks.file().error(ErrorCode::interrupted);
-        }
+        TRY(job.go_on());
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             TRY(sum.take(blocks[i]));
             const auto done = static_cast<double>(first) + static_cast<double>(i + 1);

@@ -12,16 +12,21 @@
 
 namespace vybeg {
 
+// What the rows of a table, or of a part of it, leave out.
+struct LeftOut {
+    std::int64_t lines_ignored = 0;      // comment lines
+    std::int64_t missing_samples = 0;    // empty, NaN and infinite ones, of both channels
+    std::int64_t rows_with_missing = 0;  // rows that have one or two of them
+    std::int64_t first_missing_row = -1;
+    std::array<std::int64_t, 2> over_range{};  // of the missing samples, those of C and of D
+};
+
 // What one pass over a table finds, without keeping its numbers.
 struct TextScan {
     std::vector<std::int64_t> first_rows{0};  // of each block, and behind them the number of rows
-    std::int64_t lines_ignored = 0;           // comment lines
-    std::int64_t missing_samples = 0;         // empty, NaN and infinite ones, of both channels
-    std::int64_t rows_with_missing = 0;       // rows that have one or two of them
-    std::int64_t first_missing_row = -1;
-    std::array<std::int64_t, 2> over_range{};  // of the missing samples, those of C and of D
-    double first_time = 0;                     // in the time column's unit
-    TimeResolution resolution;                 // of the time column
+    LeftOut left_out;
+    double first_time = 0;          // in the time column's unit
+    TimeResolution resolution;      // of the time column
     std::optional<EvenTimes> even;  // nothing where there is no time column, or an uneven one
 
     std::int64_t rows() const { return first_rows.back(); }

@@ -6,14 +6,12 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t rows_for_threads = std::int64_t{1}
                                           << 14;  // less is read by the caller alone
 
@@ -28,48 +26,20 @@ Error changed(const TextTable& table) {
                                      {"the file was changed while it was read"});
 }
 
+// The rows of a table one after the other.
 class TextSource final : public SampleSource {
 public:
-    TextSource(TextTable table, std::vector<std::int64_t> first_rows,
-               std::vector<RowSegment> segments)
-        : table_(std::move(table)),
-          first_rows_(std::move(first_rows)),
-          segments_(std::move(segments)) {
+    TextSource(TextTable table, std::vector<std::int64_t> first_rows)
+        : table_(std::move(table)), first_rows_(std::move(first_rows)) {
         table_.columns.time = -1;  // it has done its part
     }
 
-    std::int64_t frames() const override {
-        return segments_.back().first_frame + segments_.back().rows;
-    }
+    std::int64_t frames() const override { return first_rows_.back(); }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        const std::int64_t end = first + static_cast<std::int64_t>(c.size());
-        auto segment = std::upper_bound(
-            segments_.begin(), segments_.end(), first,
-            [](std::int64_t frame, const RowSegment& s) { return frame < s.first_frame; });
-        segment -= 1;  // the first one begins at frame 0
-        if (segments_.size() > 1) {
-            std::ranges::fill(c, missing);
-            std::ranges::fill(d, missing);
+        if (c.empty()) {
+            return {};
         }
-        for (; segment != segments_.end() && segment->first_frame < end; ++segment) {
-            const std::int64_t from = std::max(segment->first_frame, first);
-            const std::int64_t to = std::min(segment->first_frame + segment->rows, end);
-            if (from >= to) {
-                continue;
-            }
-            const auto part = [&](std::span<double> all) {
-                return all.subspan(static_cast<std::size_t>(from - first),
-                                   static_cast<std::size_t>(to - from));
-            };
-            const std::int64_t row = segment->first_row + from - segment->first_frame;
-            TRY(read_rows(row, part(c), part(d)));
-        }
-        return {};
-    }
-
-private:
-    Status read_rows(std::int64_t first, std::span<double> c, std::span<double> d) const {
         const std::int64_t end = first + static_cast<std::int64_t>(c.size());
         const std::int64_t first_block = block_of(first_rows_, first);
         const std::int64_t last_block = block_of(first_rows_, end - 1);
@@ -95,6 +65,7 @@ private:
         return failed == read.end() ? Status{} : *failed;
     }
 
+private:
     // A block's samples; they are kept until another block's are.
     Result<SampleBlockPointer> block_samples(std::int64_t index, bool keep) const {
         if (auto kept = kept_.find(index)) {
@@ -125,19 +96,21 @@ private:
 
     TextTable table_;
     std::vector<std::int64_t> first_rows_;
-    std::vector<RowSegment> segments_;
     RecentBlocks kept_{1};
 };
 
 }  // namespace
 
-std::shared_ptr<const SampleSource> text_source(TextTable table, TextScan scan) {
-    std::vector<RowSegment> segments{{0, 0, scan.rows()}};
-    if (scan.even) {
-        segments = std::move(scan.even->segments);
+std::shared_ptr<const SampleSource> text_source(const TextTable& table, const TextScan& scan) {
+    const auto rows = std::make_shared<TextSource>(table, scan.first_rows);
+    if (!scan.even || scan.even->segments.size() == 1) {
+        return rows;
     }
-    return std::make_shared<TextSource>(std::move(table), std::move(scan.first_rows),
-                                        std::move(segments));
+    std::vector<SourcePiece> pieces;
+    for (const RowSegment& segment : scan.even->segments) {
+        pieces.push_back({segment.first_frame, rows, segment.first_row, segment.rows});
+    }
+    return joined_source(std::move(pieces));
 }
 
 Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& scan,
@@ -150,9 +123,7 @@ Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& sca
     TextBlock block;
     const std::int64_t count = table.blocks.count();
     for (std::int64_t index = 0; index < count; ++index) {
-        if (job.cancelled()) {
-            return table.blocks.file().error(ErrorCode::interrupted);
-        }
+        TRY(job.go_on());
         TRY(table.blocks.read(index, block));
         TextRows rows(table.format, table.columns, block, SampleUse::read);
         while (rows.next() && static_cast<std::int64_t>(samples.c.size()) < scan.rows()) {

@@ -13,7 +13,7 @@ namespace vybeg {
 // The samples of a table on demand: only the places of its rows are kept in memory. Large reads are
 // spread over threads. Where the times have gaps, their frames are NaN. Precondition: the table has
 // no time column, or scan.even.
-std::shared_ptr<const SampleSource> text_source(TextTable table, TextScan scan);
+std::shared_ptr<const SampleSource> text_source(const TextTable& table, const TextScan& scan);
 
 // The whole table in memory, with its times. Errors: file_read_failed, interrupted.
 Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& scan,

@@ -75,12 +75,9 @@ Result<Recording> open_arrays(std::shared_ptr<const FileBytes> file, const std::
                               const JobControl& job) {
     VariableFile variables;
     variables.file = file;
-    variables.format = format;
     variables.catalogue.format = format;
     for (const StoredArray& stored : arrays) {
-        if (job.cancelled()) {
-            return file->error(ErrorCode::interrupted);
-        }
+        TRY(job.go_on());
         const auto value = TRY(value_of(stored));
         variables.catalogue.variables.push_back(stored.variable);
         variables.catalogue.variables.back().value = value;

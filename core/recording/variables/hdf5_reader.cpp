@@ -38,7 +38,6 @@ Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOpt
     auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
     VariableFile variables;
     variables.file = file;
-    variables.format = format.name;
     variables.catalogue = process->catalogue();
     variables.reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
     variables.source = [reader = variables.reader](const ChannelPlace& c, const ChannelPlace& d,

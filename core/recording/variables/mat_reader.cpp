@@ -24,13 +24,9 @@ constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
 
 using Arrays = std::vector<StoredArray>;
 
-Error damaged(const FileBytes& file, const char* text, std::vector<MessageArg> args = {}) {
-    return file.error(ErrorCode::format_damaged, {"MAT", words(text, std::move(args))});
-}
-
 Error cut_off(const FileBytes& file) {
-    return damaged(file, VYBEG_MESSAGE("Words", "it ends at byte %1, inside of a variable"),
-                   {count_arg(file.size())});
+    return file.damaged("MAT", VYBEG_MESSAGE("Words", "it ends at byte %1, inside of a variable"),
+                        {count_arg(file.size())});
 }
 
 Error too_many(const FileBytes& file) {
@@ -68,8 +64,8 @@ Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
         const auto got = TRY(file->read(at, bytes));
         const auto header = mat4_header({bytes.data(), static_cast<std::size_t>(got)});
         if (!header) {
-            return damaged(*file, VYBEG_MESSAGE("Words", "there is no variable at byte %1"),
-                           {count_arg(at)});
+            return file->damaged("MAT", VYBEG_MESSAGE("Words", "there is no variable at byte %1"),
+                                 {count_arg(at)});
         }
         const std::int64_t data = at + mat4_header_bytes + header->name_bytes;
         std::string name(static_cast<std::size_t>(header->name_bytes), '\0');
@@ -124,8 +120,8 @@ public:
             } else if (element.type == compressed) {
                 add_packed(element);
             }
-            if (job.cancelled()) {
-                fail(file_->error(ErrorCode::interrupted));
+            if (const Status going = job.go_on(); !going) {
+                fail(going.error());
             }
             top_ = element.next;
         }
@@ -146,8 +142,8 @@ private:
     }
 
     void misfit() {
-        fail(damaged(
-            *file_,
+        fail(file_->damaged(
+            "MAT",
             VYBEG_MESSAGE("Words", "the size of the variable at byte %1 does not fit its numbers"),
             {count_arg(top_)}));
     }
@@ -301,7 +297,7 @@ Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOpti
     const auto got = TRY(file->read(0, head));
     const bool is_level5 = is_mat5({head.data(), head.size()});
     if (is_level5 && got < header_bytes) {
-        return damaged(*file, VYBEG_MESSAGE("Words", "it ends in its header"));
+        return file->damaged("MAT", VYBEG_MESSAGE("Words", "it ends in its header"));
     }
     auto arrays = TRY(is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job)
                                 : level4_arrays(file));

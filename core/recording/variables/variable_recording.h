@@ -10,14 +10,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 
 namespace vybeg {
 
 // A file of several variables (MAT, HDF5, NPZ), whatever reads them.
 struct VariableFile {
     std::shared_ptr<const FileBytes> file;
-    std::string format;  // "MAT 5", "NPZ", ...
     Catalogue catalogue;
     std::shared_ptr<const VariableReader> reader;
     // Two channels of so many frames, on demand.

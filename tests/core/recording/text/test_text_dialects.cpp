@@ -362,8 +362,7 @@ void TestTextDialects::the_format_is_a_pure_function_of_the_first_lines() {
                                   .counter_column = -1,
                                   .time_unit_s = 1e-3,
                                   .header_lines_used = 1,
-                                  .names = {"t", "C", "D"},
-                                  .units = {"ms", "V", "V"}}));
+                                  .headings = {{"t", "ms"}, {"C", "V"}, {"D", "V"}}}));
     QVERIFY(!guess_text_format(std::vector<std::string>{"Dear Sir,", "1", "", "2", "x;y"}));
     QVERIFY(!guess_text_format({}));
 }
