@@ -66,9 +66,7 @@ void take_xml(std::string_view text, ZetlabHeader& header) {
             return;
         }
         std::string_view key = text.substr(0, equals);
-        key = key.substr(key.find_first_not_of(" \t\r\n") == std::string_view::npos
-                             ? key.size()
-                             : key.find_first_not_of(" \t\r\n"));
+        key.remove_prefix(std::min(key.find_first_not_of(" \t\r\n"), key.size()));
         key = key.substr(0, key.find_first_of(" \t\r\n"));
         text.remove_prefix(equals + 1);
         const std::size_t open = text.find_first_of("\"'");

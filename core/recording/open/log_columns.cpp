@@ -36,13 +36,17 @@ bool is_time(const ColumnWish& wish) {
     return wish.role.name == std::string_view(time_role);
 }
 
+bool same_name_as(std::string_view name, std::string_view other) {
+    return normal_name(name) == normal_name(other);
+}
+
+bool is_usual_name(std::string_view name, const ColumnRole& role) {
+    return std::ranges::any_of(role.names,
+                               [name](const char* usual) { return same_name_as(name, usual); });
+}
+
 bool is_called(std::string_view name, const ColumnWish& wish) {
-    const std::string normal = normal_name(name);
-    if (!wish.column.empty()) {
-        return normal == normal_name(wish.column);
-    }
-    return std::ranges::any_of(wish.role.names,
-                               [&](const char* usual) { return normal == normal_name(usual); });
+    return wish.column.empty() ? is_usual_name(name, wish.role) : same_name_as(name, wish.column);
 }
 
 Error missing_column(const FileBytes& file, const ColumnWish& wish,
@@ -316,11 +320,9 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
         const std::string column =
             sign < entry.size() ? std::string(trimmed(std::string_view(entry).substr(sign + 1)))
                                 : std::string();
-        const auto role = std::ranges::find_if(roles, [&](const ColumnRole& each) {
-            const std::string name = normal_name(entry.substr(0, sign));
-            return name == normal_name(each.name) ||
-                   std::ranges::any_of(
-                       each.names, [&](const char* usual) { return name == normal_name(usual); });
+        const std::string name = entry.substr(0, sign);
+        const auto role = std::ranges::find_if(roles, [&name](const ColumnRole& each) {
+            return same_name_as(name, each.name) || is_usual_name(name, each);
         });
         if (role == roles.end()) {
             return refused_value(

@@ -41,12 +41,6 @@ void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& rec
 // ratio is unknown.
 double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& diagnostics);
 
-struct SampleRate {
-    double hz = 0;
-    RateOrigin from = RateOrigin::file;
-    double relative_sd = 0;  // due to the number of digits in the file
-};
-
 // The rate of the file if it has one (> 0) known within 20 %, otherwise that of the option. Times
 // above 1 GHz are not in seconds. Errors: rate_unknown.
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,

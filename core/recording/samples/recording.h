@@ -47,6 +47,15 @@ enum class RateOrigin { file, time_column, option };
 // "file", "time column" or "option", as in `info --json`.
 std::string rate_origin_name(RateOrigin origin);
 
+struct SampleRate {
+    double hz = 0;  // 0: unknown
+    RateOrigin from = RateOrigin::file;
+    // What the digits of the file leave open: rounding is uniform, a digit / sqrt(12).
+    double relative_sd = 0;
+
+    friend bool operator==(const SampleRate&, const SampleRate&) = default;
+};
+
 struct Channel {
     std::string name;  // from the file, otherwise "1", "2", ...
     std::string unit;  // empty if the file has none

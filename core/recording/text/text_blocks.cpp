@@ -14,6 +14,15 @@ namespace {
 constexpr std::int64_t block_bytes = std::int64_t{1} << 17;
 constexpr std::int64_t first_overhang = 4096;  // for the last line, which ends behind the block
 
+// The ASCII character at `at`, in one byte or two; for any other one, one that no text looks for.
+char ascii_at(std::string_view text, std::size_t at, TextEncoding encoding) {
+    if (encoding == TextEncoding::bytes) {
+        return text[at];
+    }
+    const std::size_t low = encoding == TextEncoding::utf16_big ? 1 : 0;
+    return text[at + 1 - low] == '\0' ? text[at + low] : '\x80';
+}
+
 }  // namespace
 
 std::size_t line_end(std::string_view text, std::size_t from) {
@@ -93,10 +102,9 @@ Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, 
     std::vector<char> bytes(static_cast<std::size_t>(end - from));
     const auto got = TRY(file.read(from, bytes));
     const std::string_view text(bytes.data(), static_cast<std::size_t>(got));
-    const std::size_t low = encoding == TextEncoding::utf16_big ? 1 : 0;
     const auto ends_line = [&](std::size_t at) {
-        const bool ascii = unit == 1 || text[at + 1 - low] == '\0';
-        return ascii && (text[at + low] == '\n' || text[at + low] == '\r');
+        const char character = ascii_at(text, at, encoding);
+        return character == '\n' || character == '\r';
     };
     std::size_t to = text.size();
     while (to > 0) {
@@ -128,12 +136,6 @@ Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, 
 Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding,
                                     std::int64_t begin) {
     const std::int64_t unit = encoding == TextEncoding::bytes ? 1 : 2;
-    const auto low_byte = static_cast<std::size_t>(encoding == TextEncoding::utf16_big ? 1 : 0);
-    // Whole characters of which the second byte, of two, is 0.
-    const auto is_one_of = [&](std::string_view character, std::string_view set) {
-        const bool ascii = unit == 1 || character[1 - low_byte] == '\0';
-        return ascii && set.find(character[unit == 1 ? 0 : low_byte]) != std::string_view::npos;
-    };
     const std::int64_t size = begin + (file.size() - begin) / unit * unit;
     std::vector<char> bytes;
     std::int64_t line_ends = size;  // of the lines behind
@@ -143,11 +145,10 @@ Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding
         const auto got = TRY(file.read(from, bytes));
         const std::string_view text(bytes.data(), static_cast<std::size_t>(got));
         for (std::int64_t at = got / unit * unit - unit; at >= 0; at -= unit) {
-            const std::string_view character =
-                text.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(unit));
-            if (is_one_of(character, "\n\r")) {
+            const char character = ascii_at(text, static_cast<std::size_t>(at), encoding);
+            if (character == '\n' || character == '\r') {
                 line_ends = from + at + unit;
-            } else if (!is_one_of(character, no_content)) {
+            } else if (no_content.find(character) == std::string_view::npos) {
                 return line_ends;
             }
         }

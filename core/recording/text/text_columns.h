@@ -29,9 +29,9 @@ struct TextFormat {
     std::vector<std::string> words{};  // names, or else numbers from 1, of columns that hold words
     std::vector<int> own_times{};      // the time column of each column, where they are not all one
     std::optional<std::int64_t> clock_from_s{};  // times of day count from this second of the day
-    std::vector<WrittenRate> rates{};  // of each column; empty where the lines above name none
-    bool has_remarks = false;          // what stands behind the last column is a comment
-    std::string unknown_time_unit{};   // of the time column, which is read as seconds
+    std::vector<SampleRate> rates{};  // of each column; empty where the lines above name none
+    bool has_remarks = false;         // what stands behind the last column is a comment
+    std::string unknown_time_unit{};  // of the time column, which is read as seconds
 
     const Channel& heading(int column) const { return headings[static_cast<std::size_t>(column)]; }
 

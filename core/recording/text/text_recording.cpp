@@ -66,8 +66,7 @@ std::optional<SampleRate> better_rate(const std::optional<SampleRate>& of_times,
     if (table.format.rates.empty()) {
         return of_times;
     }
-    const WrittenRate& written = table.format.rates[static_cast<std::size_t>(table.columns.c)];
-    const SampleRate named{written.hz, RateOrigin::file, written.relative_sd};
+    const SampleRate& named = table.format.rates[static_cast<std::size_t>(table.columns.c)];
     if (!of_times) {
         return named;
     }
