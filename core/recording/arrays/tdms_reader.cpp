@@ -501,8 +501,7 @@ bool is_tdms(std::string_view head) {
 Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
     const TdmsReader reader(file, job);
-    std::string tag(index_tag.size(), '\0');
-    TRY(file->read(0, tag));
+    const auto tag = TRY(file->text(0, std::ssize(index_tag)));
     if (tag == index_tag) {
         return file->unsupported(
             "TDMS", VYBEG_MESSAGE("Words", "only the index of the .tdms file beside it"));

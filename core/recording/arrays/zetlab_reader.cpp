@@ -108,9 +108,7 @@ Result<std::pair<std::shared_ptr<const FileBytes>, ZetlabHeader>> find_header(
             continue;
         }
         auto beside = TRY(FileBytes::open(path));
-        std::string text(static_cast<std::size_t>(std::min(beside->size(), longest_header)), '\0');
-        const auto got = TRY(beside->read(0, text));
-        text.resize(static_cast<std::size_t>(got));
+        const auto text = TRY(beside->text(0, std::min(beside->size(), longest_header)));
         if (auto header = parse_zetlab_header(text)) {
             return std::pair(std::move(beside), std::move(*header));
         }

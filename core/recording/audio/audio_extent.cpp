@@ -370,9 +370,8 @@ std::int64_t tag_before_flac(std::string_view head, const FileBytes& file) {
 }
 
 Result<AudioExtent> audio_extent(const FileBytes& file) {
-    std::array<char, 16> head{};
-    TRY(file.read(0, head));
-    const auto container = container_of({head.data(), head.size()});
+    const auto head = TRY(file.text(0, 16));
+    const auto container = container_of(head);
     if (!container) {
         return AudioExtent{};
     }

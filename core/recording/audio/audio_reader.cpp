@@ -118,8 +118,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
 
 Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                              const JobControl& job) {
-    std::array<char, 16> head{};
-    TRY(file->read(0, head));
+    const auto head = TRY(file->text(0, 16));
     const auto header = TRY(audio_extent(*file));
     constexpr int most_bits = 32;
     if (header.bits > most_bits && !header.plain) {
@@ -130,7 +129,7 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
                    {count_arg(header.bits), count_arg(most_bits)}),
              words(VYBEG_MESSAGE("Words", "Save the recording with 32 bits or as floats"))});
     }
-    const std::string container = audio_container({head.data(), head.size()});
+    const std::string container = audio_container(head);
     return header.plain
                ? open_plain(file, header, options)
                : open_decoded(file, container.empty() ? "FLAC" : container, header, options, job);

@@ -109,6 +109,13 @@ Result<std::int64_t> FileBytes::read(std::int64_t offset, std::span<char> out) c
     return done;
 }
 
+Result<std::string> FileBytes::text(std::int64_t offset, std::int64_t size) const {
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    const auto got = TRY(read(offset, bytes));
+    bytes.resize(static_cast<std::size_t>(got));
+    return bytes;
+}
+
 Result<std::string> own_file_text(const std::filesystem::path& path) {
     constexpr std::int64_t most_mib = 64;
     const auto file = TRY(FileBytes::open(path));
@@ -119,10 +126,7 @@ Result<std::string> own_file_text(const std::filesystem::path& path) {
              words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)}),
              words(VYBEG_MESSAGE("Words", "Choose a smaller file"))});
     }
-    std::string text(static_cast<std::size_t>(file->size()), '\0');
-    const auto got = TRY(file->read(0, text));
-    text.resize(static_cast<std::size_t>(got));
-    return text;
+    return file->text(0, file->size());
 }
 
 Error too_many_parts(const std::string& where, const std::string& format, const char* text,

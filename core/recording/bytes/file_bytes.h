@@ -50,6 +50,9 @@ public:
     // out.size() only at the end of the file. Errors: file_read_failed.
     Result<std::int64_t> read(std::int64_t offset, std::span<char> out) const;
 
+    // The `size` bytes from `offset` on, fewer at the end of the file. Errors: file_read_failed.
+    Result<std::string> text(std::int64_t offset, std::int64_t size) const;
+
 private:
     FileBytes(std::filesystem::path path, int descriptor, const struct stat& status);
 

@@ -48,14 +48,6 @@ std::int64_t length_at(std::string_view bytes, std::size_t at) {
     return number > most ? -1 : static_cast<std::int64_t>(number);
 }
 
-// Bytes of the file from `offset` on, up to its end.
-Result<std::string> bytes_at(const FileBytes& file, std::int64_t offset, std::int64_t size) {
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    const auto got = TRY(file.read(offset, bytes));
-    bytes.resize(static_cast<std::size_t>(got));
-    return bytes;
-}
-
 struct Directory {
     std::int64_t offset = 0;
     std::int64_t size = 0;
@@ -66,7 +58,7 @@ Result<std::optional<Directory>> find_directory64(const FileBytes& file, std::in
     if (end_offset < locator64_size) {
         return std::optional<Directory>{};
     }
-    const auto locator = TRY(bytes_at(file, end_offset - locator64_size, locator64_size));
+    const auto locator = TRY(file.text(end_offset - locator64_size, locator64_size));
     if (!locator.starts_with(locator64_signature)) {
         return std::optional<Directory>{};
     }
@@ -74,7 +66,7 @@ Result<std::optional<Directory>> find_directory64(const FileBytes& file, std::in
     if (at < 0 || at > file.size() - end64_size) {
         return file.damaged("ZIP", VYBEG_MESSAGE("Words", "its directory lies outside of it"));
     }
-    const auto end = TRY(bytes_at(file, at, end64_size));
+    const auto end = TRY(file.text(at, end64_size));
     if (!end.starts_with(end64_signature)) {
         return file.damaged("ZIP", VYBEG_MESSAGE("Words", "its directory cannot be found"));
     }
@@ -83,7 +75,7 @@ Result<std::optional<Directory>> find_directory64(const FileBytes& file, std::in
 
 Result<Directory> find_directory(const FileBytes& file) {
     const std::int64_t tail_size = std::min(file.size(), end_size + longest_comment);
-    const auto tail = TRY(bytes_at(file, file.size() - tail_size, tail_size));
+    const auto tail = TRY(file.text(file.size() - tail_size, tail_size));
     const std::size_t last = static_cast<std::size_t>(std::max(tail_size - end_size, {}));
     const std::size_t at = tail.rfind(end_signature, last);
     if (tail_size < end_size || at == tail.npos) {
@@ -138,7 +130,7 @@ bool is_zip(std::string_view head) {
 
 Result<std::vector<ZipMember>> zip_members(const FileBytes& file) {
     const auto directory = TRY(find_directory(file));
-    const auto bytes = TRY(bytes_at(file, directory.offset, directory.size));
+    const auto bytes = TRY(file.text(directory.offset, directory.size));
     std::vector<ZipMember> members;
     for (std::string_view rest = bytes; rest.starts_with(entry_signature);) {
         if (rest.size() < entry_size) {
@@ -195,7 +187,7 @@ Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const File
     if (member.header_offset < 0 || member.header_offset > file->size() - local_size) {
         return outside();
     }
-    const auto header = TRY(bytes_at(*file, member.header_offset, local_size));
+    const auto header = TRY(file->text(member.header_offset, local_size));
     if (static_cast<std::int64_t>(header.size()) < local_size ||
         !header.starts_with(local_signature)) {
         return file->damaged("ZIP", VYBEG_MESSAGE("Words", "%1 is not where its directory says"),

@@ -21,7 +21,7 @@ namespace vybeg {
 namespace {
 
 // Basis of the decision between text and binary.
-constexpr std::size_t head_bytes = std::size_t{1} << 16;
+constexpr std::int64_t head_bytes = std::int64_t{1} << 16;
 
 using Group = FileFormat::Group;
 
@@ -107,10 +107,7 @@ std::span<const FileFormat> file_formats() {
 }
 
 Result<std::string> file_head(const FileBytes& file) {
-    std::string head(head_bytes, '\0');
-    const auto got = TRY(file.read(0, head));
-    head.resize(static_cast<std::size_t>(got));
-    return head;
+    return file.text(0, head_bytes);
 }
 
 const FileFormat* find_format(std::string_view head, const FileBytes& file) {

@@ -11,8 +11,7 @@
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_format.h"
-#include "core/recording/text/text_scan.h"
-#include "core/recording/text/text_source.h"
+#include "core/recording/text/text_reading.h"
 
 #include <algorithm>
 #include <array>

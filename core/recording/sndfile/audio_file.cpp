@@ -5,7 +5,6 @@
 #include <sndfile.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -246,11 +245,9 @@ private:
 }  // namespace
 
 Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBytes> file) {
-    std::array<char, 16> head{};
-    TRY(file->read(0, head));
+    const auto start = TRY(file->text(0, 16));
     // Of a file without signature libsndfile looks for a resource fork beside it, which is another
     // file.
-    const std::string_view start(head.data(), head.size());
     const std::int64_t tag = tag_before_flac(start, *file);
     if (audio_container(start).empty() && tag == 0) {
         return Error{ErrorCode::format_damaged,

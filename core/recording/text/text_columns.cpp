@@ -3,8 +3,8 @@
 #include "core/numerics/median.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
-#include "core/recording/text/text_blocks.h"
 #include "core/recording/text/text_clock.h"
+#include "core/recording/text/text_lines.h"
 
 #include <algorithm>
 #include <cmath>

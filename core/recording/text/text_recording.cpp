@@ -6,8 +6,7 @@
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_format.h"
-#include "core/recording/text/text_scan.h"
-#include "core/recording/text/text_source.h"
+#include "core/recording/text/text_reading.h"
 #include "core/recording/text/text_table.h"
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 
 #include <fast_float/fast_float.h>
 
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -273,9 +272,7 @@ bool TextRows::fail(int column) {
 
 Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
                              const TextColumns& columns) {
-    std::array<char, 4> bytes{};
-    const auto got = TRY(file->read(0, bytes));
-    const std::string_view head(bytes.data(), static_cast<std::size_t>(got));
+    const auto head = TRY(file->text(0, 4));
     auto begin = static_cast<std::int64_t>(mark_length(head));
     std::int64_t header_lines = 0;
     TextLines lines(file);

@@ -3,8 +3,8 @@
 #include "core/base/error.h"
 #include "core/base/result.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_blocks.h"
 #include "core/recording/text/text_columns.h"
+#include "core/recording/text/text_lines.h"
 
 #include <cstdint>
 #include <memory>

@@ -30,9 +30,8 @@ bool is_hdf5(std::string_view head, const FileBytes& file) {
 
 Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
-    std::array<char, matlab_signature.size()> head{};
-    TRY(file->read(0, head));
-    const bool matlab = std::string_view(head.data(), head.size()) == matlab_signature;
+    const auto head = TRY(file->text(0, std::ssize(matlab_signature)));
+    const bool matlab = head == matlab_signature;
     const LibraryFormat format =
         matlab ? LibraryFormat{"mat73", "MAT 7.3"} : LibraryFormat{"hdf5", "HDF5"};
     auto process = TRY(ReaderProcess::start(file, format.kind, format.name));

@@ -5,7 +5,6 @@
 #include "core/recording/variables/mat_format.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -60,9 +59,8 @@ Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
         if (++variables > most_variables) {
             return too_many(*file);
         }
-        std::array<char, mat4_header_bytes> bytes{};
-        const auto got = TRY(file->read(at, bytes));
-        const auto header = mat4_header({bytes.data(), static_cast<std::size_t>(got)});
+        const auto bytes = TRY(file->text(at, mat4_header_bytes));
+        const auto header = mat4_header(bytes);
         if (!header) {
             return file->damaged("MAT", VYBEG_MESSAGE("Words", "there is no variable at byte %1"),
                                  {count_arg(at)});
@@ -293,10 +291,9 @@ private:
 
 Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                            const JobControl& job) {
-    std::array<char, header_bytes> head{};
-    const auto got = TRY(file->read(0, head));
-    const bool is_level5 = is_mat5({head.data(), head.size()});
-    if (is_level5 && got < header_bytes) {
+    const auto head = TRY(file->text(0, header_bytes));
+    const bool is_level5 = is_mat5(head);
+    if (is_level5 && std::ssize(head) < header_bytes) {
         return file->damaged("MAT", VYBEG_MESSAGE("Words", "it ends in its header"));
     }
     auto arrays = TRY(is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job)

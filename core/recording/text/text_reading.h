@@ -2,11 +2,14 @@
 
 #include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/text/text_table.h"
+#include "core/recording/times/time_grid.h"
 #include "core/recording/times/uniform_times.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -35,5 +38,14 @@ struct TextScan {
 // Reads every wanted number once, the blocks spread over threads. The first fault of the file is
 // the error: text_not_a_number, text_time_backwards, format_limit, file_read_failed; interrupted.
 Result<TextScan> scan_text(const TextTable& table, const JobControl& job);
+
+// The samples of a table on demand: only the places of its rows are kept in memory. Large reads are
+// spread over threads. Where the times have gaps, their frames are NaN. Precondition: the table has
+// no time column, or scan.even.
+std::shared_ptr<const SampleSource> text_source(const TextTable& table, const TextScan& scan);
+
+// The whole table in memory, with its times. Errors: file_read_failed, interrupted.
+Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& scan,
+                                     const JobControl& job);
 
 }  // namespace vybeg
