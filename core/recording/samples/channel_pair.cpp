@@ -103,10 +103,7 @@ Result<Recording> pair_channels(Recording c, Recording d, const std::string& nam
     }
     pair.more_files.insert(pair.more_files.end(), d.more_files.begin(), d.more_files.end());
     pair.source = std::make_shared<PairedSource>(c.source, d.source);
-    const double factor = note_units(pair.channels[0], pair.channels[1], pair.diagnostics);
-    if (factor != 1) {
-        pair.source = scaled_source(std::move(pair.source), 1, factor);
-    }
+    match_units(pair);
     if (c.frames() != d.frames()) {
         note_unequal(c.frames(), d.frames(), pair);
     }

@@ -43,16 +43,6 @@ bool are_times_or_rows(std::span<const double> samples, double rate_hz) {
                             }) == samples.end();
 }
 
-// Converts channel D to the unit of C if the file has both units, with the diagnostic
-// unit_converted; warns about an unknown ratio (units_differ).
-void match_units(Recording& recording) {
-    const double factor = note_units(recording.channel(recording.channel_c),
-                                     recording.channel(recording.channel_d), recording.diagnostics);
-    if (factor != 1) {
-        recording.source = scaled_source(std::move(recording.source), 1, factor);
-    }
-}
-
 // Only channels without a name are looked at: the names of others tell times from signals.
 // Errors: channel_is_time; those of the source.
 Status check_signals(const FileBytes& file, const Recording& recording) {
@@ -144,6 +134,14 @@ double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& d
         diagnostics.push_back({DiagnosticKind::unit_converted, {d.name, d.unit, c.unit}});
     }
     return ratio.value_or(1);
+}
+
+void match_units(Recording& recording) {
+    const double factor = note_units(recording.channel(recording.channel_c),
+                                     recording.channel(recording.channel_d), recording.diagnostics);
+    if (factor != 1) {
+        recording.source = scaled_source(std::move(recording.source), 1, factor);
+    }
 }
 
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,

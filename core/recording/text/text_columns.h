@@ -2,7 +2,6 @@
 
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
-#include "core/recording/text/text_rate.h"
 
 #include <cstdint>
 #include <optional>

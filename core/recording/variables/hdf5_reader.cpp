@@ -39,10 +39,6 @@ Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOpt
     variables.file = file;
     variables.catalogue = process->catalogue();
     variables.reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
-    variables.source = [reader = variables.reader](const ChannelPlace& c, const ChannelPlace& d,
-                                                   std::int64_t frames) {
-        return variable_source(reader, c, d, frames);
-    };
     return open_variables(variables, options, job);
 }
 

@@ -210,7 +210,8 @@ Status take_samples(const Opening& opening, const OpenOptions& options, const Jo
     }
     // Before the work of unpacking.
     TRY(choose_rate(*opening.variables.file, found.own_rate, options));
-    auto source = TRY(opening.variables.source(opening.c, opening.d, opening.choice.frames));
+    auto source =
+        TRY(opening.variables.reader->source(opening.c, opening.d, opening.choice.frames));
     found.source = std::move(source);
     return {};
 }

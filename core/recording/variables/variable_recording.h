@@ -8,7 +8,6 @@
 #include "core/recording/variables/variable_reader.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 
 namespace vybeg {
@@ -18,10 +17,6 @@ struct VariableFile {
     std::shared_ptr<const FileBytes> file;
     Catalogue catalogue;
     std::shared_ptr<const VariableReader> reader;
-    // Two channels of so many frames, on demand.
-    std::function<Result<std::shared_ptr<const SampleSource>>(
-        const ChannelPlace& c, const ChannelPlace& d, std::int64_t frames)>
-        source;
 };
 
 // The recording that choose_variables() finds in the file. Where the rate comes from times that are

@@ -369,7 +369,7 @@ void TestTextDialects::the_format_is_a_pure_function_of_the_first_lines() {
 
 void TestTextDialects::
     lines_longer_than_a_read_and_reads_that_end_inside_a_line_end_are_one_text() {
-    // Files of more than one read of 1 MiB, with every possible place of the boundary in "\r\n".
+    // Files of many reads of 64 KiB, with every possible place of a boundary in "\r\n".
     const Folder folder;
     const std::string row = "0.125, -2.5\r\n";
     const std::size_t rows = 100000;
