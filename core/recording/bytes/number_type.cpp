@@ -2,7 +2,6 @@
 
 #include "core/base/translatable.h"
 #include "core/recording/bytes/byte_order.h"
-#include "core/recording/bytes/number_pairs.h"
 
 #include <array>
 #include <bit>

@@ -32,4 +32,10 @@ void decode(NumberType type, bool big_endian, const char* bytes, std::int64_t st
 void decode_pairs(NumberType type, bool big_endian, const char* bytes, const Scale& scale,
                   std::span<double> left, std::span<double> right);
 
+// decode_pairs() of little endian numbers with the widest registers of the processor. Returns false
+// without effect for rare types and for gains near the end of the range. The bits of the samples
+// are the same on all processors.
+bool split_pairs(NumberType type, const char* bytes, const Scale& scale, std::span<double> left,
+                 std::span<double> right);
+
 }  // namespace vybeg
