@@ -21,7 +21,7 @@
 #include "core/output/track_header.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
-#include "core/recording/samples/file_changes.h"
+#include "core/recording/samples/recording.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/software_lock_in.h"
 #include "core/simulation/true_track.h"

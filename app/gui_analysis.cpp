@@ -7,7 +7,7 @@
 #include "core/base/messages.h"
 #include "core/output/output_paths.h"
 #include "core/recording/open/open_recording.h"
-#include "core/recording/samples/file_changes.h"
+#include "core/recording/samples/recording.h"
 #include "ui/widgets/theme.h"
 
 #include <algorithm>

@@ -56,8 +56,8 @@ public:
 private:
     bool is_nameless() const {
         return look_.preview.used &&
-               std::ranges::all_of(look_.preview.used->names,
-                                   [](const std::string& name) { return name.empty(); });
+               std::ranges::all_of(look_.preview.used->headings,
+                                   [](const Channel& each) { return each.name.empty(); });
     }
 
     // Nothing where the file cannot be read so: look_.problem. Errors: interrupted.
@@ -163,8 +163,9 @@ private:
         const LogColumn* const x =
             columns.find("Xc") != nullptr ? columns.find("Xc") : columns.find("X");
         const auto has = [this](std::string_view name) {
-            return look_.preview.used && std::ranges::find(look_.preview.used->names, name) !=
-                                             look_.preview.used->names.end();
+            return look_.preview.used &&
+                   std::ranges::find(look_.preview.used->headings, name, &Channel::name) !=
+                       look_.preview.used->headings.end();
         };
         return x != nullptr && (x->name.find("demods") != std::string::npos ||
                                 (has("chunk") && has("timestamp") && has("auxin0")));

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/recording/open/recording_preview.h"
+#include "core/recording/open/preview.h"
 #include "core/recording/samples/open_options.h"
 
 #include <filesystem>

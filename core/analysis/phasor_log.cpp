@@ -341,7 +341,7 @@ void centre(double step_s, LogRows& rows) {
     rows.f_ref_hz += offset_hz;
 }
 
-// What the calibration says of D and of the electrodes' angle (calibration.h, without offsets).
+// What the calibration says of D and of the electrodes' angle (Calibration, without offsets).
 void calibrate(const Calibration& calibration, LogRows& rows) {
     const Complex gain =
         std::polar(calibration.kappa, 2 * pi * rows.f_ref_hz * calibration.delay_d_s);

@@ -3,10 +3,9 @@
 #include "core/analysis/setting_table.h"
 #include "core/analysis/window_noise.h"
 #include "core/base/number_text.h"
-#include "core/recording/conditioning/calibrated_source.h"
-#include "core/recording/conditioning/checked_source.h"
+#include "core/recording/checks/recording_check.h"
+#include "core/recording/conditioning/corrected_source.h"
 #include "core/recording/conditioning/filtered_source.h"
-#include "core/recording/conditioning/gapped_source.h"
 #include "core/windows/carrier_search.h"
 
 #include <algorithm>

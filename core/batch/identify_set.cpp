@@ -11,7 +11,7 @@
 #include "core/output/passport_json.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
-#include "core/recording/samples/file_changes.h"
+#include "core/recording/samples/recording.h"
 
 #include <limits>
 #include <list>

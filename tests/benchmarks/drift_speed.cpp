@@ -2,7 +2,7 @@
 // of a constant carrier that is known, in the same run. From samples in memory to the rows of the
 // track, 28 s at 33333 Hz and 60 dB, one thread, every algorithm that uses the windows' sums.
 #include "core/analysis/estimate_track.h"
-#include "core/recording/samples/memory_source.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/benchmarks/ratio_table.h"

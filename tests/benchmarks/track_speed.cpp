@@ -1,7 +1,7 @@
 // How the time of an estimation grows with overlap, threads and length: maximum likelihood over
 // recordings in memory, from samples to the rows of a track. 33333 Hz, 60 dB, the article's case.
 #include "core/analysis/estimate_track.h"
-#include "core/recording/samples/memory_source.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/benchmarks/ratio_table.h"

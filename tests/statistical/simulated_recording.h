@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/recording.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 

@@ -3,7 +3,7 @@
 #include "core/output/passport_json.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
-#include "core/recording/samples/file_changes.h"
+#include "core/recording/samples/recording.h"
 #include "core/sweep/sweep_windows.h"
 #include "ui/words/program_name.h"
 

@@ -327,9 +327,9 @@ void ImportFields::showAutomatic() {
         return decimal_->itemText(found.decimal_comma ? 2 : 1);
     });
     entry(*time_column_, [this](const TextFormat& found) {
-        const auto column = static_cast<std::size_t>(found.time_column);
-        return found.time_column < 0 ? time_column_->itemText(1)
-                                     : named(found.time_column + 1, {found.names[column], {}});
+        const int column = found.time_column;
+        return column < 0 ? time_column_->itemText(1)
+                          : named(column + 1, {found.heading(column).name, {}});
     });
     entry(*time_unit_, [this](const TextFormat& found) {
         const int index = indexOf(time_units, found.time_unit_s);
@@ -360,8 +360,7 @@ void ImportFields::showColumns() {
         time_column_->removeItem(2);
     }
     for (int column = 0; format && column < std::min(format->columns, most_columns); ++column) {
-        const auto i = static_cast<std::size_t>(column);
-        time_column_->addItem(named(column + 1, {format->names[i], format->units[i]}), column + 1);
+        time_column_->addItem(named(column + 1, format->heading(column)), column + 1);
     }
     if (said) {
         select(*time_column_, chosen);

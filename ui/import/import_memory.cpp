@@ -48,8 +48,8 @@ QString importKind(const QString& path, const RecordingPreview& preview, bool ra
         return QStringLiteral("file;%1").arg(ending);
     }
     QStringList words{QStringLiteral("text"), ending, QString::number(preview.guessed->columns)};
-    for (const std::string& name : preview.guessed->names) {
-        words << QString::fromStdString(name);
+    for (const Channel& heading : preview.guessed->headings) {
+        words << QString::fromStdString(heading.name);
     }
     return words.join(QLatin1Char(';'));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/open/recording_preview.h"
+#include "core/recording/open/preview.h"
 #include "core/recording/samples/open_options.h"
 
 #include <QJsonObject>

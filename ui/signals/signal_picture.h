@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/conditioning/calibration.h"
+#include "core/recording/conditioning/corrected_source.h"
 #include "core/recording/envelope/envelope.h"
 #include "core/residuals/fitted_wave.h"
 #include "core/residuals/signal_excerpt.h"

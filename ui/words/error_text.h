@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/finding.h"
 #include "core/estimators/wave/flags.h"
-#include "core/recording/samples/recording_format.h"
+#include "core/recording/samples/recording.h"
 #include "core/resonator/model/reason.h"
 #include "core/track/events.h"
 

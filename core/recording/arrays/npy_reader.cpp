@@ -221,7 +221,7 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
     found.promised_frames = array.frames();
     found.source = column_source(npy_column(array, bytes, first + options.channel_c - 1),
                                  npy_column(array, bytes, first + options.channel_d - 1));
-    found.frames = found.source->frames();
+    found.present_frames = found.source->frames();
     return complete_recording(*file, std::move(found), options);
 }
 
@@ -239,54 +239,52 @@ std::int64_t NpyArray::frames() const {
 
 Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
                                  const std::string& name) {
-    const auto damaged = [&](const char* text) {
-        return file.error(ErrorCode::format_damaged, {name, words(text)});
-    };
-    const auto unsupported = [&](const char* text, std::vector<MessageArg> args = {}) {
-        return file.error(ErrorCode::format_unsupported, {name, words(text, std::move(args))});
-    };
     std::array<char, 12> start{};
     const auto start_size = std::min<std::int64_t>(bytes.size(), start.size());
     TRY(bytes.read(0, std::span(start).first(static_cast<std::size_t>(start_size))));
     if (start_size < 10 || !is_npy({start.data(), start.size()})) {
-        return damaged(VYBEG_MESSAGE("Words", "its first bytes are not those of an array"));
+        return file.damaged(name,
+                            VYBEG_MESSAGE("Words", "its first bytes are not those of an array"));
     }
     const int version = start[6];
     if (version < 1 || version > 3) {
-        return unsupported(VYBEG_MESSAGE("Words", "the format version %1"), {count_arg(version)});
+        return file.unsupported(name, VYBEG_MESSAGE("Words", "the format version %1"),
+                                {count_arg(version)});
     }
     const std::int64_t text_at = version == 1 ? 10 : 12;
     const std::int64_t text_size = version == 1 ? load<std::uint16_t>(start.data() + 8, false)
                                                 : load<std::uint32_t>(start.data() + 8, false);
     if (text_size > longest_npy_header || text_at + text_size > bytes.size()) {
-        return damaged(VYBEG_MESSAGE("Words", "its header is longer than it can be"));
+        return file.damaged(name, VYBEG_MESSAGE("Words", "its header is longer than it can be"));
     }
     std::string text(static_cast<std::size_t>(text_size), '\0');
     TRY(bytes.read(text_at, text));
     const auto header = parse_header(text);
     if (!header) {
-        return damaged(VYBEG_MESSAGE("Words", "its header cannot be understood"));
+        return file.damaged(name, VYBEG_MESSAGE("Words", "its header cannot be understood"));
     }
     if (header->descr->empty()) {
-        return unsupported(VYBEG_MESSAGE("Words", "records of several fields"));
+        return file.unsupported(name, VYBEG_MESSAGE("Words", "records of several fields"));
     }
     const auto type = parse_type(*header->descr);
     if (!type) {
-        return unsupported(VYBEG_MESSAGE("Words", "values of the type %1"),
-                           {printable(*header->descr)});
+        return file.unsupported(name, VYBEG_MESSAGE("Words", "values of the type %1"),
+                                {printable(*header->descr)});
     }
     if (header->shape->size() > 2) {
-        return unsupported(VYBEG_MESSAGE("Words", "an array of %1 dimensions"),
-                           {count_arg(std::ssize(*header->shape))});
+        return file.unsupported(name, VYBEG_MESSAGE("Words", "an array of %1 dimensions"),
+                                {count_arg(std::ssize(*header->shape))});
     }
     if (!size_fits(*header->shape)) {
-        return damaged(
+        return file.damaged(
+            name,
             VYBEG_MESSAGE("Words", "its header promises more samples than any file can hold"));
     }
     NpyArray array{type->first, type->second, *header->fortran_order, *header->shape,
                    text_at + text_size};
     if (array.channels() > most_channels) {
-        return unsupported(VYBEG_MESSAGE("Words", "%1 channels"), {count_arg(array.channels())});
+        return file.unsupported(name, VYBEG_MESSAGE("Words", "%1 channels"),
+                                {count_arg(array.channels())});
     }
     return array;
 }

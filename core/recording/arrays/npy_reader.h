@@ -2,7 +2,6 @@
 
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/recording/bytes/byte_source.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/column_source.h"

@@ -6,6 +6,7 @@
 #include "core/recording/samples/reader_rules.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace vybeg {
@@ -35,13 +36,9 @@ std::shared_ptr<const SampleSource> raw_source(const std::shared_ptr<const FileB
 }  // namespace
 
 NumberType number_type(RawType type) {
-    switch (type) {
-        case RawType::i16: return NumberType::i16;
-        case RawType::i32: return NumberType::i32;
-        case RawType::f32: return NumberType::f32;
-        case RawType::f64: return NumberType::f64;
-    }
-    return NumberType::i16;
+    // In the order of RawType.
+    constexpr std::array types{NumberType::i16, NumberType::i32, NumberType::f32, NumberType::f64};
+    return types.at(static_cast<std::size_t>(type));
 }
 
 Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
@@ -53,9 +50,9 @@ Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOpti
                     FormatPart::words(name_of(number_type(layout.type))),
                     byte_order_part(layout.big_endian), FormatPart::channels(layout.channels)};
     found.channels = numbered_channels(layout.channels);
-    found.frames = frame_count(*file, layout);
-    if (found.frames > 0) {
-        found.source = raw_source(file, options, found.frames);
+    found.present_frames = frame_count(*file, layout);
+    if (found.present_frames > 0) {
+        found.source = raw_source(file, options, found.present_frames);
     }
     return complete_recording(*file, std::move(found), options);
 }

@@ -1,9 +1,10 @@
 #include "core/recording/arrays/tdms_metadata.h"
 
-#include "core/recording/bytes/number_decoding.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/bytes/text_encoding.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <numeric>
 #include <string_view>
@@ -25,26 +26,19 @@ constexpr std::uint32_t format_changing = 0x1269;
 constexpr std::uint32_t digital_lines = 0x126A;
 constexpr std::uint32_t digital_lines_as_published = 0x1369;
 
-TdmsRefusal impossible() {
-    return {true,
-            words(VYBEG_MESSAGE("Words", "the raw data of a channel cannot be as its index says"))};
+Error impossible() {
+    return {ErrorCode::format_damaged,
+            "",
+            {"TDMS", words(VYBEG_MESSAGE(
+                         "Words", "the raw data of a channel cannot be as its index says"))}};
 }
 
 // Type of a scaler, which has a separate numbering; empty for times and unknown types.
 std::optional<NumberType> scaler_type(std::uint32_t code) {
-    switch (code) {
-        case 0: return NumberType::u8;
-        case 1: return NumberType::i8;
-        case 2: return NumberType::u16;
-        case 3: return NumberType::i16;
-        case 4: return NumberType::u32;
-        case 5: return NumberType::i32;
-        case 6: return NumberType::u64;
-        case 7: return NumberType::i64;
-        case 8: return NumberType::f32;
-        case 9: return NumberType::f64;
-        default: return std::nullopt;
-    }
+    constexpr std::array types{NumberType::u8,  NumberType::i8,  NumberType::u16, NumberType::i16,
+                               NumberType::u32, NumberType::i32, NumberType::u64, NumberType::i64,
+                               NumberType::f32, NumberType::f64};
+    return code < types.size() ? std::optional(types[code]) : std::nullopt;
 }
 
 TdmsScaler take_scaler(TdmsMetadata& metadata, bool is_digital) {
@@ -75,8 +69,7 @@ bool fits(const TdmsRawIndex& index) {
            });
 }
 
-std::optional<TdmsRefusal> take_daqmx_index(TdmsMetadata& metadata, bool is_digital,
-                                            TdmsRawIndex& index) {
+Status take_daqmx_index(TdmsMetadata& metadata, bool is_digital, TdmsRawIndex& index) {
     index.is_daqmx = true;
     index.type = metadata.number<std::uint32_t>();
     const auto dimensions = metadata.number<std::uint32_t>();
@@ -99,21 +92,12 @@ std::optional<TdmsRefusal> take_daqmx_index(TdmsMetadata& metadata, bool is_digi
 }  // namespace
 
 std::optional<NumberType> tdms_number(std::uint32_t type) {
-    switch (type) {
-        case 0x01: return NumberType::i8;
-        case 0x02: return NumberType::i16;
-        case 0x03: return NumberType::i32;
-        case 0x04: return NumberType::i64;
-        case 0x05: return NumberType::u8;
-        case 0x06: return NumberType::u16;
-        case 0x07: return NumberType::u32;
-        case 0x08: return NumberType::u64;
-        case 0x09:
-        case 0x19: return NumberType::f32;  // 0x19 and 0x1A: with a unit
-        case 0x0A:
-        case 0x1A: return NumberType::f64;
-        default: return std::nullopt;
-    }
+    // From 1 on; 0x19 and 0x1A are floats with a unit.
+    constexpr std::array types{NumberType::i8,  NumberType::i16, NumberType::i32, NumberType::i64,
+                               NumberType::u8,  NumberType::u16, NumberType::u32, NumberType::u64,
+                               NumberType::f32, NumberType::f64};
+    const std::uint32_t place = (type == 0x19 || type == 0x1A ? type - 0x10 : type) - 1;
+    return place < types.size() ? std::optional(types[place]) : std::nullopt;
 }
 
 std::optional<int> tdms_bytes(std::uint32_t type) {
@@ -155,9 +139,9 @@ std::string tdms_time_text(std::int64_t seconds, std::uint64_t fraction) {
            padded(static_cast<std::int64_t>(milliseconds), 3) + "Z";
 }
 
-std::optional<TdmsPath> tdms_path(const std::string& path) {
+std::optional<TdmsObject> tdms_object(const std::string& path) {
     if (path == "/") {
-        return TdmsPath{};
+        return TdmsObject{};
     }
     std::vector<std::string> names;
     std::string_view rest = path;
@@ -182,7 +166,17 @@ std::optional<TdmsPath> tdms_path(const std::string& path) {
     if (!rest.empty() || names.empty() || names.size() > 2) {
         return std::nullopt;
     }
-    return TdmsPath{names[0], names.size() == 2 ? names[1] : ""};
+    return TdmsObject{to_utf8(names[0]), names.size() == 2 ? to_utf8(names[1]) : ""};
+}
+
+std::optional<double> TdmsObject::number(std::string_view property) const {
+    const auto found = properties.find(property);
+    return found == properties.end() ? std::nullopt : found->second.number;
+}
+
+std::string TdmsObject::text(std::string_view property) const {
+    const auto found = properties.find(property);
+    return found == properties.end() ? "" : found->second.text;
 }
 
 std::string_view TdmsMetadata::bytes(std::size_t size) {
@@ -221,8 +215,7 @@ std::optional<TdmsValue> TdmsMetadata::value(std::uint32_t type) {
     return value;
 }
 
-std::optional<TdmsRefusal> take_raw_index(TdmsMetadata& metadata, std::uint32_t length,
-                                          TdmsRawIndex& index) {
+Status take_raw_index(TdmsMetadata& metadata, std::uint32_t length, TdmsRawIndex& index) {
     const bool is_digital = length == digital_lines || length == digital_lines_as_published;
     if (is_digital || length == format_changing) {
         return take_daqmx_index(metadata, is_digital, index);
@@ -238,8 +231,10 @@ std::optional<TdmsRefusal> take_raw_index(TdmsMetadata& metadata, std::uint32_t 
         return impossible();
     }
     if (!size) {
-        return TdmsRefusal{
-            false, words(VYBEG_MESSAGE("Words", "values of the type %1"), {count_arg(index.type)})};
+        return Error{ErrorCode::format_unsupported,
+                     "",
+                     {"TDMS", words(VYBEG_MESSAGE("Words", "values of the type %1"),
+                                    {count_arg(index.type)})}};
     }
     index.count = static_cast<std::int64_t>(count);
     index.bytes = static_cast<std::int64_t>(bytes);

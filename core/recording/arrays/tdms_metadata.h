@@ -1,11 +1,13 @@
 #pragma once
 
-#include "core/base/message_arg.h"
+#include "core/base/result.h"
 #include "core/recording/bytes/byte_order.h"
 #include "core/recording/bytes/number_type.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,14 +29,6 @@ std::optional<int> tdms_bytes(std::uint32_t type);
 // 2^-64 s. Empty outside the years 1 to 9999.
 std::string tdms_time_text(std::int64_t seconds, std::uint64_t fraction);
 
-// Group and channel of an object's path: /'group'/'channel', a quote within a name written twice;
-// "/" is the file itself, without either. Empty for other texts.
-struct TdmsPath {
-    std::string group;
-    std::string channel;
-};
-std::optional<TdmsPath> tdms_path(const std::string& path);
-
 // Value in place of the length of an object's raw index: no raw data.
 inline constexpr std::uint32_t tdms_no_raw_data = 0xFFFFFFFF;
 inline constexpr std::uint32_t tdms_same_as_before = 0;
@@ -44,6 +38,22 @@ struct TdmsValue {
     std::optional<double> number;
     std::string text;
 };
+
+// An object of a TDMS file: the file ("/"), a group or a channel. It stores only properties that
+// describe samples.
+struct TdmsObject {
+    std::string group;    // empty for the file itself
+    std::string channel;  // empty for the file and for groups
+    std::map<std::string, TdmsValue, std::less<>> properties{};
+
+    // Of a property; nothing where it is not there, or of the other kind.
+    std::optional<double> number(std::string_view property) const;
+    std::string text(std::string_view property) const;
+};
+
+// The object of a path: /'group'/'channel', a quote within a name written twice; "/" is the file
+// itself. Empty for other texts.
+std::optional<TdmsObject> tdms_object(const std::string& path);
 
 // Position of one of a channel's raw numbers in DAQmx data: buffer of a chunk, and place in each
 // row of it.
@@ -95,14 +105,8 @@ private:
     bool ended_ = false;
 };
 
-// Why a raw index cannot be used.
-struct TdmsRefusal {
-    bool damaged = false;  // otherwise of an unsupported kind
-    MessageArg reason;
-};
-
-// Reads an object's raw index, whose first number was `length`. Returns the refusal, if any.
-std::optional<TdmsRefusal> take_raw_index(TdmsMetadata& metadata, std::uint32_t length,
-                                          TdmsRawIndex& index);
+// Reads an object's raw index, whose first number was `length`. Errors, without a place:
+// format_damaged, format_unsupported.
+Status take_raw_index(TdmsMetadata& metadata, std::uint32_t length, TdmsRawIndex& index);
 
 }  // namespace vybeg

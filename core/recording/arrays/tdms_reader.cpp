@@ -1,22 +1,281 @@
 #include "core/recording/arrays/tdms_reader.h"
 
-#include "core/recording/arrays/tdms_scale.h"
 #include "core/recording/arrays/tdms_segments.h"
 #include "core/recording/arrays/time_column.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace vybeg {
 namespace {
+
+// y = c0 + c1 x + c2 x^2 + ...
+struct TdmsPolynomial {
+    std::vector<double> coefficients;
+};
+
+// y over x, linear between the points; beyond the ends the value of the end, as in DAQmx.
+struct TdmsTable {
+    std::vector<double> x;  // rising
+    std::vector<double> y;
+};
+
+// Conversion of a channel's raw numbers to its unit: the linear scale of the decoder, then the
+// steps.
+struct TdmsScaling {
+    std::optional<std::uint32_t>
+        scaler;  // id of the number of a DAQmx channel; empty: its only one
+    Scale linear;
+    std::vector<std::variant<TdmsPolynomial, TdmsTable>> steps;
+};
+
+constexpr double raw_numbers = 0xFFFFFFFF;  // as the input source of a scale
+constexpr double most_scales = 1000;
+constexpr std::string_view count_name = "NI_Number_Of_Scales";
+
+std::string scale_name(int index, std::string_view rest) {
+    return "NI_Scale[" + std::to_string(index) + "]_" + std::string(rest);
+}
+
+// The scales of one object.
+class Scales {
+public:
+    Scales(const FileBytes& file, const TdmsObject& channel, const TdmsObject& owner)
+        : file_(file), channel_(channel), owner_(owner) {}
+
+    std::optional<double> number(const std::string& name) const { return owner_.number(name); }
+    std::string text(const std::string& name) const { return owner_.text(name); }
+
+    // Number of scales by the file, otherwise of those described.
+    double count() const {
+        if (const auto told = number(std::string(count_name))) {
+            return *told;
+        }
+        int found = 0;
+        while (found < most_scales && !text(scale_name(found, "Scale_Type")).empty()) {
+            ++found;
+        }
+        return found;
+    }
+
+    Result<TdmsScaling> read() const {
+        const double scales = count();
+        if (!(scales <= most_scales)) {
+            return damaged(
+                VYBEG_MESSAGE("Words", "the channel %1 has an impossible number of scales"));
+        }
+        TdmsScaling scaling;
+        // From the last scale back to the raw numbers; the step found first is applied last.
+        auto index = static_cast<int>(scales) - 1;
+        for (int seen = 0;; ++seen) {
+            const std::string type = text(scale_name(index, "Scale_Type"));
+            if (type.empty()) {  // raw number of DAQmx with this id
+                scaling.scaler = static_cast<std::uint32_t>(index);
+                break;
+            }
+            if (seen > scales) {
+                return damaged(VYBEG_MESSAGE(
+                    "Words", "the channel %1 has scales that are each other's input"));
+            }
+            TRY(take(type, index, scaling));
+            const double input =
+                number(scale_name(index, type + "_Input_Source")).value_or(raw_numbers);
+            if (input == raw_numbers || input == -1) {
+                break;
+            }
+            if (!(input >= 0 && input < scales)) {
+                return damaged(VYBEG_MESSAGE(
+                    "Words", "the channel %1 has a scale whose input does not exist"));
+            }
+            index = static_cast<int>(input);
+        }
+        std::reverse(scaling.steps.begin(), scaling.steps.end());
+        fold(scaling);
+        return scaling;
+    }
+
+private:
+    Status take(const std::string& type, int index, TdmsScaling& scaling) const {
+        if (type == "Linear") {
+            const auto slope = number(scale_name(index, "Linear_Slope"));
+            const auto intercept = number(scale_name(index, "Linear_Y_Intercept"));
+            if (!slope || !intercept) {
+                return damaged(VYBEG_MESSAGE(
+                    "Words", "the channel %1 has a linear scale without slope or intercept"));
+            }
+            scaling.steps.emplace_back(TdmsPolynomial{{*intercept, *slope}});
+        } else if (type == "Polynomial") {
+            constexpr double usual = 4;
+            const double size =
+                number(scale_name(index, "Polynomial_Coefficients_Size")).value_or(usual);
+            const auto coefficients = list(scale_name(index, "Polynomial_Coefficients"), size);
+            if (!coefficients) {
+                return damaged(VYBEG_MESSAGE(
+                    "Words",
+                    "the channel %1 has a polynomial scale without all of its coefficients"));
+            }
+            scaling.steps.emplace_back(TdmsPolynomial{*coefficients});
+        } else if (type == "Table") {
+            return take_table(index, scaling);
+        } else {
+            return file_.unsupported(
+                "TDMS", VYBEG_MESSAGE("Words", "a scale of the kind \"%1\" (channel %2)"),
+                {type, channel_.channel});
+        }
+        return {};
+    }
+
+    // "Scaled values" of the properties are the input, "pre-scaled" the output.
+    Status take_table(int index, TdmsScaling& scaling) const {
+        const double size = number(scale_name(index, "Table_Scaled_Values_Size")).value_or(0);
+        auto x = list(scale_name(index, "Table_Scaled_Values"), size);
+        auto y = list(scale_name(index, "Table_Pre_Scaled_Values"), size);
+        const auto falls = [](const std::vector<double>& values) {
+            return std::adjacent_find(values.begin(), values.end(), std::less_equal<double>()) ==
+                   values.end();
+        };
+        if (!x || !y || x->empty() ||
+            number(scale_name(index, "Table_Pre_Scaled_Values_Size")).value_or(size) != size) {
+            return damaged(VYBEG_MESSAGE(
+                "Words", "the channel %1 has a table scale without all of its values"));
+        }
+        if (x->size() > 1 && falls(*x)) {
+            std::reverse(x->begin(), x->end());
+            std::reverse(y->begin(), y->end());
+        }
+        if (std::adjacent_find(x->begin(), x->end(), [](double a, double b) { return !(a < b); }) !=
+            x->end()) {
+            return damaged(VYBEG_MESSAGE(
+                "Words", "the channel %1 has a table scale that neither rises nor falls"));
+        }
+        scaling.steps.emplace_back(TdmsTable{std::move(*x), std::move(*y)});
+        return {};
+    }
+
+    // name[0], name[1], ...; empty if one is missing.
+    std::optional<std::vector<double>> list(const std::string& name, double size) const {
+        std::vector<double> values;
+        for (int i = 0; i < size; ++i) {
+            const auto value = number(name + "[" + std::to_string(i) + "]");
+            if (!value || !std::isfinite(*value)) {
+                return std::nullopt;
+            }
+            values.push_back(*value);
+        }
+        return values;
+    }
+
+    // Moves linear steps at the beginning into the scale of the decoder.
+    static void fold(TdmsScaling& scaling) {
+        auto& steps = scaling.steps;
+        while (!steps.empty()) {
+            const auto* line = std::get_if<TdmsPolynomial>(&steps.front());
+            if (!line || line->coefficients.size() != 2) {
+                return;
+            }
+            const double offset = line->coefficients[0];
+            const double slope = line->coefficients[1];
+            scaling.linear.gain *= slope;
+            scaling.linear.offset = scaling.linear.offset * slope + offset;
+            steps.erase(steps.begin());
+        }
+    }
+
+    // %1 stands for the channel.
+    Error damaged(const char* text) const {
+        return file_.damaged("TDMS", text, {channel_.channel});
+    }
+
+    const FileBytes& file_;
+    const TdmsObject& channel_;
+    const TdmsObject& owner_;
+};
+
+double value_at(const TdmsPolynomial& polynomial, double x) {
+    double y = 0;
+    for (auto c = polynomial.coefficients.rbegin(); c != polynomial.coefficients.rend(); ++c) {
+        y = y * x + *c;
+    }
+    return y;
+}
+
+double value_at(const TdmsTable& table, double x) {
+    const auto next = std::upper_bound(table.x.begin(), table.x.end(), x);
+    if (next == table.x.begin() || std::isnan(x)) {
+        return std::isnan(x) ? x : table.y.front();
+    }
+    if (next == table.x.end()) {
+        return table.y.back();
+    }
+    const auto i = static_cast<std::size_t>(next - table.x.begin());
+    const double part = (x - table.x[i - 1]) / (table.x[i] - table.x[i - 1]);
+    return table.y[i - 1] + part * (table.y[i] - table.y[i - 1]);
+}
+
+void apply(const TdmsScaling& scaling, std::span<double> samples) {
+    for (const auto& step : scaling.steps) {
+        std::visit(
+            [&](const auto& function) {
+                for (double& sample : samples) {
+                    const double y = value_at(function, sample);
+                    sample = std::isfinite(y) && !std::isnan(sample)
+                                 ? y
+                                 : std::numeric_limits<double>::quiet_NaN();
+                }
+            },
+            step);
+    }
+}
+
+// Scaling by the NI_Scale properties of the channel, otherwise of its group, otherwise of the file
+// (`objects` in this order): from the last scale back through its input sources to the raw numbers.
+// None if NI_Scaling_Status marks the samples as scaled. Errors: format_unsupported, with the name
+// of the scale, for scales of sensors and others that are no function of one number;
+// format_damaged.
+Result<TdmsScaling> tdms_scaling(const FileBytes& file,
+                                 const std::vector<const TdmsObject*>& nearest_first) {
+    for (const TdmsObject* owner : nearest_first) {
+        const Scales scales(file, *nearest_first.front(), *owner);
+        if (scales.text("NI_Scaling_Status") == "scaled") {
+            return TdmsScaling{};
+        }
+        if (scales.count() >= 1) {
+            return scales.read();
+        }
+    }
+    return TdmsScaling{};
+}
+
+// Source with the steps of each channel's scaling; the source itself without steps. Values that are
+// not finite become NaN.
+std::shared_ptr<const SampleSource> scaled_by(std::shared_ptr<const SampleSource> source,
+                                              const TdmsScaling& c, const TdmsScaling& d) {
+    if (c.steps.empty() && d.steps.empty()) {
+        return source;
+    }
+    return mapped_source(std::move(source),
+                         [c, d](std::span<double> samples_c, std::span<double> samples_d) {
+                             apply(c, samples_c);
+                             apply(d, samples_d);
+                         });
+}
 
 constexpr std::string_view data_tag = "TDSm";
 constexpr std::string_view index_tag = "TDSh";
@@ -91,8 +350,8 @@ public:
                     known = index;
                     order.push_back(index.object);
                 } else if (!alike(*known, index)) {
-                    return unsupported(
-                        VYBEG_MESSAGE("Words", "a channel whose type of number changes"));
+                    return file_->unsupported(
+                        "TDMS", VYBEG_MESSAGE("Words", "a channel whose type of number changes"));
                 }
             }
             return {};
@@ -115,8 +374,8 @@ public:
         ChosenChannel chosen{found.object, NumberType::f64, std::move(scaling)};
         const auto& scalers = found.index.scalers;
         const auto undescribed = [&] {
-            return unsupported(
-                VYBEG_MESSAGE("Words", "a scale that it does not describe (channel %1)"),
+            return file_->unsupported(
+                "TDMS", VYBEG_MESSAGE("Words", "a scale that it does not describe (channel %1)"),
                 {object.channel});
         };
         if (!found.index.is_daqmx) {
@@ -148,7 +407,7 @@ public:
             [&](const TdmsSegment& segment, const std::vector<TdmsRawIndex>& chunk) -> Status {
                 for (TdmsRanges* ranges : {&ranges_c, &ranges_d}) {
                     if (const auto wrong = ranges->take(segment, chunk)) {
-                        return file_->error(ErrorCode::format_damaged, {"TDMS", words(*wrong)});
+                        return file_->damaged("TDMS", *wrong);
                     }
                 }
                 return ranges_c.ranges().size() + ranges_d.ranges().size() <= most_ranges
@@ -175,15 +434,15 @@ public:
         const auto chosen = TRY(choose(contents, *contents.time));
         const auto columns_twice = TRY(columns(chosen, chosen));
         Channel named = name_and_unit(object.channel);
-        named.unit = named.unit.empty() ? text(object, "unit_string") : named.unit;
+        named.unit = named.unit.empty() ? object.text("unit_string") : named.unit;
         return rate_of_times(columns_twice.c, seconds_per(time_unit(named)).value_or(1), job_);
     }
 
     // 1 / wf_increment of the channel, its group or the file.
     static std::optional<double> rate(const Contents& contents, const TdmsObject& channel) {
         for (const TdmsObject* object : with_owners(contents, channel)) {
-            const double unit_s = seconds_per(text(*object, "wf_xunit_string")).value_or(1);
-            const double step = unit_s * number(*object, "wf_increment").value_or(0);
+            const double unit_s = seconds_per(object->text("wf_xunit_string")).value_or(1);
+            const double step = unit_s * object->number("wf_increment").value_or(0);
             if (step > 0 && std::isfinite(1 / step)) {
                 return 1 / step;
             }
@@ -193,25 +452,11 @@ public:
 
     // Of its first sample from the start.
     static double offset_s(const TdmsObject& channel) {
-        const double offset = number(channel, "wf_start_offset").value_or(0);
+        const double offset = channel.number("wf_start_offset").value_or(0);
         return std::isfinite(offset) ? offset : 0;
     }
 
-    static std::string text(const TdmsObject& object, std::string_view property) {
-        const auto found = object.properties.find(property);
-        return found == object.properties.end() ? "" : found->second.text;
-    }
-
-    Error unsupported(const char* text, std::vector<MessageArg> args = {}) const {
-        return file_->error(ErrorCode::format_unsupported, {"TDMS", words(text, std::move(args))});
-    }
-
 private:
-    static std::optional<double> number(const TdmsObject& object, std::string_view property) {
-        const auto found = object.properties.find(property);
-        return found == object.properties.end() ? std::nullopt : found->second.number;
-    }
-
     // The channel, its group and the file, those with properties.
     static std::vector<const TdmsObject*> with_owners(const Contents& contents,
                                                       const TdmsObject& channel) {
@@ -242,7 +487,7 @@ std::vector<Channel> describe(const Contents& contents) {
     for (const FoundChannel& found : contents.channels) {
         const TdmsObject& object = contents.objects[found.object];
         channels.push_back({one_group ? object.channel : object.group + "/" + object.channel,
-                            TdmsReader::text(object, "unit_string")});
+                            object.text("unit_string")});
     }
     return channels;
 }
@@ -256,11 +501,10 @@ bool is_tdms(std::string_view head) {
 Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
     const TdmsReader reader(file, job);
-    std::string tag(index_tag.size(), '\0');
-    TRY(file->read(0, tag));
+    const auto tag = TRY(file->text(0, std::ssize(index_tag)));
     if (tag == index_tag) {
-        return reader.unsupported(
-            VYBEG_MESSAGE("Words", "only the index of the .tdms file beside it"));
+        return file->unsupported(
+            "TDMS", VYBEG_MESSAGE("Words", "only the index of the .tdms file beside it"));
     }
     const auto contents = TRY(reader.contents());
     const auto count = static_cast<int>(contents.channels.size());
@@ -269,14 +513,16 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     const auto rate_c = TdmsReader::rate(contents, c);
     const auto rate_d = TdmsReader::rate(contents, contents.object(options.channel_d));
     if (rate_c && rate_d && *rate_c != *rate_d) {
-        return reader.unsupported(VYBEG_MESSAGE("Words", "C and D at different sample rates"));
+        return file->unsupported("TDMS",
+                                 VYBEG_MESSAGE("Words", "C and D at different sample rates"));
     }
     const TdmsObject& d = contents.object(options.channel_d);
-    const std::string start_c = TdmsReader::text(c, "wf_start_time");
-    const std::string start_d = TdmsReader::text(d, "wf_start_time");
+    const std::string start_c = c.text("wf_start_time");
+    const std::string start_d = d.text("wf_start_time");
     if (!start_c.empty() && !start_d.empty() && start_c != start_d) {
-        return reader.unsupported(VYBEG_MESSAGE("Words", "C and D from different times, %1 and %2"),
-                                  {start_c, start_d});
+        return file->unsupported("TDMS",
+                                 VYBEG_MESSAGE("Words", "C and D from different times, %1 and %2"),
+                                 {start_c, start_d});
     }
     FoundSamples found;
     if (const auto own = rate_c ? rate_c : rate_d) {
@@ -306,7 +552,7 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     const std::int64_t frames_d = columns.d.frames();
     found.source = scaled_by(column_source(std::move(columns.c), std::move(columns.d)),
                              chosen_c->scaling, chosen_d->scaling);
-    found.frames = found.source->frames();
+    found.present_frames = found.source->frames();
     auto recording = complete_recording(*file, std::move(found), options);
     if (recording && columns.promised_c != columns.promised_d) {
         note_unequal(frames_c, frames_d, *recording);

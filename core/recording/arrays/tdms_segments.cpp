@@ -1,7 +1,6 @@
 #include "core/recording/arrays/tdms_segments.h"
 
 #include "core/recording/bytes/byte_order.h"
-#include "core/recording/bytes/text_encoding.h"
 
 #include <algorithm>
 #include <array>
@@ -58,24 +57,10 @@ LeadIn parse_lead_in(const char* bytes) {
 TdmsFile::TdmsFile(std::shared_ptr<const FileBytes> file, const JobControl& job)
     : file_(std::move(file)), job_(job) {}
 
-Error TdmsFile::damaged(const char* text) const {
-    return file_->error(ErrorCode::format_damaged, {"TDMS", words(text)});
-}
-
-Error TdmsFile::unsupported(const char* text, std::vector<MessageArg> args) const {
-    return file_->error(ErrorCode::format_unsupported, {"TDMS", words(text, std::move(args))});
-}
-
-Error TdmsFile::limit(const char* text, std::size_t most) const {
-    return too_many_parts(file_->path().string(), "TDMS", text, most);
-}
-
 Status TdmsFile::walk(const Visitor& visit) {
     const std::int64_t file_size = file_->size();
     for (std::int64_t at = 0; at < file_size;) {
-        if (job_.cancelled()) {
-            return file_->error(ErrorCode::interrupted);
-        }
+        TRY(job_.go_on());
         std::array<char, lead_in_bytes> bytes{};
         const auto got = TRY(file_->read(at, bytes));
         if (got < lead_in_bytes) {
@@ -83,7 +68,8 @@ Status TdmsFile::walk(const Visitor& visit) {
             break;
         }
         if (!std::string_view(bytes.data(), bytes.size()).starts_with(tag)) {
-            return damaged(VYBEG_MESSAGE("Words", "there is no segment where one should begin"));
+            return file_->damaged(
+                "TDMS", VYBEG_MESSAGE("Words", "there is no segment where one should begin"));
         }
         const LeadIn lead_in = parse_lead_in(bytes.data());
         const auto room = static_cast<std::uint64_t>(file_size - at - lead_in_bytes);
@@ -93,7 +79,8 @@ Status TdmsFile::walk(const Visitor& visit) {
             break;
         }
         if (closed && lead_in.next < lead_in.raw) {
-            return damaged(VYBEG_MESSAGE("Words", "a segment ends before its raw data"));
+            return file_->damaged("TDMS",
+                                  VYBEG_MESSAGE("Words", "a segment ends before its raw data"));
         }
         const std::int64_t metadata_at = at + lead_in_bytes;
         const auto metadata_size = static_cast<std::int64_t>(lead_in.raw);
@@ -105,8 +92,8 @@ Status TdmsFile::walk(const Visitor& visit) {
                                          [](const TdmsRawIndex& index) { return index.is_daqmx; });
         const bool all = daqmx == static_cast<std::ptrdiff_t>(chunk_.size());
         if (lead_in.has(has_raw_data) && !(all || (daqmx == 0 && !lead_in.has(has_daqmx_data)))) {
-            return unsupported(
-                VYBEG_MESSAGE("Words", "raw data of DAQmx that not all channels describe"));
+            return file_->unsupported(
+                "TDMS", VYBEG_MESSAGE("Words", "raw data of DAQmx that not all channels describe"));
         }
         TdmsSegment segment;
         segment.offset = metadata_at + metadata_size;
@@ -141,14 +128,15 @@ Status TdmsFile::take_metadata(std::int64_t offset, std::int64_t size, bool big_
     for (std::uint32_t i = 0; i < objects; ++i) {
         TRY(take_object(metadata));
     }
-    return metadata.ended() ? damaged(VYBEG_MESSAGE("Words", "its metadata end too early"))
-                            : Status{};
+    return metadata.ended()
+               ? file_->damaged("TDMS", VYBEG_MESSAGE("Words", "its metadata end too early"))
+               : Status{};
 }
 
 Status TdmsFile::take_object(TdmsMetadata& metadata) {
     const auto object = object_named(metadata.string());
     if (metadata.ended()) {
-        return damaged(VYBEG_MESSAGE("Words", "its metadata end too early"));
+        return file_->damaged("TDMS", VYBEG_MESSAGE("Words", "its metadata end too early"));
     }
     if (!object) {
         return object.error();
@@ -162,16 +150,18 @@ Result<std::size_t> TdmsFile::object_named(const std::string& path) {
     if (known != places_.end()) {
         return known->second;
     }
-    const auto names = tdms_path(path);
-    if (!names) {
-        return damaged(VYBEG_MESSAGE("Words", "the name of an object cannot be understood"));
+    auto object = tdms_object(path);
+    if (!object) {
+        return file_->damaged("TDMS",
+                              VYBEG_MESSAGE("Words", "the name of an object cannot be understood"));
     }
     if (objects_.size() == most_objects) {
-        return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
+        return too_many_parts(file_->path().string(), "TDMS",
+                              VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
     }
     const std::size_t place = objects_.size();
     places_.emplace(path, place);
-    objects_.push_back({to_utf8(names->group), to_utf8(names->channel), {}});
+    objects_.push_back(std::move(*object));
     known_.emplace_back();
     return place;
 }
@@ -191,16 +181,15 @@ Status TdmsFile::list_raw_index(TdmsMetadata& metadata, std::size_t object) {
     if (length != tdms_same_as_before) {
         TdmsRawIndex index;
         index.object = object;
-        if (const auto refused = take_raw_index(metadata, length, index)) {
-            return file_->error(
-                refused->damaged ? ErrorCode::format_damaged : ErrorCode::format_unsupported,
-                {"TDMS", refused->reason});
+        if (const Status taken = take_raw_index(metadata, length, index); !taken) {
+            return file_->error(taken.error().code, taken.error().args);
         }
         known = std::move(index);
     }
     if (!known) {
-        return damaged(VYBEG_MESSAGE(
-            "Words", "a channel's raw data are as before, and there are none before"));
+        return file_->damaged(
+            "TDMS", VYBEG_MESSAGE("Words",
+                                  "a channel's raw data are as before, and there are none before"));
     }
     if (listed != chunk_.end()) {
         *listed = *known;
@@ -220,19 +209,21 @@ Status TdmsFile::take_properties(TdmsMetadata& metadata, TdmsObject& object) {
             break;
         }
         if (!value) {
-            return unsupported(VYBEG_MESSAGE("Words", "a property of the type %1"),
-                               {count_arg(type)});
+            return file_->unsupported("TDMS", VYBEG_MESSAGE("Words", "a property of the type %1"),
+                                      {count_arg(type)});
         }
         if (is_kept(name)) {
             kept_ += object.properties.insert_or_assign(name, std::move(*value)).second ? 1 : 0;
             if (kept_ > most_kept) {
-                return limit(VYBEG_MESSAGE("Words", "it has more than %1 properties of scales"),
-                             most_kept);
+                return too_many_parts(
+                    file_->path().string(), "TDMS",
+                    VYBEG_MESSAGE("Words", "it has more than %1 properties of scales"), most_kept);
             }
         }
     }
-    return metadata.ended() ? damaged(VYBEG_MESSAGE("Words", "its metadata end too early"))
-                            : Status{};
+    return metadata.ended()
+               ? file_->damaged("TDMS", VYBEG_MESSAGE("Words", "its metadata end too early"))
+               : Status{};
 }
 
 namespace {

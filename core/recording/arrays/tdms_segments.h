@@ -18,14 +18,6 @@
 
 namespace vybeg {
 
-// An object of a TDMS file: the file ("/"), a group or a channel. It stores only properties that
-// describe samples.
-struct TdmsObject {
-    std::string group;    // empty for the file itself
-    std::string channel;  // empty for the file and for groups
-    std::map<std::string, TdmsValue, std::less<>> properties;
-};
-
 // Raw data of one segment: consecutive chunks of equal layout.
 struct TdmsSegment {
     std::int64_t offset = 0;               // of its first chunk, in the file
@@ -61,9 +53,6 @@ private:
     Status list_raw_index(TdmsMetadata& metadata, std::size_t object);
     Status take_properties(TdmsMetadata& metadata, TdmsObject& object);
     Result<std::size_t> object_named(const std::string& path);
-    Error damaged(const char* text) const;
-    Error unsupported(const char* text, std::vector<MessageArg> args = {}) const;
-    Error limit(const char* text, std::size_t most) const;
 
     std::shared_ptr<const FileBytes> file_;
     const JobControl& job_;
@@ -93,7 +82,6 @@ public:
     std::vector<StridedRange> take_ranges() { return std::move(ranges_); }
     // Number of values by the lead-ins of the segments; of an unclosed segment, whole chunks.
     std::int64_t promised() const { return promised_; }
-    std::int64_t present() const { return ranges_.empty() ? 0 : ranges_.back().end(); }
 
 private:
     void append(StridedRange range);

@@ -66,9 +66,7 @@ void take_xml(std::string_view text, ZetlabHeader& header) {
             return;
         }
         std::string_view key = text.substr(0, equals);
-        key = key.substr(key.find_first_not_of(" \t\r\n") == std::string_view::npos
-                             ? key.size()
-                             : key.find_first_not_of(" \t\r\n"));
+        key.remove_prefix(std::min(key.find_first_not_of(" \t\r\n"), key.size()));
         key = key.substr(0, key.find_first_of(" \t\r\n"));
         text.remove_prefix(equals + 1);
         const std::size_t open = text.find_first_of("\"'");
@@ -110,9 +108,7 @@ Result<std::pair<std::shared_ptr<const FileBytes>, ZetlabHeader>> find_header(
             continue;
         }
         auto beside = TRY(FileBytes::open(path));
-        std::string text(static_cast<std::size_t>(std::min(beside->size(), longest_header)), '\0');
-        const auto got = TRY(beside->read(0, text));
-        text.resize(static_cast<std::size_t>(got));
+        const auto text = TRY(beside->text(0, std::min(beside->size(), longest_header)));
         if (auto header = parse_zetlab_header(text)) {
             return std::pair(std::move(beside), std::move(*header));
         }
@@ -155,7 +151,7 @@ Result<Recording> open_zetlab(std::shared_ptr<const FileBytes> file, const OpenO
                     FormatPart::channels(1)};
     found.channels = {{header.name.empty() ? "1" : header.name, header.unit}};
     found.own_rate = SampleRate{header.rate_hz, RateOrigin::file};
-    found.frames = frames;
+    found.present_frames = frames;
     if (frames > 0) {
         found.source = column_source(column, column);
     }

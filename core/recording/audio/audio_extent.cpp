@@ -123,15 +123,19 @@ struct Layout {
     bool size_counts_head;
 };
 
-Layout layout_of(Container container, bool big_endian) {
-    switch (container) {
-        case Container::wav:
-        case Container::rf64: return {12, 4, 4, 2, big_endian, false};
-        case Container::w64: return {40, 16, 8, 8, false, true};
-        case Container::aiff: return {12, 4, 4, 2, true, false};
-        case Container::caf: return {8, 4, 8, 1, true, false};
-    }
-    return {};
+// In the order of Container; of WAV and RF64 little endian ones.
+struct ContainerKind {
+    const char* name;
+    Layout layout;
+};
+constexpr std::array<ContainerKind, 5> container_kinds{{{"WAV", {12, 4, 4, 2, false, false}},
+                                                        {"RF64", {12, 4, 4, 2, false, false}},
+                                                        {"W64", {40, 16, 8, 8, false, true}},
+                                                        {"AIFF", {12, 4, 4, 2, true, false}},
+                                                        {"CAF", {8, 4, 8, 1, true, false}}}};
+
+const ContainerKind& kind_of(Container container) {
+    return container_kinds.at(static_cast<std::size_t>(container));
 }
 
 // An 80-bit number of AIFF, whose first bit is the whole number 1.
@@ -347,14 +351,7 @@ std::string audio_container(std::string_view head) {
     if (!container) {
         return head.starts_with("fLaC") ? "FLAC" : head.starts_with(".snd") ? "AU" : "";
     }
-    switch (*container) {
-        case Container::wav: return "WAV";
-        case Container::rf64: return "RF64";
-        case Container::w64: return "W64";
-        case Container::aiff: return "AIFF";
-        case Container::caf: return "CAF";
-    }
-    return "";
+    return kind_of(*container).name;
 }
 
 std::int64_t tag_before_flac(std::string_view head, const FileBytes& file) {
@@ -373,16 +370,16 @@ std::int64_t tag_before_flac(std::string_view head, const FileBytes& file) {
 }
 
 Result<AudioExtent> audio_extent(const FileBytes& file) {
-    std::array<char, 16> head{};
-    TRY(file.read(0, head));
-    const auto container = container_of({head.data(), head.size()});
+    const auto head = TRY(file.text(0, 16));
+    const auto container = container_of(head);
     if (!container) {
         return AudioExtent{};
     }
-    const Layout layout = layout_of(*container, head[3] == 'X');
+    const bool is_riff = *container == Container::wav || *container == Container::rf64;
+    Layout layout = kind_of(*container).layout;
+    layout.big_endian = layout.big_endian || (is_riff && head[3] == 'X');
     const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
     ExtentReader reader(*container, layout.big_endian, file.size());
-    const bool is_riff = *container == Container::wav || *container == Container::rf64;
     bool searching = true;
     std::int64_t at = layout.first_chunk;
     for (int i = 0; i < most_chunks && at <= file.size() - head_bytes; ++i) {

@@ -41,10 +41,10 @@ Result<Recording> open_plain(const std::shared_ptr<const FileBytes>& file,
     found.channels = numbered_channels(plain.channels);
     found.own_rate = SampleRate{static_cast<double>(plain.rate_hz), RateOrigin::file};
     found.start = plain.start;
-    found.frames = plain.frames;
+    found.present_frames = plain.frames;
     found.promised_frames = std::max(header.promised_frames.value_or(0), plain.frames);
     found.never_closed = header.never_closed;
-    if (found.frames > 0) {
+    if (found.present_frames > 0) {
         found.source = samples_in_place(file, header, options);
     }
     return complete_recording(*file, std::move(found), options);
@@ -52,8 +52,8 @@ Result<Recording> open_plain(const std::shared_ptr<const FileBytes>& file,
 
 // Number of frames that can be decoded from the start. If the last frame of the header cannot be
 // decoded, only decoding shows the number.
-Result<std::int64_t> count_frames(const FileBytes& file, const VariableReader& reader,
-                                  std::int64_t promised, const JobControl& job) {
+Result<std::int64_t> count_frames(const VariableReader& reader, std::int64_t promised,
+                                  const JobControl& job) {
     constexpr std::int64_t large_step = 4096;
     std::array<double, large_step> samples{};
     const std::span all(samples);
@@ -64,9 +64,7 @@ Result<std::int64_t> count_frames(const FileBytes& file, const VariableReader& r
     // In large steps to the damage, then frame by frame up to it.
     for (const std::int64_t step : {large_step, std::int64_t{1}}) {
         while (frames < promised) {
-            if (job.cancelled()) {
-                return file.error(ErrorCode::interrupted);
-            }
+            TRY(job.go_on());
             const std::int64_t count = std::min(step, promised - frames);
             if (!reader.read({}, frames, all.first(static_cast<std::size_t>(count)))) {
                 break;
@@ -84,9 +82,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
     const Catalogue catalogue = process->catalogue();
     if (catalogue.variables.size() != 1) {
-        return file->error(
-            ErrorCode::format_damaged,
-            {container, words(VYBEG_MESSAGE("Words", "its library returned nonsense"))});
+        return file->damaged(container, VYBEG_MESSAGE("Words", "its library returned nonsense"));
     }
     const FileVariable& samples = catalogue.variables.front();
     const auto channels = static_cast<int>(samples.channels);
@@ -98,22 +94,22 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     // Checked before frames are counted.
     TRY(choose_rate(*file, own, options));
     const auto reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
-    const auto frames = TRY(count_frames(*file, *reader, samples.frames, job));
+    const auto frames = TRY(count_frames(*reader, samples.frames, job));
     FoundSamples found;
     found.format = {FormatPart::name(catalogue.format), FormatPart::words(samples.type),
                     FormatPart::channels(channels)};
     found.channels = numbered_channels(channels);
     found.own_rate = own;
     found.start = catalogue.start;
-    found.frames = frames;
+    found.present_frames = frames;
     // A FLAC stream without its number of frames has the greatest one here.
     const bool is_open = samples.frames == std::numeric_limits<std::int64_t>::max();
     found.promised_frames =
         std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
-    if (found.frames > 0) {
+    if (found.present_frames > 0) {
         found.source = variable_source(reader, {0, options.channel_c - 1},
-                                       {0, options.channel_d - 1}, found.frames, true);
+                                       {0, options.channel_d - 1}, found.present_frames, true);
     }
     return complete_recording(*file, std::move(found), options);
 }
@@ -122,8 +118,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
 
 Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                              const JobControl& job) {
-    std::array<char, 16> head{};
-    TRY(file->read(0, head));
+    const auto head = TRY(file->text(0, 16));
     const auto header = TRY(audio_extent(*file));
     constexpr int most_bits = 32;
     if (header.bits > most_bits && !header.plain) {
@@ -134,7 +129,7 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
                    {count_arg(header.bits), count_arg(most_bits)}),
              words(VYBEG_MESSAGE("Words", "Save the recording with 32 bits or as floats"))});
     }
-    const std::string container = audio_container({head.data(), head.size()});
+    const std::string container = audio_container(head);
     return header.plain
                ? open_plain(file, header, options)
                : open_decoded(file, container.empty() ? "FLAC" : container, header, options, job);

@@ -82,6 +82,16 @@ Error FileBytes::error(ErrorCode code, std::vector<MessageArg> args) const {
     return {code, path_.string(), std::move(args)};
 }
 
+Error FileBytes::damaged(const std::string& format, const char* text,
+                         std::vector<MessageArg> args) const {
+    return error(ErrorCode::format_damaged, {format, words(text, std::move(args))});
+}
+
+Error FileBytes::unsupported(const std::string& format, const char* text,
+                             std::vector<MessageArg> args) const {
+    return error(ErrorCode::format_unsupported, {format, words(text, std::move(args))});
+}
+
 Result<std::int64_t> FileBytes::read(std::int64_t offset, std::span<char> out) const {
     std::int64_t done = 0;
     const auto wanted = static_cast<std::int64_t>(out.size());
@@ -99,6 +109,13 @@ Result<std::int64_t> FileBytes::read(std::int64_t offset, std::span<char> out) c
     return done;
 }
 
+Result<std::string> FileBytes::text(std::int64_t offset, std::int64_t size) const {
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    const auto got = TRY(read(offset, bytes));
+    bytes.resize(static_cast<std::size_t>(got));
+    return bytes;
+}
+
 Result<std::string> own_file_text(const std::filesystem::path& path) {
     constexpr std::int64_t most_mib = 64;
     const auto file = TRY(FileBytes::open(path));
@@ -109,10 +126,7 @@ Result<std::string> own_file_text(const std::filesystem::path& path) {
              words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)}),
              words(VYBEG_MESSAGE("Words", "Choose a smaller file"))});
     }
-    std::string text(static_cast<std::size_t>(file->size()), '\0');
-    const auto got = TRY(file->read(0, text));
-    text.resize(static_cast<std::size_t>(got));
-    return text;
+    return file->text(0, file->size());
 }
 
 Error too_many_parts(const std::string& where, const std::string& format, const char* text,
@@ -121,6 +135,38 @@ Error too_many_parts(const std::string& where, const std::string& format, const 
             where,
             {format, words(text, {count_arg(most)}),
              words(VYBEG_MESSAGE("Words", "Save the recording in a file of its own"))}};
+}
+
+namespace {
+
+class FilePart final : public ByteSource {
+public:
+    FilePart(std::shared_ptr<const FileBytes> file, std::int64_t offset, std::int64_t size)
+        : file_(std::move(file)), offset_(offset), size_(size) {}
+
+    std::int64_t size() const override { return size_; }
+
+    Status read(std::int64_t offset, std::span<char> out) const override {
+        const auto got = TRY(file_->read(offset_ + offset, out));
+        if (got < static_cast<std::int64_t>(out.size())) {
+            return file_->error(
+                ErrorCode::file_read_failed,
+                {words(VYBEG_MESSAGE("Words", "the file became shorter while it was read"))});
+        }
+        return {};
+    }
+
+private:
+    std::shared_ptr<const FileBytes> file_;
+    std::int64_t offset_;
+    std::int64_t size_;
+};
+
+}  // namespace
+
+std::shared_ptr<const ByteSource> file_part(std::shared_ptr<const FileBytes> file,
+                                            std::int64_t offset, std::int64_t size) {
+    return std::make_shared<FilePart>(std::move(file), offset, size);
 }
 
 }  // namespace vybeg

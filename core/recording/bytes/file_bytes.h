@@ -40,9 +40,18 @@ public:
     // An error about this file.
     Error error(ErrorCode code, std::vector<MessageArg> args = {}) const;
 
+    // format_damaged and format_unsupported: what of a format, with %1, ... for `args`.
+    Error damaged(const std::string& format, const char* text,
+                  std::vector<MessageArg> args = {}) const;
+    Error unsupported(const std::string& format, const char* text,
+                      std::vector<MessageArg> args = {}) const;
+
     // Fills `out` with the bytes from `offset` on and returns their number, which is smaller than
     // out.size() only at the end of the file. Errors: file_read_failed.
     Result<std::int64_t> read(std::int64_t offset, std::span<char> out) const;
+
+    // The `size` bytes from `offset` on, fewer at the end of the file. Errors: file_read_failed.
+    Result<std::string> text(std::int64_t offset, std::int64_t size) const;
 
 private:
     FileBytes(std::filesystem::path path, int descriptor, const struct stat& status);
@@ -60,5 +69,28 @@ Result<std::string> own_file_text(const std::filesystem::path& path);
 // number.
 Error too_many_parts(const std::string& where, const std::string& format, const char* text,
                      std::size_t most);
+
+// Bytes with random access: part of a file, or unpacked from it. Immutable; may be read from
+// several threads at once.
+class ByteSource {
+public:
+    ByteSource() = default;
+    ByteSource(const ByteSource&) = delete;
+    ByteSource& operator=(const ByteSource&) = delete;
+    virtual ~ByteSource() = default;
+
+    virtual std::int64_t size() const = 0;
+
+    // Whether bytes can be read without reading those before them.
+    virtual bool seeks() const { return true; }
+
+    // Fills `out` with the bytes from `offset` on. Precondition: they lie in [0, size()). Errors:
+    // file_read_failed, format_damaged.
+    virtual Status read(std::int64_t offset, std::span<char> out) const = 0;
+};
+
+// The bytes [offset, offset + size) of a file. Precondition: the file has them.
+std::shared_ptr<const ByteSource> file_part(std::shared_ptr<const FileBytes> file,
+                                            std::int64_t offset, std::int64_t size);
 
 }  // namespace vybeg

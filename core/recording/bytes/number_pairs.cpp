@@ -1,6 +1,5 @@
-#include "core/recording/bytes/number_pairs.h"
-
 #include "core/base/dispatch.h"
+#include "core/recording/bytes/number_type.h"
 
 #include <bit>
 #include <cmath>

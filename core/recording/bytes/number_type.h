@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 namespace vybeg {
@@ -19,5 +21,21 @@ struct Scale {
 
     friend bool operator==(const Scale&, const Scale&) = default;
 };
+
+// Fills `out` with the scaled numbers from `bytes` on, `stride` bytes apart, for any alignment.
+// Integers beyond 2^53 are rounded; NaN and infinite values, also after scaling, become NaN.
+void decode(NumberType type, bool big_endian, const char* bytes, std::int64_t stride,
+            const Scale& scale, std::span<double> out);
+
+// The same for two interleaved columns: each number of `left` is followed by one of `right`.
+// Precondition: equal lengths.
+void decode_pairs(NumberType type, bool big_endian, const char* bytes, const Scale& scale,
+                  std::span<double> left, std::span<double> right);
+
+// decode_pairs() of little endian numbers with the widest registers of the processor. Returns false
+// without effect for rare types and for gains near the end of the range. The bits of the samples
+// are the same on all processors.
+bool split_pairs(NumberType type, const char* bytes, const Scale& scale, std::span<double> left,
+                 std::span<double> right);
 
 }  // namespace vybeg

@@ -42,9 +42,7 @@ Result<std::string> sha256_of(std::span<const FileBytes* const> files,
     std::int64_t done = 0;
     for (const FileBytes* file : files) {
         for (std::int64_t offset = 0; ok && offset < file->size();) {
-            if (job.cancelled()) {
-                return Error{ErrorCode::interrupted, path.string(), {}};
-            }
+            TRY(job.go_on());
             const auto got = TRY(file->read(offset, chunk));
             if (got == 0) {
                 break;

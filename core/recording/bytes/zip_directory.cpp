@@ -36,10 +36,6 @@ constexpr std::uint16_t zip64_extra = 1;
 constexpr std::uint32_t in_extra = 0xFFFFFFFF;  // the number is in the ZIP64 extra field
 constexpr std::int64_t best_ratio = 1032;       // that deflate can pack
 
-Error damaged(const FileBytes& file, const char* text, std::vector<MessageArg> args = {}) {
-    return file.error(ErrorCode::format_damaged, {"ZIP", words(text, std::move(args))});
-}
-
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t at) {
     return load<Number>(bytes.data() + at, false);
@@ -52,14 +48,6 @@ std::int64_t length_at(std::string_view bytes, std::size_t at) {
     return number > most ? -1 : static_cast<std::int64_t>(number);
 }
 
-// Bytes of the file from `offset` on, up to its end.
-Result<std::string> bytes_at(const FileBytes& file, std::int64_t offset, std::int64_t size) {
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    const auto got = TRY(file.read(offset, bytes));
-    bytes.resize(static_cast<std::size_t>(got));
-    return bytes;
-}
-
 struct Directory {
     std::int64_t offset = 0;
     std::int64_t size = 0;
@@ -70,29 +58,29 @@ Result<std::optional<Directory>> find_directory64(const FileBytes& file, std::in
     if (end_offset < locator64_size) {
         return std::optional<Directory>{};
     }
-    const auto locator = TRY(bytes_at(file, end_offset - locator64_size, locator64_size));
+    const auto locator = TRY(file.text(end_offset - locator64_size, locator64_size));
     if (!locator.starts_with(locator64_signature)) {
         return std::optional<Directory>{};
     }
     const std::int64_t at = length_at(locator, 8);
     if (at < 0 || at > file.size() - end64_size) {
-        return damaged(file, VYBEG_MESSAGE("Words", "its directory lies outside of it"));
+        return file.damaged("ZIP", VYBEG_MESSAGE("Words", "its directory lies outside of it"));
     }
-    const auto end = TRY(bytes_at(file, at, end64_size));
+    const auto end = TRY(file.text(at, end64_size));
     if (!end.starts_with(end64_signature)) {
-        return damaged(file, VYBEG_MESSAGE("Words", "its directory cannot be found"));
+        return file.damaged("ZIP", VYBEG_MESSAGE("Words", "its directory cannot be found"));
     }
     return std::optional(Directory{length_at(end, 48), length_at(end, 40)});
 }
 
 Result<Directory> find_directory(const FileBytes& file) {
     const std::int64_t tail_size = std::min(file.size(), end_size + longest_comment);
-    const auto tail = TRY(bytes_at(file, file.size() - tail_size, tail_size));
+    const auto tail = TRY(file.text(file.size() - tail_size, tail_size));
     const std::size_t last = static_cast<std::size_t>(std::max(tail_size - end_size, {}));
     const std::size_t at = tail.rfind(end_signature, last);
     if (tail_size < end_size || at == tail.npos) {
-        return damaged(
-            file,
+        return file.damaged(
+            "ZIP",
             VYBEG_MESSAGE("Words", "the directory at its end is missing; the file was cut off"));
     }
     const std::int64_t end_offset = file.size() - tail_size + static_cast<std::int64_t>(at);
@@ -102,7 +90,7 @@ Result<Directory> find_directory(const FileBytes& file) {
                                                   number_at<std::uint32_t>(tail, at + 12)};
     if (directory.offset < 0 || directory.size < 0 || directory.offset > file.size() ||
         directory.size > file.size() - directory.offset) {
-        return damaged(file, VYBEG_MESSAGE("Words", "its directory lies outside of it"));
+        return file.damaged("ZIP", VYBEG_MESSAGE("Words", "its directory lies outside of it"));
     }
     return directory;
 }
@@ -142,18 +130,20 @@ bool is_zip(std::string_view head) {
 
 Result<std::vector<ZipMember>> zip_members(const FileBytes& file) {
     const auto directory = TRY(find_directory(file));
-    const auto bytes = TRY(bytes_at(file, directory.offset, directory.size));
+    const auto bytes = TRY(file.text(directory.offset, directory.size));
     std::vector<ZipMember> members;
     for (std::string_view rest = bytes; rest.starts_with(entry_signature);) {
         if (rest.size() < entry_size) {
-            return damaged(file, VYBEG_MESSAGE("Words", "its directory ends within an entry"));
+            return file.damaged("ZIP",
+                                VYBEG_MESSAGE("Words", "its directory ends within an entry"));
         }
         const std::size_t name_size = number_at<std::uint16_t>(rest, 28);
         const std::size_t extra_size = number_at<std::uint16_t>(rest, 30);
         const std::size_t comment_size = number_at<std::uint16_t>(rest, 32);
         const std::size_t size = entry_size + name_size + extra_size + comment_size;
         if (rest.size() < size) {
-            return damaged(file, VYBEG_MESSAGE("Words", "its directory ends within an entry"));
+            return file.damaged("ZIP",
+                                VYBEG_MESSAGE("Words", "its directory ends within an entry"));
         }
         ZipMember member;
         member.name = rest.substr(entry_size, name_size);
@@ -164,7 +154,8 @@ Result<std::vector<ZipMember>> zip_members(const FileBytes& file) {
         member.size = number_at<std::uint32_t>(rest, 24);
         member.header_offset = number_at<std::uint32_t>(rest, 42);
         if (!take_extra(rest.substr(entry_size + name_size, extra_size), member)) {
-            return damaged(file, VYBEG_MESSAGE("Words", "an entry of its directory is incomplete"));
+            return file.damaged("ZIP",
+                                VYBEG_MESSAGE("Words", "an entry of its directory is incomplete"));
         }
         if (members.size() == most_members) {
             return too_many_parts(file.path().string(), "ZIP",
@@ -184,25 +175,23 @@ Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const File
     constexpr int stored = 0;
     constexpr int deflated = 8;
     if (member.encrypted) {
-        return file->error(ErrorCode::format_unsupported,
-                           {"ZIP", words(VYBEG_MESSAGE("Words", "encrypted members"))});
+        return file->unsupported("ZIP", VYBEG_MESSAGE("Words", "encrypted members"));
     }
     if (member.method != stored && member.method != deflated) {
-        return file->error(ErrorCode::format_unsupported,
-                           {"ZIP", words(VYBEG_MESSAGE("Words", "members packed by method %1"),
-                                         {count_arg(member.method)})});
+        return file->unsupported("ZIP", VYBEG_MESSAGE("Words", "members packed by method %1"),
+                                 {count_arg(member.method)});
     }
     const auto outside = [&] {
-        return damaged(*file, VYBEG_MESSAGE("Words", "%1 lies outside of it"), {member.name});
+        return file->damaged("ZIP", VYBEG_MESSAGE("Words", "%1 lies outside of it"), {member.name});
     };
     if (member.header_offset < 0 || member.header_offset > file->size() - local_size) {
         return outside();
     }
-    const auto header = TRY(bytes_at(*file, member.header_offset, local_size));
+    const auto header = TRY(file->text(member.header_offset, local_size));
     if (static_cast<std::int64_t>(header.size()) < local_size ||
         !header.starts_with(local_signature)) {
-        return damaged(*file, VYBEG_MESSAGE("Words", "%1 is not where its directory says"),
-                       {member.name});
+        return file->damaged("ZIP", VYBEG_MESSAGE("Words", "%1 is not where its directory says"),
+                             {member.name});
     }
     const std::int64_t offset = member.header_offset + local_size +
                                 number_at<std::uint16_t>(header, 26) +
@@ -215,8 +204,9 @@ Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const File
         return file_part(file, offset, member.packed_size);
     }
     if (member.size < 0 || member.size / best_ratio > member.packed_size) {
-        return damaged(*file, VYBEG_MESSAGE("Words", "%1 cannot be as long as its directory says"),
-                       {member.name});
+        return file->damaged("ZIP",
+                             VYBEG_MESSAGE("Words", "%1 cannot be as long as its directory says"),
+                             {member.name});
     }
     return inflated_part(
         file, {offset, member.packed_size, member.size, member.crc32, "NPZ", member.name});

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/recording/bytes/byte_source.h"
 #include "core/recording/bytes/file_bytes.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/checks/phase_step.h"
+#include "core/recording/checks/step_evidence.h"
 
 #include <complex>
 #include <cstddef>

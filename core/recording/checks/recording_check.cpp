@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -304,6 +305,23 @@ void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnosti
     std::ranges::copy_if(findings, std::back_inserter(diagnostics), [&](const Diagnostic& found) {
         return found.kind != DiagnosticKind::missing_samples || !gaps_known;
     });
+}
+
+CheckedSource::CheckedSource(std::shared_ptr<const SampleSource> source,
+                             std::shared_ptr<FaultCheck> check)
+    : source_(std::move(source)), watch_(Watch{std::move(check)}) {}
+
+Status CheckedSource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
+    TRY(source_->read(first, c, d));
+    const auto watch = watch_.hold();
+    const auto end = first + static_cast<std::int64_t>(c.size());
+    if (end > watch->next) {
+        const auto seen = static_cast<std::size_t>(std::max<std::int64_t>(watch->next - first, 0));
+        watch->check->add(first + static_cast<std::int64_t>(seen), c.subspan(seen),
+                          d.subspan(seen));
+        watch->next = end;
+    }
+    return {};
 }
 
 }  // namespace vybeg

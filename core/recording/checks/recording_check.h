@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/base/guarded.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/checks/clipping_check.h"
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -75,5 +77,25 @@ Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
 
 // Adds findings to diagnostics, but for missing samples of which these tell already.
 void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnostic>& diagnostics);
+
+// The source itself, whose frames a check sees the first time they are read: what an analysis reads
+// anyway is looked through on the way. Frames that are never read, or read before others that
+// follow them, are not looked at.
+class CheckedSource final : public SampleSource {
+public:
+    CheckedSource(std::shared_ptr<const SampleSource> source, std::shared_ptr<FaultCheck> check);
+
+    std::int64_t frames() const override { return source_->frames(); }
+    bool seeks() const override { return source_->seeks(); }
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override;
+
+private:
+    std::shared_ptr<const SampleSource> source_;
+    struct Watch {
+        std::shared_ptr<FaultCheck> check;
+        std::int64_t next = 0;  // frame that the check has not seen
+    };
+    Guarded<Watch> watch_;
+};
 
 }  // namespace vybeg

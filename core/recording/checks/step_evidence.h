@@ -1,13 +1,33 @@
 #pragma once
 
-#include "core/recording/checks/local_lines.h"
-#include "core/recording/checks/phase_step.h"
-
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace vybeg {
+
+// Place of lost or doubled samples: a simultaneous step of both channels' phase. One carrier
+// determines their number only modulo its period; `candidates` lists the numbers up to a hundred
+// that agree with the phase.
+struct PhaseStep {
+    std::int64_t frame = 0;  // the first one after the step
+    double phase_rad = 0;    // step of the analysed mode, in (-pi, pi]
+    int lost = 0;            // the smallest candidate: positive lost, negative doubled
+    // Whether another number may be correct: another candidate exists, or a number of this size
+    // agrees with any phase by chance. The phase after the step is then unknown relative to that
+    // before.
+    bool is_ambiguous = false;
+    double phase_sd = 0;               // of phase_rad
+    std::vector<int> candidates = {};  // in the order of their sizes
+};
+
+// Samples of both channels, none missing.
+struct TwoChannels {
+    std::span<const double> c;
+    std::span<const double> d;
+};
 
 // A suspected step in [zone_begin, zone_end), the only one in [begin, end). No sample of
 // [reach_begin, reach_end) is missing. Indices into the samples.

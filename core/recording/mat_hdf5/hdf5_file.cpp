@@ -1,21 +1,216 @@
 #include "core/recording/mat_hdf5/hdf5_file.h"
 
+#include "core/base/plain_text.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/mat_hdf5/hdf5_attributes.h"
-#include "core/recording/mat_hdf5/hdf5_fields.h"
 #include "core/recording/mat_hdf5/hdf5_handle.h"
 #include "core/recording/mat_hdf5/hdf5_open.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
 namespace {
+
+// What the attributes of a group or dataset tell about its samples.
+struct Hdf5Attributes {
+    std::optional<double> rate_hz;  // by rate_by_name()
+    std::string unit;               // "unit" or "units"
+    bool scaled = false;            // by "scale_factor" or "add_offset" of netCDF
+    std::string matlab_class;       // "MATLAB_class": "double", "char", ...
+    bool matlab_empty = false;      // "MATLAB_empty": the dataset holds a size, not samples
+};
+
+constexpr int most_attributes = 1000;
+constexpr std::size_t most_text_bytes = 256;
+
+std::string name_of(hid_t attribute) {
+    std::array<char, most_text_bytes> name{};
+    H5Aget_name(attribute, name.size(), name.data());
+    return name.data();
+}
+
+bool is_single(hid_t attribute) {
+    const Hdf5Handle space(H5Aget_space(attribute));
+    return space && H5Sget_simple_extent_npoints(space.get()) == 1;
+}
+
+std::optional<double> number_of(hid_t attribute) {
+    const Hdf5Handle type(H5Aget_type(attribute));
+    const H5T_class_t kind = type ? H5Tget_class(type.get()) : H5T_NO_CLASS;
+    double value = 0;
+    if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || !is_single(attribute) ||
+        H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) {
+        return {};
+    }
+    return value;
+}
+
+std::string text_of(hid_t attribute) {
+    const Hdf5Handle type(H5Aget_type(attribute));
+    if (!type || H5Tget_class(type.get()) != H5T_STRING || !is_single(attribute)) {
+        return {};
+    }
+    std::string text;
+    if (H5Tis_variable_str(type.get()) > 0) {
+        char* characters = nullptr;
+        if (H5Aread(attribute, type.get(), &characters) < 0 || !characters) {
+            return {};
+        }
+        text.assign(characters, std::find(characters, characters + most_text_bytes, '\0'));
+        H5free_memory(characters);
+    } else if (H5Tget_size(type.get()) <= most_text_bytes) {
+        text.resize(H5Tget_size(type.get()));
+        if (H5Aread(attribute, type.get(), text.data()) < 0) {
+            return {};
+        }
+        text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+    }
+    return text;
+}
+
+// The text of the attribute that names the unit of another one: "sampling_rate_unit".
+std::string unit_beside(hid_t object, const std::string& name) {
+    for (const char* ending : {"_unit", "_units"}) {
+        const std::string beside = name + ending;
+        if (H5Aexists(object, beside.c_str()) > 0) {
+            const Hdf5Handle attribute(H5Aopen(object, beside.c_str(), H5P_DEFAULT));
+            return attribute ? text_of(attribute.get()) : std::string();
+        }
+    }
+    return {};
+}
+
+Hdf5Attributes read_attributes(hid_t object) {
+    Hdf5Attributes found;
+    H5O_info_t info{};
+    if (H5Oget_info2(object, &info, H5O_INFO_NUM_ATTRS) < 0) {
+        return found;
+    }
+    const hsize_t count = std::min<hsize_t>(info.num_attrs, most_attributes);
+    for (hsize_t i = 0; i < count; ++i) {
+        const Hdf5Handle attribute(
+            H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT));
+        if (!attribute) {
+            continue;  // what an attribute says is a help, never needed
+        }
+        const std::string name = name_of(attribute.get());
+        const std::string small = lower_text(name);
+        if (meaning_of(name) == Meaning::units) {
+            found.unit = text_of(attribute.get());
+        } else if (name == "MATLAB_class") {
+            found.matlab_class = text_of(attribute.get());
+        } else if (name == "MATLAB_empty") {
+            found.matlab_empty = number_of(attribute.get()).value_or(0) != 0;
+        } else if (const auto number = number_of(attribute.get())) {
+            if (!found.rate_hz) {
+                found.rate_hz = rate_by_name(name, *number, unit_beside(object, name));
+            }
+            found.scaled = found.scaled || (small == "scale_factor" && *number != 1) ||
+                           (small == "add_offset" && *number != 0);
+        }
+    }
+    return found;
+}
+
+// A field of the records that a table (PyTables, pandas) consists of: a number, or a vector of
+// numbers.
+struct Hdf5Field {
+    std::string name;
+    std::int64_t width = 1;  // numbers
+    bool is_vector = false;
+    int bits = 0;
+    bool is_float = false;
+};
+
+constexpr std::int64_t most_width = 4096;  // numbers in a field
+constexpr std::int64_t numbers_at_once = std::int64_t{1} << 17;
+
+bool is_real(H5T_class_t kind) {
+    return kind == H5T_INTEGER || kind == H5T_FLOAT;
+}
+
+std::optional<Hdf5Field> number_field(hid_t record, unsigned place) {
+    char* const name = H5Tget_member_name(record, place);
+    if (!name) {
+        return {};
+    }
+    Hdf5Field field;
+    field.name = name;
+    H5free_memory(name);
+    Hdf5Handle type(H5Tget_member_type(record, place));
+    if (!type) {
+        return {};
+    }
+    if (H5Tget_class(type.get()) == H5T_ARRAY) {
+        hsize_t width = 0;
+        if (H5Tget_array_ndims(type.get()) != 1 || H5Tget_array_dims2(type.get(), &width) != 1 ||
+            width == 0 || width > most_width) {
+            return {};
+        }
+        field.is_vector = true;
+        field.width = static_cast<std::int64_t>(width);
+        type = Hdf5Handle(H5Tget_super(type.get()));
+    }
+    const H5T_class_t kind = H5Tget_class(type.get());
+    field.bits = static_cast<int>(8 * H5Tget_size(type.get()));
+    field.is_float = kind == H5T_FLOAT;
+    return is_real(kind) ? std::optional(field) : std::nullopt;
+}
+
+// The fields of a compound type that hold real numbers; others are passed over.
+std::vector<Hdf5Field> number_fields(hid_t type) {
+    std::vector<Hdf5Field> fields;
+    const int members = H5Tget_nmembers(type);
+    for (int i = 0; i < members; ++i) {
+        if (auto field = number_field(type, static_cast<unsigned>(i))) {
+            fields.push_back(std::move(*field));
+        }
+    }
+    return fields;
+}
+
+// Number `channel` of a field from the record `first` on. False where that fails.
+bool read_field(hid_t dataset, const Hdf5Field& field, std::int64_t channel, std::int64_t first,
+                std::span<double> out) {
+    // A record of this field alone: the library picks it out of the whole ones.
+    const auto width = static_cast<std::size_t>(field.width);
+    const hsize_t length = width;
+    const Hdf5Handle numbers(field.is_vector ? H5Tarray_create2(H5T_NATIVE_DOUBLE, 1, &length)
+                                             : H5Tcopy(H5T_NATIVE_DOUBLE));
+    const Hdf5Handle record(H5Tcreate(H5T_COMPOUND, width * sizeof(double)));
+    const Hdf5Handle space(H5Dget_space(dataset));
+    if (!space || !numbers || !record ||
+        H5Tinsert(record.get(), field.name.c_str(), 0, numbers.get()) < 0) {
+        return false;
+    }
+    const auto at_once =
+        static_cast<std::size_t>(std::max(numbers_at_once / field.width, std::int64_t{1}));
+    std::vector<double> records(std::min(at_once, out.size()) * width);
+    for (std::size_t done = 0; done < out.size(); done += at_once) {
+        const std::size_t count = std::min(at_once, out.size() - done);
+        const hsize_t start = static_cast<hsize_t>(first) + done;
+        const hsize_t rows = count;
+        const Hdf5Handle memory(H5Screate_simple(1, &rows, nullptr));
+        if (H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, &start, nullptr, &rows, nullptr) < 0 ||
+            H5Dread(dataset, record.get(), memory.get(), space.get(), H5P_DEFAULT, records.data()) <
+                0) {
+            return false;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            out[done + i] = records[i * width + static_cast<std::size_t>(channel)];
+        }
+    }
+    return true;
+}
 
 constexpr std::size_t most_depth = 32;
 constexpr std::size_t most_objects = 10000;

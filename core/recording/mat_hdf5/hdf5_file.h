@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/recording/variables/helper_file.h"
+#include "core/recording/variables/reader_protocol.h"
 
 #include <memory>
 

@@ -21,20 +21,14 @@ namespace vybeg {
 namespace {
 
 // Basis of the decision between text and binary.
-constexpr std::size_t head_bytes = std::size_t{1} << 16;
+constexpr std::int64_t head_bytes = std::int64_t{1} << 16;
 
 using Group = FileFormat::Group;
-using File = std::shared_ptr<const FileBytes>;
 
 // Of a signature that does not depend on the rest of the file.
 template <bool (*is)(std::string_view head)>
 bool by_head(std::string_view head, const FileBytes& /*file*/) {
     return is(head);
-}
-
-template <Result<Recording> (*open)(File file, const OpenOptions& options, const JobControl& job)>
-Result<Recording> by(const File& file, const OpenOptions& options, const JobControl& job) {
-    return open(file, options, job);
 }
 
 bool is_audio(std::string_view head, const FileBytes& file) {
@@ -51,58 +45,58 @@ constexpr std::array formats{
                .group = Group::audio,
                .endings = "wav w64 rf64 flac aif aiff caf",
                .is = is_audio,
-               .open = by<open_audio>,
+               .open = open_audio,
                .in_helper = true},
     FileFormat{.name = "npy",
                .group = Group::arrays,
                .endings = "npy",
                .is = by_head<is_npy>,
-               .open = by<open_npy>},
+               .open = open_npy},
     FileFormat{.name = "npz",
                .group = Group::arrays,
                .endings = "npz",
                .is = by_head<is_zip>,
-               .open = by<open_npz>,
+               .open = open_npz,
                .has_variables = true},
     FileFormat{.name = "mat",
                .group = Group::arrays,
                .endings = "mat",
                .is = by_head<is_mat5>,
-               .open = by<open_mat>,
+               .open = open_mat,
                .has_variables = true},
     FileFormat{.name = "tdms",
                .group = Group::arrays,
                .endings = "tdms",
                .is = by_head<is_tdms>,
-               .open = by<open_tdms>},
+               .open = open_tdms},
     FileFormat{.name = "zetlab",
                .group = Group::arrays,
                .endings = "ana",
                .is = is_zetlab,
-               .open = by<open_zetlab>},
+               .open = open_zetlab},
     FileFormat{.name = "hdf5",
                .group = Group::arrays,
                .endings = "h5 hdf5",
                .is = is_hdf5,
-               .open = by<open_hdf5>,
+               .open = open_hdf5,
                .has_variables = true,
                .in_helper = true},
     FileFormat{.name = "mat",
                .group = Group::arrays,
                .endings = "",
                .is = is_mat4_file,
-               .open = by<open_mat>,
+               .open = open_mat,
                .has_variables = true},
     FileFormat{.name = "uff",
                .group = Group::arrays,
                .endings = "uff unv",
                .is = by_head<is_uff>,
-               .open = by<open_uff>},
+               .open = open_uff},
     FileFormat{.name = "text",
                .group = Group::tables,
                .endings = "csv tsv txt dat",
                .is = by_head<looks_like_text>,
-               .open = by<open_text>,
+               .open = open_text,
                .is_text = true},
 };
 
@@ -113,10 +107,7 @@ std::span<const FileFormat> file_formats() {
 }
 
 Result<std::string> file_head(const FileBytes& file) {
-    std::string head(head_bytes, '\0');
-    const auto got = TRY(file.read(0, head));
-    head.resize(static_cast<std::size_t>(got));
-    return head;
+    return file.text(0, head_bytes);
 }
 
 const FileFormat* find_format(std::string_view head, const FileBytes& file) {

@@ -24,8 +24,8 @@ struct FileFormat {
     std::string_view endings;  // of the names that its files usually have, with blanks between them
     // By the first bytes (file_head()). A format is asked after those above it.
     bool (*is)(std::string_view head, const FileBytes& file);
-    Result<Recording> (*open)(const std::shared_ptr<const FileBytes>& file,
-                              const OpenOptions& options, const JobControl& job);
+    Result<Recording> (*open)(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                              const JobControl& job);
     bool is_text = false;
     bool has_variables = false;  // with names, for --variables
     bool in_helper = false;      // read by vybeg-reader

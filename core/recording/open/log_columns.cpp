@@ -10,9 +10,8 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
-#include "core/recording/text/text_head.h"
-#include "core/recording/text/text_scan.h"
-#include "core/recording/text/text_source.h"
+#include "core/recording/text/text_format.h"
+#include "core/recording/text/text_reading.h"
 
 #include <algorithm>
 #include <array>
@@ -36,21 +35,25 @@ bool is_time(const ColumnWish& wish) {
     return wish.role.name == std::string_view(time_role);
 }
 
+bool same_name_as(std::string_view name, std::string_view other) {
+    return normal_name(name) == normal_name(other);
+}
+
+bool is_usual_name(std::string_view name, const ColumnRole& role) {
+    return std::ranges::any_of(role.names,
+                               [name](const char* usual) { return same_name_as(name, usual); });
+}
+
 bool is_called(std::string_view name, const ColumnWish& wish) {
-    const std::string normal = normal_name(name);
-    if (!wish.column.empty()) {
-        return normal == normal_name(wish.column);
-    }
-    return std::ranges::any_of(wish.role.names,
-                               [&](const char* usual) { return normal == normal_name(usual); });
+    return wish.column.empty() ? is_usual_name(name, wish.role) : same_name_as(name, wish.column);
 }
 
 Error missing_column(const FileBytes& file, const ColumnWish& wish,
-                     const std::vector<std::string>& names) {
+                     const std::vector<Channel>& headings) {
     std::string all;
-    for (std::size_t k = 0; k < names.size(); ++k) {
+    for (std::size_t k = 0; k < headings.size(); ++k) {
         all += all.empty() ? "" : ", ";
-        all += names[k].empty() ? std::to_string(k + 1) : plain_text(names[k]);
+        all += headings[k].name.empty() ? std::to_string(k + 1) : plain_text(headings[k].name);
     }
     return file.error(ErrorCode::column_missing,
                       {wish.column.empty() ? wish.role.name : wish.column, all});
@@ -92,14 +95,14 @@ int place_of(const TextFormat& format, const ColumnWish& wish, std::size_t order
         number && *number >= 1 && *number <= format.columns) {
         return static_cast<int>(*number) - 1;
     }
-    for (std::size_t k = 0; k < format.names.size(); ++k) {
-        if (is_called(format.names[k], wish) ||
-            is_called(name_and_unit(format.names[k]).name, wish)) {
+    for (std::size_t k = 0; k < format.headings.size(); ++k) {
+        if (is_called(format.headings[k].name, wish) ||
+            is_called(name_and_unit(format.headings[k].name).name, wish)) {
             return static_cast<int>(k);
         }
     }
     const bool nameless =
-        std::ranges::all_of(format.names, [](const std::string& name) { return name.empty(); });
+        std::ranges::all_of(format.headings, [](const Channel& each) { return each.name.empty(); });
     return nameless && wish.column.empty() && order < static_cast<std::size_t>(format.columns)
                ? static_cast<int>(order)
                : -1;
@@ -130,7 +133,7 @@ Result<TextFormat> format_with_time(const File& file, const OpenOptions& options
     const int place = place_of(format, *time, order_of(wishes, at, format));
     if (place < 0) {
         return !time->told ? Result<TextFormat>(format)
-                           : missing_column(*file, *time, format.names);
+                           : missing_column(*file, *time, format.headings);
     }
     choice.time_column = place + 1;
     return find_text_format(*file, head, choice);
@@ -212,7 +215,7 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
         if (places[k] >= 0 && places[k] != format.time_column) {
             wanted.push_back(k);
         } else if (wishes[k].role.needed || wishes[k].told) {
-            return missing_column(*file, wishes[k], format.names);
+            return missing_column(*file, wishes[k], format.headings);
         }
     }
     LogTable table = empty_table(wishes);
@@ -229,15 +232,15 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
         table.time_s = std::move(rows.time_s);
     }
     for (const std::size_t k : wanted) {
-        const auto place = static_cast<std::size_t>(places[k]);
-        table.columns[k].name = plain_text(format.names[place]);
-        table.columns[k].unit = plain_text(format.units[place]);
+        const Channel& heading = format.heading(places[k]);
+        table.columns[k].name = plain_text(heading.name);
+        table.columns[k].unit = plain_text(heading.unit);
     }
     for (std::size_t k = 0; format.time_column < 0 && k < table.time_s.size(); ++k) {
         table.time_s[k] = static_cast<double>(k) / *options.rate_hz;
     }
     if (format.time_column >= 0 &&
-        normal_name(format.names[static_cast<std::size_t>(format.time_column)]) == "timestamp") {
+        normal_name(format.heading(format.time_column).name) == "timestamp") {
         TRY(count_ticks(*file, options, table));
     }
     return table;
@@ -316,11 +319,9 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
         const std::string column =
             sign < entry.size() ? std::string(trimmed(std::string_view(entry).substr(sign + 1)))
                                 : std::string();
-        const auto role = std::ranges::find_if(roles, [&](const ColumnRole& each) {
-            const std::string name = normal_name(entry.substr(0, sign));
-            return name == normal_name(each.name) ||
-                   std::ranges::any_of(
-                       each.names, [&](const char* usual) { return name == normal_name(usual); });
+        const std::string name = entry.substr(0, sign);
+        const auto role = std::ranges::find_if(roles, [&name](const ColumnRole& each) {
+            return same_name_as(name, each.name) || is_usual_name(name, each);
         });
         if (role == roles.end()) {
             return refused_value(

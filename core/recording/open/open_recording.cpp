@@ -1,17 +1,27 @@
 #include "core/recording/open/open_recording.h"
 
 #include "core/base/plain_text.h"
+#include "core/base/read_value.h"
 #include "core/recording/arrays/raw_reader.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/open/file_format.h"
-#include "core/recording/open/open_parts.h"
-#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/open_table.h"
-#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/sample_source.h"
+#include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_recording.h"
+#include "core/recording/times/time_grid.h"
+#include "core/recording/times/uniform_times.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace vybeg {
 namespace {
@@ -60,17 +70,215 @@ Result<Recording> open_file(const std::filesystem::path& path, const OpenOptions
     return recording;
 }
 
+// Options of one channel's file, of which `variable` counts among the names.
+OpenOptions of_channel(const OpenOptions& options, int channel, std::size_t variable) {
+    OpenOptions alone = options;
+    alone.channel_d_file.clear();
+    alone.channel_c = channel;
+    alone.channel_d = channel;
+    alone.variables.clear();
+    const auto name = [&options](std::size_t i) {
+        return i < options.variables.size() ? options.variables[i] : std::string();
+    };
+    if (!options.variables.empty()) {
+        alone.variables = {name(variable).empty() ? name(0) : name(variable)};
+    }
+    if (!name(2).empty()) {
+        alone.variables.insert(alone.variables.end(), {"", name(2)});
+    }
+    return alone;
+}
+
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+    std::error_code none;
+    return std::filesystem::equivalent(one, other, none);
+}
+
+// The only channel of a file, or the one of that number.
+Result<Recording> open_channel(const std::filesystem::path& path, const OpenOptions& options,
+                               int channel, std::size_t variable, const JobControl& job) {
+    auto recording = TRY(open_file(path, of_channel(options, 1, variable), job));
+    if (channel == 1 || recording.channels.size() == 1) {
+        return recording;
+    }
+    return open_file(path, of_channel(options, channel, variable), job);
+}
+
+// The same where the file has no rate: by that of the other channel's file.
+Result<Recording> open_timed(const std::filesystem::path& path, const Recording& other,
+                             const OpenOptions& options, int channel, std::size_t variable,
+                             const JobControl& job) {
+    OpenOptions timed = options;
+    timed.rate_hz = other.rate_hz;
+    auto recording = TRY(open_channel(path, timed, channel, variable, job));
+    recording.rate_from = other.rate_from;
+    recording.rate_relative_sd = other.rate_relative_sd;
+    return recording;
+}
+
+bool is_untimed(const Result<Recording>& recording) {
+    return !recording && recording.error().code == ErrorCode::rate_unknown;
+}
+
+// How long after a piece's last sample the next piece's first one is due, seconds beyond one
+// sample period; nothing where the pieces do not tell. Starts are known to their last digit.
+std::optional<double> gap_between(const Recording& piece, const Recording& next) {
+    if (piece.first_time_s && next.first_time_s) {
+        return *next.first_time_s - *piece.first_time_s - piece.seconds();
+    }
+    const auto start = parse_clock(piece.start);
+    const auto start_of_next = parse_clock(next.start);
+    if (!start || !start_of_next || !start->timed || !start_of_next->timed) {
+        return std::nullopt;
+    }
+    const double gap_s =
+        seconds_after(*start_of_next, start->whole_s) - start->fraction_s - piece.seconds();
+    const double digit_s =
+        std::pow(10.0, -start->decimals) + std::pow(10.0, -start_of_next->decimals);
+    return std::abs(gap_s) <= digit_s ? 0 : gap_s;
+}
+
+// Appends the next piece to the recording.
+class Joiner {
+public:
+    explicit Joiner(Recording first) : whole_(std::move(first)), last_(whole_) {
+        pieces_.push_back({0, whole_.source, 0, whole_.frames()});
+    }
+
+    Status add(Recording next) {
+        const auto refused = [&](const char* what, const MessageArg& one, const MessageArg& other) {
+            return no_parts(last_, next.path.filename().string(), what, one, other);
+        };
+        if (!same_rates(last_, next)) {
+            return refused(VYBEG_MESSAGE("Words", "sample rates"),
+                           number_arg(last_.rate_hz, 9, "Hz"), number_arg(next.rate_hz, 9, "Hz"));
+        }
+        if (last_.channels.size() != next.channels.size()) {
+            return refused(VYBEG_MESSAGE("Words", "numbers of channels"),
+                           count_arg(std::ssize(last_.channels)),
+                           count_arg(std::ssize(next.channels)));
+        }
+        for (const int channel : {next.channel_c, next.channel_d}) {
+            const auto i = static_cast<std::size_t>(channel - 1);
+            if (last_.channels[i].unit != next.channels[i].unit) {
+                return refused(VYBEG_MESSAGE("Words", "units"), last_.channels[i].unit,
+                               next.channels[i].unit);
+            }
+        }
+        const auto gap_s = gap_between(last_, next);
+        if (!gap_s) {
+            ++without_times_;
+        }
+        const double gap = std::round(gap_s.value_or(0) * whole_.rate_hz);
+        if (gap < 0) {
+            return refused(VYBEG_MESSAGE("Words", "end of the one and beginning of the other"),
+                           number_arg(seconds(), 9, "s"), number_arg(seconds() + *gap_s, 9, "s"));
+        }
+        rows_ += next.frames();
+        const double frames = static_cast<double>(end()) + gap + static_cast<double>(next.frames());
+        if (!is_plausible_grid(frames, static_cast<double>(rows_))) {
+            return Error{ErrorCode::format_limit,
+                         next.path.string(),
+                         {english(next.format),
+                          words(VYBEG_MESSAGE("Words", "it begins %1 s after the piece before it"),
+                                {number_arg(*gap_s)}),
+                          words(VYBEG_MESSAGE("Words", "Analyse it as a recording of its own"))}};
+        }
+        const std::int64_t first = end() + static_cast<std::int64_t>(gap);
+        if (gap > 0) {
+            gaps_.push_back({end() - 1, first});
+        }
+        for (Diagnostic diagnostic : next.diagnostics) {
+            diagnostic.first_frame += diagnostic.first_frame < 0 ? 0 : first;
+            whole_.diagnostics.push_back(std::move(diagnostic));
+        }
+        pieces_.push_back({first, next.source, 0, next.frames()});
+        whole_.more_files.push_back(next.file);
+        whole_.more_files.insert(whole_.more_files.end(), next.more_files.begin(),
+                                 next.more_files.end());
+        last_ = std::move(next);
+        return {};
+    }
+
+    Recording take() {
+        report_gaps(gaps_, whole_.rate_hz, whole_.diagnostics);
+        if (without_times_ > 0) {
+            whole_.diagnostics.push_back(
+                {DiagnosticKind::pieces_untimed, {count_arg(std::ssize(pieces_))}});
+        }
+        whole_.source = joined_source(std::move(pieces_));
+        return std::move(whole_);
+    }
+
+private:
+    std::int64_t end() const { return pieces_.back().end(); }
+    double seconds() const { return static_cast<double>(end()) / whole_.rate_hz; }
+
+    Recording whole_;
+    Recording last_;
+    std::vector<SourcePiece> pieces_;
+    std::vector<TimeGap> gaps_;
+    std::int64_t rows_ = whole_.frames();
+    int without_times_ = 0;
+};
+
+// A recording with a file for each channel (options.channel_d_file). Errors: those of both files
+// and of pair_channels().
+Result<Recording> open_pair(const std::filesystem::path& path, const OpenOptions& options,
+                            const JobControl& job) {
+    const std::filesystem::path path_d = options.channel_d_file;
+    auto opened_c = open_channel(path, options, options.channel_c, 0, job);
+    if (!opened_c && !is_untimed(opened_c)) {
+        return opened_c.error();
+    }
+    auto opened_d = open_channel(path_d, options, options.channel_d, 1, job);
+    if (is_untimed(opened_c) && opened_d) {
+        opened_c = open_timed(path, *opened_d, options, options.channel_c, 0, job);
+    } else if (is_untimed(opened_d) && opened_c) {
+        opened_d = open_timed(path_d, *opened_c, options, options.channel_d, 1, job);
+    }
+    auto c = TRY(std::move(opened_c));
+    auto d = TRY(std::move(opened_d));
+    if (is_same_file(path, path_d) && c.channel_c == d.channel_c) {
+        return refused_value("--channel-d", options.channel_d_file,
+                             words(VYBEG_MESSAGE("Words", "it is the channel that is read as C")));
+    }
+    const std::string name_d = d.path.filename().string();
+    return pair_channels(std::move(c), std::move(d), name_d);
+}
+
+// A recording in pieces (options.join): each where its times, or its start, put it; gaps between
+// them are missing samples (time_gap). Pieces that tell neither follow each other
+// (pieces_untimed). Errors: those of every file; parts_differ for unlike sample rates, units
+// and numbers of channels, and for a piece that begins before the end of the one above it;
+// format_limit for gaps that are absurdly long.
+Result<Recording> open_pieces(const std::filesystem::path& path, const OpenOptions& options,
+                              const JobControl& job) {
+    OpenOptions alone = options;
+    alone.join.clear();
+    auto first = TRY(open_file(path, alone, job));
+    Joiner joiner(std::move(first));
+    std::vector<std::filesystem::path> pieces{path};
+    for (const std::string& name : options.join) {
+        if (std::ranges::any_of(pieces, [&](const auto& one) { return is_same_file(one, name); })) {
+            return refused_value("--join", name,
+                                 words(VYBEG_MESSAGE("Words", "it is a piece already")));
+        }
+        pieces.emplace_back(name);
+        auto piece = TRY(open_file(name, alone, job));
+        TRY(joiner.add(std::move(piece)));
+    }
+    return joiner.take();
+}
+
 }  // namespace
 
 Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
                                  const JobControl& job) {
     TRY(check_options(options));
-    const OpenFile open = [&job](const std::filesystem::path& part, const OpenOptions& of_part) {
-        return open_file(part, of_part, job);
-    };
-    auto recording = !options.channel_d_file.empty() ? open_pair(path, options, open)
-                     : !options.join.empty()         ? open_pieces(path, options, open)
-                                                     : open(path, options);
+    auto recording = !options.channel_d_file.empty() ? open_pair(path, options, job)
+                     : !options.join.empty()         ? open_pieces(path, options, job)
+                                                     : open_file(path, options, job);
     if (recording) {
         recording->read_with = options_text(options);
     }

@@ -3,17 +3,16 @@
 #include "core/base/number_text.h"
 #include "core/recording/arrays/raw_reader.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/bytes/number_decoding.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/reader_rules.h"
-#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_head.h"
+#include "core/recording/text/text_format.h"
 #include "core/recording/text/text_recording.h"
-#include "core/recording/text/text_rows.h"
 #include "core/recording/text/text_table.h"
 
 #include <algorithm>
@@ -165,9 +164,7 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
         }
     }
     preview.time_column = preview.used->time_column;
-    for (std::size_t i = 0; i < preview.used->names.size(); ++i) {
-        preview.columns.push_back({preview.used->names[i], preview.used->units[i]});
-    }
+    preview.columns = preview.used->headings;
     TRY(read_table(file, options, preview));
     find_rate(*file, options, preview);
     scale_samples(preview.c, options.scale);
@@ -246,11 +243,9 @@ Status preview_opened(const FileBytes& file, const OpenOptions& options, const J
         preview.problem = file.error(ErrorCode::rate_unknown);
     }
     TRY(take_samples(*recording, preview));
-    const auto channel = [&](int number) {
-        return recording->channels[static_cast<std::size_t>(number - 1)];
-    };
     if (!options.raw) {
-        preview.columns = {channel(recording->channel_c), channel(recording->channel_d)};
+        preview.columns = {recording->channel(recording->channel_c),
+                           recording->channel(recording->channel_d)};
         take_cells(preview);
         return {};
     }

@@ -2,9 +2,8 @@
 
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/envelope/envelope_builder.h"
-#include "core/recording/envelope/sparse_scan.h"
 #include "core/recording/open/file_format.h"
-#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/text/text_recording.h"
 
 #include <algorithm>
@@ -65,7 +64,7 @@ std::optional<Extent> extent_of(const TextTable& table, const OpenOptions& optio
     Extent extent;
     if (table.columns.time < 0) {
         const auto c = static_cast<std::size_t>(table.columns.c);
-        const std::vector<WrittenRate>& named = table.format.rates;
+        const std::vector<SampleRate>& named = table.format.rates;
         extent.rate_hz = named.empty() ? options.rate_hz.value_or(0) : named[c].hz;
         extent.frames = static_cast<double>(head->c.size()) * static_cast<double>(last + 1);
         return extent;

@@ -1,8 +1,7 @@
 #include "core/recording/samples/channel_pair.h"
 
-#include "core/recording/samples/delayed_source.h"
 #include "core/recording/samples/reader_rules.h"
-#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/sample_source.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +32,8 @@ private:
 
 // The channel that was opened, named by its file where it has no name.
 Channel channel_of(const Recording& recording) {
-    const int number = recording.channel_c;
-    Channel channel = recording.channels[static_cast<std::size_t>(number - 1)];
-    if (channel.name == std::to_string(number)) {
+    Channel channel = recording.channel(recording.channel_c);
+    if (channel.name == std::to_string(recording.channel_c)) {
         channel.name = recording.path.stem().string();
     }
     return channel;
@@ -61,7 +59,7 @@ void align_channels(double delay_s, Recording& recording) {
     if (std::abs(samples) > nothing) {
         recording.source = delayed_source(std::move(recording.source), samples);
         recording.diagnostics.push_back(
-            {DiagnosticKind::channel_delayed, {number_arg(delay_s), number_arg(samples)}, -1, 0});
+            {DiagnosticKind::channel_delayed, {number_arg(delay_s), number_arg(samples)}});
     }
 }
 
@@ -105,10 +103,7 @@ Result<Recording> pair_channels(Recording c, Recording d, const std::string& nam
     }
     pair.more_files.insert(pair.more_files.end(), d.more_files.begin(), d.more_files.end());
     pair.source = std::make_shared<PairedSource>(c.source, d.source);
-    const double factor = note_units(pair.channels[0], pair.channels[1], pair.diagnostics);
-    if (factor != 1) {
-        pair.source = scaled_source(std::move(pair.source), 1, factor);
-    }
+    match_units(pair);
     if (c.frames() != d.frames()) {
         note_unequal(c.frames(), d.frames(), pair);
     }

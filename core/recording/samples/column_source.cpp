@@ -1,6 +1,6 @@
 #include "core/recording/samples/column_source.h"
 
-#include "core/recording/bytes/number_decoding.h"
+#include "core/recording/bytes/number_type.h"
 
 #include <algorithm>
 #include <utility>

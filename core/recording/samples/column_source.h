@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/bytes/byte_source.h"
+#include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/sample_source.h"
 

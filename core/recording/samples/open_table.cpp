@@ -111,10 +111,6 @@ Status read_variables(const std::string& option, const std::string& text, OpenOp
     return {};
 }
 
-std::string variables_text(const OpenOptions& options) {
-    return names_text(options.variables);
-}
-
 Status read_join(const std::string& option, const std::string& text, OpenOptions& options) {
     std::vector<std::string> names = names_in(text);
     if (std::ranges::find(names, "") != names.end()) {
@@ -238,9 +234,16 @@ std::string scale_text(const OpenOptions& options) {
     return options.raw || options.scale != 1 ? round_trip_text(options.scale) : "";
 }
 
-Status read_unit(const std::string& /*option*/, const std::string& text, OpenOptions& options) {
-    options.unit = text;
-    return {};
+// Row of an option whose text is the value.
+Row plain_row(const char* name, const char* placeholder, const char* help,
+              std::string OpenOptions::*field) {
+    return row(
+        name, placeholder, help,
+        [field](const std::string& /*option*/, const std::string& text, OpenOptions& options) {
+            options.*field = text;
+            return Status();
+        },
+        [field](const OpenOptions& options) { return options.*field; });
 }
 
 }  // namespace
@@ -258,7 +261,8 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
         row("variables", "C,D[,RATE]",
             "Names of the variables of a MAT, HDF5 or NPZ file that hold C and D, and the rate; D "
             "is left out where one holds both: XY or XY,,RATE",
-            read_variables, variables_text),
+            read_variables,
+            [](const OpenOptions& options) { return names_text(options.variables); }),
         row("raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]", read_raw,
             raw_text(type_text)),
         bounded(row("raw-channels", "N", "Channels of --raw (default 2)", read_raw_channels,
@@ -302,17 +306,12 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
                     "scale of a WAV file (default 1)",
                     read_scale, scale_text),
                 any_number),
-        row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)", read_unit,
-            [](const OpenOptions& options) { return options.unit; }),
-        row(
-            "channel-d", "FILE",
-            "File of channel D, where each channel has a file of its own; --channels then counts "
-            "in each",
-            [](const std::string& /*option*/, const std::string& text, OpenOptions& options) {
-                options.channel_d_file = text;
-                return Status();
-            },
-            [](const OpenOptions& options) { return options.channel_d_file; }),
+        plain_row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)",
+                  &OpenOptions::unit),
+        plain_row("channel-d", "FILE",
+                  "File of channel D, where each channel has a file of its own; --channels then "
+                  "counts in each",
+                  &OpenOptions::channel_d_file),
         row("join", "FILE[,FILE]",
             "Files of the recording's further pieces, in their order; gaps between them are "
             "missing samples",

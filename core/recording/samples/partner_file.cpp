@@ -1,6 +1,7 @@
 #include "core/recording/samples/partner_file.h"
 
 #include "core/base/plain_text.h"
+#include "core/recording/samples/text_fields.h"
 
 #include <array>
 #include <string>
@@ -11,10 +12,6 @@
 
 namespace vybeg {
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 // A whole word of the name, or its end behind a digit or a small letter: "run_c", "runC".
 bool stands_alone(std::string_view name, std::size_t at, std::size_t length) {

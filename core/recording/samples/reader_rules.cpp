@@ -1,7 +1,7 @@
 #include "core/recording/samples/reader_rules.h"
 
 #include "core/recording/samples/partner_file.h"
-#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
@@ -26,12 +26,6 @@ void note_early_end(std::int64_t promised_frames, Recording& recording) {
     }
 }
 
-// Adds file_not_closed, for a file without a stated number of frames.
-void note_not_closed(Recording& recording) {
-    recording.diagnostics.push_back(
-        {DiagnosticKind::file_not_closed, {count_arg(recording.frames())}, recording.frames(), 0});
-}
-
 // Whether samples are times in s, ms, us or ns, or numbers of rows: they rise by equal steps of
 // that size.
 bool are_times_or_rows(std::span<const double> samples, double rate_hz) {
@@ -49,27 +43,13 @@ bool are_times_or_rows(std::span<const double> samples, double rate_hz) {
                             }) == samples.end();
 }
 
-// Converts channel D to the unit of C if the file has both units, with the diagnostic
-// unit_converted; warns about an unknown ratio (units_differ).
-void match_units(Recording& recording) {
-    const auto channel = [&](int number) -> const Channel& {
-        return recording.channels[static_cast<std::size_t>(number - 1)];
-    };
-    const double factor = note_units(channel(recording.channel_c), channel(recording.channel_d),
-                                     recording.diagnostics);
-    if (factor != 1) {
-        recording.source = scaled_source(std::move(recording.source), 1, factor);
-    }
-}
-
 // Only channels without a name are looked at: the names of others tell times from signals.
 // Errors: channel_is_time; those of the source.
 Status check_signals(const FileBytes& file, const Recording& recording) {
     constexpr std::int64_t looked_at = 1000;  // frames; a shorter start may rise by chance
-    const auto name = [&](int channel) {
-        return recording.channels[static_cast<std::size_t>(channel - 1)].name;
+    const auto is_nameless = [&](int channel) {
+        return recording.channel(channel).name == std::to_string(channel);
     };
-    const auto is_nameless = [&](int channel) { return name(channel) == std::to_string(channel); };
     if (recording.frames() < looked_at ||
         !(is_nameless(recording.channel_c) || is_nameless(recording.channel_d))) {
         return {};
@@ -80,7 +60,7 @@ Status check_signals(const FileBytes& file, const Recording& recording) {
     for (const auto& [samples, channel] :
          {std::pair(&c, recording.channel_c), std::pair(&d, recording.channel_d)}) {
         if (is_nameless(channel) && are_times_or_rows(*samples, recording.rate_hz)) {
-            return file.error(ErrorCode::channel_is_time, {name(channel)});
+            return file.error(ErrorCode::channel_is_time, {recording.channel(channel).name});
         }
     }
     return {};
@@ -129,13 +109,10 @@ std::vector<Channel> numbered_channels(int count) {
 }
 
 void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& recording) {
-    const auto name = [&](int channel) {
-        return recording.channels[static_cast<std::size_t>(channel - 1)].name;
-    };
     recording.diagnostics.push_back(
         {DiagnosticKind::channels_unequal,
-         {name(recording.channel_c), count_arg(samples_c), name(recording.channel_d),
-          count_arg(samples_d)},
+         {recording.channel(recording.channel_c).name, count_arg(samples_c),
+          recording.channel(recording.channel_d).name, count_arg(samples_d)},
          std::min(samples_c, samples_d),
          std::max(samples_c, samples_d) - std::min(samples_c, samples_d)});
 }
@@ -146,18 +123,25 @@ double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& d
             const Channel& with = c.unit.empty() ? d : c;
             const Channel& without = c.unit.empty() ? c : d;
             diagnostics.push_back(
-                {DiagnosticKind::unit_of_one, {with.name, with.unit, without.name}, -1, 0});
+                {DiagnosticKind::unit_of_one, {with.name, with.unit, without.name}});
         }
         return 1;
     }
     const auto ratio = unit_ratio(d.unit, c.unit);
     if (!ratio) {
-        diagnostics.push_back(
-            {DiagnosticKind::units_differ, {c.name, c.unit, d.name, d.unit}, -1, 0});
+        diagnostics.push_back({DiagnosticKind::units_differ, {c.name, c.unit, d.name, d.unit}});
     } else if (*ratio != 1) {
-        diagnostics.push_back({DiagnosticKind::unit_converted, {d.name, d.unit, c.unit}, -1, 0});
+        diagnostics.push_back({DiagnosticKind::unit_converted, {d.name, d.unit, c.unit}});
     }
     return ratio.value_or(1);
+}
+
+void match_units(Recording& recording) {
+    const double factor = note_units(recording.channel(recording.channel_c),
+                                     recording.channel(recording.channel_d), recording.diagnostics);
+    if (factor != 1) {
+        recording.source = scaled_source(std::move(recording.source), 1, factor);
+    }
 }
 
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
@@ -180,26 +164,17 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     const auto channels = static_cast<int>(found.channels.size());
     TRY(check_channels(file, channels, options));
     const auto rate = TRY(choose_rate(file, found.own_rate, options));
-    TRY(check_frames(file, found.frames));
-    Recording recording;
+    TRY(check_frames(file, found.present_frames));
+    Recording recording(std::move(static_cast<Recording&>(found)));
     recording.path = file.path();
-    recording.format = std::move(found.format);
     recording.rate_hz = rate.hz;
     constexpr double arithmetic = 1e-12;  // what is less comes from the times' sums
     recording.rate_relative_sd = rate.relative_sd > arithmetic ? rate.relative_sd : 0;
     recording.rate_from = rate.from;
-    recording.channels = std::move(found.channels);
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
-    recording.start = std::move(found.start);
-    recording.first_time_s = found.first_time_s;
-    recording.diagnostics = std::move(found.diagnostics);
-    recording.source = std::move(found.source);
-    const auto name_of = [&](int channel) {
-        return recording.channels[static_cast<std::size_t>(channel - 1)].name;
-    };
-    const std::string c = name_of(options.channel_c);
-    const std::string d = name_of(options.channel_d);
+    const std::string c = recording.channel(options.channel_c).name;
+    const std::string d = recording.channel(options.channel_d).name;
     const bool is_chosen = !options.variables.empty() || options.channel_c > options.channel_d;
     if (!is_chosen && meaning_of(c) == Meaning::channel_d && meaning_of(d) == Meaning::channel_c) {
         recording.diagnostics.push_back({DiagnosticKind::channels_crossed, {c, d}});
@@ -212,7 +187,8 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     }
     note_early_end(found.promised_frames, recording);
     if (found.never_closed) {
-        note_not_closed(recording);
+        recording.diagnostics.push_back(
+            {DiagnosticKind::file_not_closed, {count_arg(recording.frames())}, recording.frames()});
     }
     return recording;
 }

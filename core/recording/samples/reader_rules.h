@@ -5,7 +5,6 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
-#include "core/recording/samples/recording_format.h"
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
@@ -42,30 +41,23 @@ void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& rec
 // ratio is unknown.
 double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& diagnostics);
 
-struct SampleRate {
-    double hz = 0;
-    RateOrigin from = RateOrigin::file;
-    double relative_sd = 0;  // due to the number of digits in the file
-};
+// Converts channel D to the unit of C if the recording has both units, with the diagnostic
+// unit_converted; warns about an unknown ratio (units_differ).
+void match_units(Recording& recording);
 
 // The rate of the file if it has one (> 0) known within 20 %, otherwise that of the option. Times
 // above 1 GHz are not in seconds. Errors: rate_unknown.
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options);
 
-// Result of a reader.
-struct FoundSamples {
-    RecordingFormat format;
-    std::vector<Channel> channels;        // as Recording::channels
-    std::optional<SampleRate> own_rate;   // of the file
-    std::string start;                    // as Recording::start
-    std::optional<double> first_time_s;   // as Recording::first_time_s
-    std::int64_t frames = 0;              // in the file; a resampled grid may have another number
-    std::int64_t promised_frames = 0;     // stated by the file, which may be shorter
-    bool never_closed = false;            // the file states no number of frames
-    bool one_unit = false;                // the reader has converted D to the unit of C
-    std::vector<Diagnostic> diagnostics;  // of the reader
-    std::shared_ptr<const SampleSource> source;  // channels C and D; null without frames
+// Result of a reader: format, channels, start, diagnostics and samples of a recording, and what
+// tells the rest of it.
+struct FoundSamples : Recording {
+    std::optional<SampleRate> own_rate{};  // of the file
+    std::int64_t present_frames = 0;       // in the file; a resampled grid may have another number
+    std::int64_t promised_frames = 0;      // stated by the file, which may be shorter
+    bool never_closed = false;             // the file states no number of frames
+    bool one_unit = false;                 // the reader has converted D to the unit of C
 };
 
 // Makes the recording after the checks above. Adds file_ends_early if it has fewer frames than

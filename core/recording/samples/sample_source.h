@@ -3,7 +3,10 @@
 #include "core/base/result.h"
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace vybeg {
 
@@ -27,5 +30,49 @@ public:
     // units. A missing sample is NaN. Precondition: the frames lie in [0, frames()).
     virtual Status read(std::int64_t first, std::span<double> c, std::span<double> d) const = 0;
 };
+
+// Samples in memory.
+class MemorySource : public SampleSource {
+public:
+    // Precondition: equal lengths.
+    MemorySource(std::vector<double> c, std::vector<double> d);
+
+    std::int64_t frames() const override;
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override;
+
+private:
+    std::vector<double> c_;
+    std::vector<double> d_;
+};
+
+// The source whose frames `change` has changed in place.
+std::shared_ptr<const SampleSource> mapped_source(
+    std::shared_ptr<const SampleSource> source,
+    std::function<void(std::span<double> c, std::span<double> d)> change);
+
+// Multiplies samples; infinite products become NaN, a missing sample.
+void scale_samples(std::span<double> values, double scale);
+
+// The channels of `source` times their scales.
+std::shared_ptr<const SampleSource> scaled_source(std::shared_ptr<const SampleSource> source,
+                                                  double scale_c, double scale_d);
+
+// `count` frames of a source, from `from` on, that lie from the frame `first` on.
+struct SourcePiece {
+    std::int64_t first = 0;
+    std::shared_ptr<const SampleSource> source;
+    std::int64_t from = 0;
+    std::int64_t count = 0;
+
+    std::int64_t end() const { return first + count; }
+};
+
+// Pieces one behind the other; what lies between them is missing. Precondition: one piece or more.
+std::shared_ptr<const SampleSource> joined_source(std::vector<SourcePiece> pieces);
+
+// The source with channel D so many samples later: D(k) = S_D(k - delay), by band-limited
+// interpolation. Frames that it does not reach are NaN. A delay beyond the recording leaves none.
+std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleSource> source,
+                                                   double delay_samples);
 
 }  // namespace vybeg

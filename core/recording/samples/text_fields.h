@@ -7,6 +7,11 @@
 
 namespace vybeg {
 
+// Of the Latin alphabet.
+constexpr bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
 // Without spaces and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 

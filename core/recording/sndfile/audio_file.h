@@ -2,7 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/variables/helper_file.h"
+#include "core/recording/variables/reader_protocol.h"
 
 #include <memory>
 

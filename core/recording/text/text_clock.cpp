@@ -11,10 +11,6 @@ namespace {
 constexpr std::int64_t day_s = 86400;
 constexpr std::size_t most_fraction_digits = 18;
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 // Takes the characters off the front of `text` that `is` holds for.
 template <class Predicate>
 std::string_view take_while(std::string_view& text, Predicate is) {

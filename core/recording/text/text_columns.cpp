@@ -3,8 +3,8 @@
 #include "core/numerics/median.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
-#include "core/recording/text/text_blocks.h"
 #include "core/recording/text/text_clock.h"
+#include "core/recording/text/text_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,10 +112,9 @@ bool counts_by_one(const std::vector<double>& values) {
 
 class ColumnSearch {
 public:
-    ColumnSearch(std::span<const std::string> rows, const std::vector<Channel>& columns,
-                 const TextChoice& choice, std::vector<int> words, TextFormat& format)
-        : columns_(columns),
-          choice_(choice),
+    ColumnSearch(std::span<const std::string> rows, const TextChoice& choice,
+                 std::vector<int> words, TextFormat& format)
+        : choice_(choice),
           words_(std::move(words)),
           format_(format),
           starts_(column_starts(rows, format)) {}
@@ -136,7 +135,7 @@ public:
 
 private:
     const ColumnStart& at(int column) const { return starts_[static_cast<std::size_t>(column)]; }
-    const Channel& name(int column) const { return columns_[static_cast<std::size_t>(column)]; }
+    const Channel& name(int column) const { return format_.heading(column); }
 
     bool is_left_out(int column) const {
         return column == format_.time_column || column == format_.counter_column ||
@@ -284,7 +283,6 @@ private:
         }
     }
 
-    const std::vector<Channel>& columns_;
     const TextChoice& choice_;
     std::vector<int> words_;
     TextFormat& format_;
@@ -334,9 +332,9 @@ bool is_behind_table(std::string_view line, const TextFormat& format) {
            (!first_holds_words || std::ssize(fields) < format.columns);
 }
 
-void find_columns(std::span<const std::string> rows, const std::vector<Channel>& columns,
-                  const TextChoice& choice, std::vector<int> words, TextFormat& format) {
-    ColumnSearch(rows, columns, choice, std::move(words), format).run();
+void find_columns(std::span<const std::string> rows, const TextChoice& choice,
+                  std::vector<int> words, TextFormat& format) {
+    ColumnSearch(rows, choice, std::move(words), format).run();
 }
 
 }  // namespace vybeg

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
-#include "core/recording/samples/text_choice.h"
-#include "core/recording/text/text_rate.h"
 
 #include <cstdint>
 #include <optional>
@@ -24,15 +23,16 @@ struct TextFormat {
     int counter_column = -1;    // from 0: numbers of the rows, neither time nor channel; -1: none
     double time_unit_s = 1;     // seconds per unit of the time column
     int header_lines_used = 0;  // of the skipped lines, those that the names and units came from
-    std::vector<std::string> names;  // one per column, empty where the file does not tell
-    std::vector<std::string> units;
+    std::vector<Channel> headings;     // of each column, empty where the file does not tell
     std::vector<int> no_channels{};    // columns beside these that hold no samples, from 0
     std::vector<std::string> words{};  // names, or else numbers from 1, of columns that hold words
     std::vector<int> own_times{};      // the time column of each column, where they are not all one
     std::optional<std::int64_t> clock_from_s{};  // times of day count from this second of the day
-    std::vector<WrittenRate> rates{};  // of each column; empty where the lines above name none
-    bool has_remarks = false;          // what stands behind the last column is a comment
-    std::string unknown_time_unit{};   // of the time column, which is read as seconds
+    std::vector<SampleRate> rates{};  // of each column; empty where the lines above name none
+    bool has_remarks = false;         // what stands behind the last column is a comment
+    std::string unknown_time_unit{};  // of the time column, which is read as seconds
+
+    const Channel& heading(int column) const { return headings[static_cast<std::size_t>(column)]; }
 
     friend bool operator==(const TextFormat&, const TextFormat&) = default;
 };
@@ -53,15 +53,15 @@ bool is_behind_table(std::string_view line, const TextFormat& format);
 inline constexpr int most_columns = 4096;
 
 // Finds what the columns of a table are: its time, the columns that belong to no channel, and the
-// times of channels that have their own. `rows` are the first lines of the table, `columns` its
-// names and units; `format` has the delimiter, decimal sign, number of columns and rates, and what
-// `choice` says is taken as said. `words`: columns, from 0 and rising, that hold words; those of
+// times of channels that have their own. `rows` are the first lines of the table; `format` has the
+// delimiter, decimal sign, number and headings of the columns and rates, and what `choice` says is
+// taken as said. `words`: columns, from 0 and rising, that hold words; those of
 // them that hold some below the names are no channels.
 //
 // Time is a column that is named so or holds times of day, or else the first of three or more if
 // it rises evenly and counts in no other unit than one of time. As long as two channels are left, a
 // column is none that is empty, a date, whole numbers that rise by one, or a time again.
-void find_columns(std::span<const std::string> rows, const std::vector<Channel>& columns,
-                  const TextChoice& choice, std::vector<int> words, TextFormat& format);
+void find_columns(std::span<const std::string> rows, const TextChoice& choice,
+                  std::vector<int> words, TextFormat& format);
 
 }  // namespace vybeg

@@ -1,14 +1,19 @@
 #include "core/recording/text/text_format.h"
 
 #include "core/base/translatable.h"
+#include "core/recording/bytes/text_encoding.h"
+#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_columns.h"
 #include "core/recording/text/text_header.h"
+#include "core/recording/text/text_lines.h"
 #include "core/recording/text/text_rate.h"
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -227,25 +232,24 @@ std::size_t first_row(std::span<const std::string> lines, const Rows& table) {
 
 // The fields of rows.
 struct Extent {
-    int longest = 0;  // of a row
-    int used = 0;     // but for columns at the end that are empty in all rows
-    int named = 0;    // of these, but for columns at the end that hold words
+    std::size_t longest = 0;  // of a row
+    std::size_t used = 0;     // but for columns at the end that are empty in all rows
+    std::size_t named = 0;    // of these, but for columns at the end that hold words
 };
 
 Extent extent_of(std::span<const std::string> rows, const Rows& table) {
+    const auto columns = static_cast<std::size_t>(table.columns);
     std::vector<std::string_view> fields;
-    Extent extent{table.columns, 0, 0};
+    Extent extent{columns, 0, 0};
     for (const std::string& row : rows) {
         if (!table.contain(row, fields)) {
             continue;
         }
-        extent.longest = std::max(extent.longest, static_cast<int>(fields.size()));
-        for (auto i = static_cast<std::size_t>(extent.named); i < fields.size(); ++i) {
-            const int columns = static_cast<int>(i) + 1;
+        extent.longest = std::max(extent.longest, fields.size());
+        for (std::size_t i = extent.named; i < fields.size(); ++i) {
             if (!fields[i].empty()) {
-                extent.used = std::max(extent.used, columns);
-                const bool word = columns > table.columns || table.holds_words(i);
-                extent.named = word ? extent.named : columns;
+                extent.used = std::max(extent.used, i + 1);
+                extent.named = i >= columns || table.holds_words(i) ? extent.named : i + 1;
             }
         }
     }
@@ -366,11 +370,12 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     const Extent extent = extent_of(rows, *table);
     const FirstColumn first = first_column(rows, format.delimiter, format.decimal_comma);
     const bool first_unnamed = table->holds_words(0) || first != FirstColumn::other;
+    const auto columns = static_cast<std::size_t>(format.columns);
     TextHeader header = read_header({.lines = above,
                                      .names_from = names_from,
                                      .delimiter = format.delimiter,
-                                     .columns = format.columns,
-                                     .behind = extent.longest - format.columns,
+                                     .columns = columns,
+                                     .behind = extent.longest - columns,
                                      .used = extent.used,
                                      .named = extent.named,
                                      .first_unnamed = first_unnamed,
@@ -378,20 +383,17 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     if (first_unnamed && header.columns[0].name.empty() && header.columns[0].unit.empty()) {
         header.columns[0].unit = axis_unit(above, format.delimiter);
     }
+    format.headings.assign(header.columns.begin(),
+                           header.columns.begin() + static_cast<std::ptrdiff_t>(columns));
     format.header_lines_used = header.lines_used;
     format.has_remarks = header.has_remarks;
     format.rates = header_rates(above, format.delimiter, format.columns, format.decimal_comma);
     if (format.columns <= most_columns) {
-        find_columns(rows, header.columns, choice, table->words, format);
+        find_columns(rows, choice, table->words, format);
     }
-    for (int i = format.columns; i < extent.used; ++i) {
-        const std::string& name = header.columns[static_cast<std::size_t>(i)].name;
+    for (std::size_t i = columns; i < extent.used; ++i) {
+        const std::string& name = header.columns[i].name;
         format.words.push_back(name.empty() ? std::to_string(i + 1) : name);
-    }
-    header.columns.resize(static_cast<std::size_t>(format.columns));
-    for (const Channel& column : header.columns) {
-        format.names.push_back(column.name);
-        format.units.push_back(column.unit);
     }
     return format;
 }
@@ -426,9 +428,11 @@ bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& fo
 std::vector<Channel> channels_of(const TextFormat& format) {
     std::vector<Channel> channels;
     for (const int column : channel_columns(format)) {
-        const auto i = static_cast<std::size_t>(column);
-        const std::string number = std::to_string(channels.size() + 1);
-        channels.push_back({format.names[i].empty() ? number : format.names[i], format.units[i]});
+        Channel channel = format.heading(column);
+        if (channel.name.empty()) {
+            channel.name = std::to_string(channels.size() + 1);
+        }
+        channels.push_back(std::move(channel));
     }
     return channels;
 }
@@ -445,6 +449,113 @@ RecordingFormat format_of(const TextFormat& format) {
         parts.push_back(FormatPart::words(VYBEG_MESSAGE("Format", "decimal comma")));
     }
     return parts;
+}
+
+namespace {
+
+constexpr std::size_t head_bytes = std::size_t{1} << 18;  // kept on each side of the first row
+constexpr std::int64_t lines_between_looks = 4096;        // at the stop token
+
+// Lines, the oldest of which make room for the next.
+class LastLines {
+public:
+    void add(std::string_view line) {
+        lines_.emplace_back(line);
+        bytes_ += line.size() + 1;
+        while (bytes_ > head_bytes && lines_.size() > 1) {
+            bytes_ -= lines_.front().size() + 1;
+            lines_.pop_front();
+            ++dropped_;
+        }
+    }
+
+    TextHead take() {
+        return {dropped_,
+                {std::make_move_iterator(lines_.begin()), std::make_move_iterator(lines_.end())}};
+    }
+
+private:
+    std::deque<std::string> lines_;
+    std::size_t bytes_ = 0;
+    std::int64_t dropped_ = 0;
+};
+
+// Why there is no table; the head has at least the lines that are skipped.
+Error no_table(const FileBytes& file, const TextHead& head, const TextChoice& choice) {
+    const std::string said = options_text({.text = choice});
+    if (said.empty()) {
+        return file.error(ErrorCode::text_no_data);
+    }
+    const auto begin = head.lines.begin() +
+                       static_cast<std::ptrdiff_t>(choice.lines_to_skip.value_or(0) - head.dropped);
+    auto line = std::find_if(begin, head.lines.end(),
+                             [](const std::string& text) { return !trimmed(text).empty(); });
+    line = line == head.lines.end() ? begin : line;
+    const std::int64_t number = head.dropped + (line - head.lines.begin()) + 1;
+    return file.error(ErrorCode::text_no_table, {said, count_arg(number), short_quote(*line)});
+}
+
+}  // namespace
+
+Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
+                                std::optional<std::int64_t> lines_to_skip, const JobControl& job) {
+    TextLines lines(std::move(file));
+    LastLines skipped;
+    const std::int64_t skip = lines_to_skip.value_or(0);
+    for (std::int64_t i = 0; i < skip; ++i) {
+        if (i % lines_between_looks == 0) {
+            TRY(job.go_on());
+        }
+        const auto line = TRY(lines.next());
+        if (!line) {
+            break;
+        }
+        skipped.add(*line);
+    }
+    TextHead head = skipped.take();
+    for (std::size_t bytes = 0; bytes < head_bytes;) {
+        const auto line = TRY(lines.next());
+        if (!line) {
+            break;
+        }
+        head.lines.emplace_back(*line);
+        bytes += line->size() + 1;
+    }
+    return head;
+}
+
+Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
+                                    const TextChoice& choice) {
+    const std::int64_t count = head.dropped + std::ssize(head.lines);
+    if (choice.lines_to_skip && *choice.lines_to_skip >= count) {
+        return file.error(ErrorCode::text_lines_missing,
+                          {count_arg(*choice.lines_to_skip), count_arg(count)});
+    }
+    TextChoice here = choice;
+    if (here.lines_to_skip) {
+        *here.lines_to_skip -= head.dropped;
+    }
+    auto format = guess_text_format(head.lines, here);
+    if (!format) {
+        return no_table(file, head, choice);
+    }
+    if (format->columns > most_columns) {
+        return file.unsupported(
+            "text",
+            VYBEG_MESSAGE("Words", "rows of %1 numbers (a column is a channel, a row a time)"),
+            {count_arg(format->columns)});
+    }
+    if (!choice.delimiter && has_decimal_commas(head.lines, *format)) {
+        return file.error(
+            ErrorCode::text_decimal_commas,
+            {short_quote(head.lines[static_cast<std::size_t>(format->lines_to_skip)])});
+    }
+    format->lines_to_skip += head.dropped;
+    if (choice.time_column && *choice.time_column > format->columns) {
+        return file.error(ErrorCode::column_out_of_range,
+                          {count_arg(*choice.time_column), count_arg(format->columns)});
+    }
+    return std::move(*format);
 }
 
 }  // namespace vybeg

@@ -64,21 +64,13 @@ bool has_equals_sign(const std::string& field) {
 // The lines above a table, with what they tell of its columns.
 class HeaderLines {
 public:
-    explicit HeaderLines(const LinesAbove& above)
-        : lines_(above.lines),
-          names_from_(above.names_from),
-          delimiter_(above.delimiter),
-          table_columns_(static_cast<std::size_t>(above.columns)),
-          used_(static_cast<std::size_t>(above.used)),
-          named_(static_cast<std::size_t>(above.named)),
-          first_unnamed_(above.first_unnamed),
-          first_is_time_(above.first_is_time) {
-        header_.columns.resize(table_columns_ + static_cast<std::size_t>(above.behind));
+    explicit HeaderLines(const LinesAbove& above) : above_(above) {
+        header_.columns.resize(above.columns + above.behind);
     }
 
     TextHeader run() {
         find_last_lines();
-        for (std::size_t i = 0; i < lines_.size(); ++i) {
+        for (std::size_t i = 0; i < above_.lines.size(); ++i) {
             take_labelled(i);
         }
         for (std::size_t i = 0; i < units_.size(); ++i) {
@@ -99,7 +91,7 @@ private:
     // The fields of a line that has one for each column; nothing where it has not. What stands
     // behind the last column is a remark, or no name, or the name of a column without numbers.
     std::optional<std::vector<std::string>> row_of_names(const std::string& line) const {
-        return row_of_names(line, delimiter_);
+        return row_of_names(line, above_.delimiter);
     }
 
     std::optional<std::vector<std::string>> row_of_names(const std::string& line,
@@ -107,11 +99,11 @@ private:
         std::vector<std::string> fields = name_fields(line, delimiter);
         const std::size_t columns = header_.columns.size();
         const bool may_lack_first =
-            first_unnamed_ && (delimiter != ',' || trimmed(line).starts_with('"'));
+            above_.first_unnamed && (delimiter != ',' || trimmed(line).starts_with('"'));
         const auto is_time = [this](const std::string& field) {
-            return first_is_time_ && is_time_name(name_and_unit(field).name);
+            return above_.first_is_time && is_time_name(name_and_unit(field).name);
         };
-        if (may_lack_first && fields.size() + 1 == named_ &&
+        if (may_lack_first && fields.size() + 1 == above_.named &&
             std::ranges::none_of(fields, is_number) && std::ranges::none_of(fields, is_time)) {
             fields.insert(fields.begin(), "");
         }
@@ -123,17 +115,18 @@ private:
         };
         const auto behind =
             fields.begin() + static_cast<std::ptrdiff_t>(std::min(columns, fields.size()));
-        if (fields.size() < named_ || (!std::all_of(behind, fields.end(), is_extra) &&
-                                       std::count_if(fields.begin(), behind, is_clear_name) < 2)) {
+        if (fields.size() < above_.named ||
+            (!std::all_of(behind, fields.end(), is_extra) &&
+             std::count_if(fields.begin(), behind, is_clear_name) < 2)) {
             return std::nullopt;
         }
-        fields.resize(std::min(fields.size(), used_));
+        fields.resize(std::min(fields.size(), above_.used));
         return fields;
     }
 
     // Whether a line says one thing of something, or of each channel, and names no columns.
     bool is_setting(const std::string& line) const {
-        const std::vector<std::string> fields = name_fields(line, delimiter_);
+        const std::vector<std::string> fields = name_fields(line, above_.delimiter);
         if (is_rate_line(line)) {
             return true;
         }
@@ -187,8 +180,8 @@ private:
     }
 
     void find_last_lines() {
-        for (std::size_t i = lines_.size(); i-- > names_from_;) {
-            const std::string& line = lines_[i];
+        for (std::size_t i = above_.lines.size(); i-- > above_.names_from;) {
+            const std::string& line = above_.lines[i];
             if (is_rule(line)) {
                 continue;
             }
@@ -221,9 +214,10 @@ private:
     std::optional<std::vector<std::string>> names_in(const std::string& line) const {
         auto fields = row_of_names(line);
         for (const char delimiter : {';', ',', '\t'}) {
-            if (!fields && delimiter != delimiter_) {
+            if (!fields && delimiter != above_.delimiter) {
                 auto other = row_of_names(line, delimiter);
-                if (other && other->size() == used_ && std::ranges::all_of(*other, is_clear_name)) {
+                if (other && other->size() == above_.used &&
+                    std::ranges::all_of(*other, is_clear_name)) {
                     fields = std::move(other);
                 }
             }
@@ -232,29 +226,29 @@ private:
     }
 
     bool ends_with_remark(const std::string& line) const {
-        const std::vector<std::string> fields = header_fields(line, delimiter_);
-        return fields.size() > table_columns_ && meaning_of(fields.back()) == Meaning::remark;
+        const std::vector<std::string> fields = header_fields(line, above_.delimiter);
+        return fields.size() > above_.columns && meaning_of(fields.back()) == Meaning::remark;
     }
 
     bool named_above(std::size_t line) const {
-        while (line > 0 && trimmed(lines_[line - 1]).empty()) {
+        while (line > 0 && trimmed(above_.lines[line - 1]).empty()) {
             --line;
         }
-        return line > 0 && row_of_names(lines_[line - 1]);
+        return line > 0 && row_of_names(above_.lines[line - 1]);
     }
 
     void take_labelled(std::size_t line) {
-        const std::vector<std::string> fields = header_fields(lines_[line], delimiter_);
+        const std::vector<std::string> fields = header_fields(above_.lines[line], above_.delimiter);
         if (fields.empty()) {
             return;
         }
         const Meaning meaning = meaning_of(fields[0]);
-        if (const auto colon = lines_[line].find(':'); colon != std::string::npos) {
-            const std::string unit = to_utf8(trimmed(lines_[line].substr(colon + 1)));
-            if (meaning_of(lines_[line].substr(0, colon)) == Meaning::units &&
+        if (const auto colon = above_.lines[line].find(':'); colon != std::string::npos) {
+            const std::string unit = to_utf8(trimmed(above_.lines[line].substr(colon + 1)));
+            if (meaning_of(above_.lines[line].substr(0, colon)) == Meaning::units &&
                 is_known_unit(unit)) {
-                labelled_.assign(table_columns_, unit);
-                labelled_[0] = first_unnamed_ ? "" : unit;
+                labelled_.assign(above_.columns, unit);
+                labelled_[0] = above_.first_unnamed ? "" : unit;
                 return;
             }
         }
@@ -265,8 +259,8 @@ private:
             return;
         }
         std::vector<std::string> found;
-        if (fields.size() == 1 && line + 1 < lines_.size()) {
-            found = row_of_names(lines_[line + 1]).value_or(std::vector<std::string>{});
+        if (fields.size() == 1 && line + 1 < above_.lines.size()) {
+            found = row_of_names(above_.lines[line + 1]).value_or(std::vector<std::string>{});
             header_.lines_used += found.empty() ? 0 : 1;
         } else if (is_pairs(fields)) {
             for (std::size_t i = 0; i + 1 < fields.size(); i += 2) {
@@ -286,14 +280,7 @@ private:
         *values = std::move(found);
     }
 
-    std::span<const std::string> lines_;
-    std::size_t names_from_;
-    char delimiter_;
-    std::size_t table_columns_;
-    std::size_t used_;
-    std::size_t named_;
-    bool first_unnamed_;
-    bool first_is_time_;
+    const LinesAbove& above_;
     TextHeader header_;
     std::vector<std::string> units_;
     std::vector<std::string> names_;     // of lines that say so

@@ -2,6 +2,7 @@
 
 #include "core/recording/samples/recording.h"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,10 +21,10 @@ struct LinesAbove {
     std::span<const std::string> lines;
     std::size_t names_from = 0;  // lines above this one hold numbers, and do not name the columns
     char delimiter = ',';
-    int columns = 0;
-    int behind = 0;              // more columns that some rows have
-    int used = 0;                // columns but for those at the end that are empty in all rows
-    int named = 0;               // of these, but for those at the end that hold words
+    std::size_t columns = 0;
+    std::size_t behind = 0;      // more columns that some rows have
+    std::size_t used = 0;        // columns but for those at the end that are empty in all rows
+    std::size_t named = 0;       // of these, but for those at the end that hold words
     bool first_unnamed = false;  // the first one counts the rows, rises as a time or holds words
     bool first_is_time = false;  // it rises and counts no rows: no other one is the time
 };

@@ -142,9 +142,8 @@ std::optional<RateLine> rate_line(std::string_view text) {
     return found.key.meaning != Meaning::other && is_alone ? std::optional(found) : std::nullopt;
 }
 
-std::optional<WrittenRate> written(const Key& key, const NumberText& number,
-                                   const std::string& unit_behind,
-                                   const std::string& unit_of_axis) {
+std::optional<SampleRate> written(const Key& key, const NumberText& number,
+                                  const std::string& unit_behind, const std::string& unit_of_axis) {
     double factor = 1;
     for (const std::string& unit : {number.unit, key.unit, unit_behind,
                                     key.meaning == Meaning::step ? unit_of_axis : std::string()}) {
@@ -163,7 +162,7 @@ std::optional<WrittenRate> written(const Key& key, const NumberText& number,
     if (!std::isfinite(hz) || !(hz > 0)) {
         return std::nullopt;
     }
-    return WrittenRate{hz, written_relative_sd(number.number, number.value)};
+    return SampleRate{hz, RateOrigin::file, written_relative_sd(number.number, number.value)};
 }
 
 class RateSearch {
@@ -175,7 +174,7 @@ public:
           group_(decimal_comma ? '.' : ','),
           axis_unit_(axis_unit(lines, delimiter)) {}
 
-    std::vector<WrittenRate> run() {
+    std::vector<SampleRate> run() {
         for (std::size_t i = 0; i < lines_.size() && agree_; ++i) {
             if (lines_[i].size() <= longest_line_with_rate) {
                 in_fields(i);
@@ -183,7 +182,7 @@ public:
             }
         }
         // The samples follow each other more slowly than an input from which some are left out.
-        return agree_ && !(of_input_ && decimated_) ? found_ : std::vector<WrittenRate>{};
+        return agree_ && !(of_input_ && decimated_) ? found_ : std::vector<SampleRate>{};
     }
 
 private:
@@ -195,7 +194,7 @@ private:
             if (key.meaning == Meaning::other) {
                 continue;
             }
-            std::vector<WrittenRate> rates(columns_);
+            std::vector<SampleRate> rates(columns_);
             bool any = false;
             for (std::size_t j = i + 1; j < fields.size(); ++j) {
                 const auto number = number_at_start(fields[j], group(key));
@@ -253,7 +252,7 @@ private:
     void add_value(const Key& key, std::string_view value) {
         const auto number = number_at_start(value, group(key));
         if (const auto rate = number ? written(key, *number, "", axis_unit_) : std::nullopt) {
-            add(std::vector<WrittenRate>(columns_, *rate));
+            add(std::vector<SampleRate>(columns_, *rate));
         }
     }
 
@@ -279,10 +278,10 @@ private:
 
     // Takes what a line says of the columns; the rest of them have the rate of the first that has
     // one.
-    void add(std::vector<WrittenRate> rates) {
+    void add(std::vector<SampleRate> rates) {
         const auto first = std::ranges::find_if(rates, [](const auto& r) { return r.hz > 0; });
-        const WrittenRate rest = *first;
-        for (WrittenRate& rate : rates) {
+        const SampleRate rest = *first;
+        for (SampleRate& rate : rates) {
             rate = rate.hz > 0 ? rate : rest;
         }
         if (found_.empty()) {
@@ -290,7 +289,7 @@ private:
             return;
         }
         for (std::size_t i = 0; i < columns_; ++i) {
-            WrittenRate& known = found_[i];
+            SampleRate& known = found_[i];
             const double allowed = agreement + 2 * (known.relative_sd + rates[i].relative_sd);
             agree_ = agree_ && std::abs(known.hz / rates[i].hz - 1) <= allowed;
             known = rates[i].relative_sd < known.relative_sd ? rates[i] : known;
@@ -302,7 +301,7 @@ private:
     std::size_t columns_;
     char group_;
     std::string axis_unit_;
-    std::vector<WrittenRate> found_;
+    std::vector<SampleRate> found_;
     bool agree_ = true;
     bool of_input_ = false;
     bool decimated_ = false;
@@ -310,8 +309,8 @@ private:
 
 }  // namespace
 
-std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char delimiter,
-                                      int columns, bool decimal_comma) {
+std::vector<SampleRate> header_rates(std::span<const std::string> lines, char delimiter,
+                                     int columns, bool decimal_comma) {
     return RateSearch(lines, delimiter, columns, decimal_comma).run();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/recording/samples/recording.h"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -7,20 +9,12 @@
 
 namespace vybeg {
 
-// A sample rate as the lines above a table write it.
-struct WrittenRate {
-    double hz = 0;           // 0: unknown
-    double relative_sd = 0;  // what the digits leave open: rounding is uniform, a digit / sqrt(12)
-
-    friend bool operator==(const WrittenRate&, const WrittenRate&) = default;
-};
-
 // The rate of each column of the table by the fields and lines above it that name a rate or a step
 // ("Sample Interval,2E-06", "# Samplerate: 10 kHz", "Delta_X", "Start,Increment" over their
 // values, "dt=0.001"). Empty where there is none, or where two of them disagree by more than their
 // digits.
-std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char delimiter,
-                                      int columns, bool decimal_comma);
+std::vector<SampleRate> header_rates(std::span<const std::string> lines, char delimiter,
+                                     int columns, bool decimal_comma);
 
 // The unit of the times by a line that says so ("HUnit,ms", "Time markers scale: ms"); empty where
 // no line names one of time.

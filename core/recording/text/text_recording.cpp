@@ -2,13 +2,11 @@
 
 #include "core/base/plain_text.h"
 #include "core/recording/samples/channel_pair.h"
-#include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/reader_rules.h"
-#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"
-#include "core/recording/text/text_head.h"
-#include "core/recording/text/text_scan.h"
-#include "core/recording/text/text_source.h"
+#include "core/recording/text/text_format.h"
+#include "core/recording/text/text_reading.h"
 #include "core/recording/text/text_table.h"
 
 #include <algorithm>
@@ -29,9 +27,9 @@ struct Samples {
     std::vector<Diagnostic> diagnostics;
 };
 
-Samples streamed(TextTable table, TextScan scan) {
+Samples streamed(const TextTable& table, const TextScan& scan) {
     Samples samples;
-    samples.first_missing = scan.first_missing_row;
+    samples.first_missing = scan.left_out.first_missing_row;
     if (scan.even) {
         samples.rate =
             SampleRate{scan.even->rate_hz, RateOrigin::time_column, scan.even->rate_relative_sd};
@@ -40,7 +38,7 @@ Samples streamed(TextTable table, TextScan scan) {
             samples.first_missing = scan.even->frame_of(samples.first_missing);
         }
     }
-    samples.source = text_source(std::move(table), std::move(scan));
+    samples.source = text_source(table, scan);
     return samples;
 }
 
@@ -50,9 +48,9 @@ Result<Samples> resampled(const TextTable& table, const TextScan& scan, const Jo
     auto grid = TRY(to_uniform_grid(rows, table.blocks.file().path().string()));
     Samples samples;
     samples.rate = SampleRate{grid.rate_hz, RateOrigin::time_column, grid.rate_relative_sd};
-    if (scan.first_missing_row >= 0) {
+    if (scan.left_out.first_missing_row >= 0) {
         const double after =
-            rows.time_s[static_cast<std::size_t>(scan.first_missing_row)] - rows.time_s[0];
+            rows.time_s[static_cast<std::size_t>(scan.left_out.first_missing_row)] - rows.time_s[0];
         samples.first_missing = static_cast<std::int64_t>(std::floor(after * grid.rate_hz + 0.5));
     }
     samples.diagnostics = std::move(grid.diagnostics);
@@ -67,8 +65,7 @@ std::optional<SampleRate> better_rate(const std::optional<SampleRate>& of_times,
     if (table.format.rates.empty()) {
         return of_times;
     }
-    const WrittenRate& written = table.format.rates[static_cast<std::size_t>(table.columns.c)];
-    const SampleRate named{written.hz, RateOrigin::file, written.relative_sd};
+    const SampleRate& named = table.format.rates[static_cast<std::size_t>(table.columns.c)];
     if (!of_times) {
         return named;
     }
@@ -100,70 +97,54 @@ Result<std::optional<SampleRate>> agreed_rate(const std::optional<SampleRate>& o
                                      {number_arg(stated_hz), number_arg(of_times->hz)});
 }
 
-const Channel& channel_of(const FoundSamples& found, int number) {
-    return found.channels[static_cast<std::size_t>(number - 1)];
-}
-
-void report_over_range(const std::array<std::int64_t, 2>& counts, const OpenOptions& options,
-                       FoundSamples& found) {
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const int number = i == 0 ? options.channel_c : options.channel_d;
-        if (counts[i] > 0) {
-            found.diagnostics.push_back({DiagnosticKind::over_range,
-                                         {channel_of(found, number).name, count_arg(counts[i])},
-                                         -1,
-                                         0});
-        }
-    }
-}
-
 // Adds rate, samples and diagnostics.
-Status take_table(const FileBytes& file, TextTable table, const OpenOptions& options,
+Status take_table(const FileBytes& file, const TextTable& table, const OpenOptions& options,
                   const JobControl& job, FoundSamples& found) {
-    auto scan = TRY(scan_text(table, job));
-    found.frames = scan.rows();
-    TRY(check_frames(file, found.frames));
-    const std::int64_t missing = scan.missing_samples;
-    const std::int64_t rows_with_missing = scan.rows_with_missing;
+    const auto scan = TRY(scan_text(table, job));
+    found.present_frames = scan.rows();
+    TRY(check_frames(file, found.present_frames));
+    const LeftOut& left_out = scan.left_out;
     // Nobody needs to be told of lines that were said to be skipped.
     const bool said = options.text && options.text->lines_to_skip;
     const std::int64_t above = said ? 0 : table.header_lines - table.format.header_lines_used;
-    const std::int64_t lines_ignored = above + scan.lines_ignored + table.footer_lines;
+    const std::int64_t lines_ignored = above + left_out.lines_ignored + table.footer_lines;
     if (table.columns.time >= 0) {
         found.first_time_s = scan.first_time * table.format.time_unit_s +
                              static_cast<double>(table.format.clock_from_s.value_or(0));
     }
-    const auto over_range = scan.over_range;
     const auto written = [&](int number, int column) {
-        return Channel{channel_of(found, number).name,
-                       table.format.units[static_cast<std::size_t>(column)]};
+        return Channel{found.channel(number).name, table.format.heading(column).unit};
     };
     // The rows are read with the factor; their units may have gone with --scale.
     note_units(written(options.channel_c, table.columns.c),
                written(options.channel_d, table.columns.d), found.diagnostics);
-    const TextTable looked_at = table;
     const bool uneven = table.columns.time >= 0 && !scan.even;
-    auto samples = TRY(uneven ? resampled(table, scan, job)
-                              : Result(streamed(std::move(table), std::move(scan))));
-    const auto rate = TRY(agreed_rate(samples.rate, looked_at, options));
+    auto samples = TRY(uneven ? resampled(table, scan, job) : Result(streamed(table, scan)));
+    const auto rate = TRY(agreed_rate(samples.rate, table, options));
     // Samples that were brought onto a grid have its rate.
     found.own_rate = uneven ? samples.rate : rate;
-    if (samples.rate && !looked_at.format.unknown_time_unit.empty()) {
+    if (samples.rate && !table.format.unknown_time_unit.empty()) {
         found.diagnostics.push_back(
-            {DiagnosticKind::time_unit_unknown, {looked_at.format.unknown_time_unit}, -1, 0});
+            {DiagnosticKind::time_unit_unknown, {table.format.unknown_time_unit}});
     }
     found.diagnostics.insert(found.diagnostics.end(), samples.diagnostics.begin(),
                              samples.diagnostics.end());
-    if (missing > 0) {
+    if (left_out.missing_samples > 0) {
         found.diagnostics.push_back({DiagnosticKind::missing_samples,
-                                     {count_arg(missing)},
+                                     {count_arg(left_out.missing_samples)},
                                      samples.first_missing,
-                                     rows_with_missing});
+                                     left_out.rows_with_missing});
     }
-    report_over_range(over_range, options, found);
+    for (std::size_t i = 0; i < left_out.over_range.size(); ++i) {
+        const Channel& channel = found.channel(i == 0 ? options.channel_c : options.channel_d);
+        if (const std::int64_t count = left_out.over_range.at(i); count > 0) {
+            found.diagnostics.push_back(
+                {DiagnosticKind::over_range, {channel.name, count_arg(count)}});
+        }
+    }
     if (lines_ignored > 0) {
         found.diagnostics.push_back(
-            {DiagnosticKind::text_lines_ignored, {count_arg(lines_ignored)}, -1, 0});
+            {DiagnosticKind::text_lines_ignored, {count_arg(lines_ignored)}});
     }
     found.source = std::move(samples.source);
     return {};
@@ -171,7 +152,7 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
 
 void note_words(const TextFormat& format, FoundSamples& found) {
     if (const std::string columns = joined(format.words, ", "); !columns.empty()) {
-        found.diagnostics.push_back({DiagnosticKind::words_passed_over, {columns}, -1, 0});
+        found.diagnostics.push_back({DiagnosticKind::words_passed_over, {columns}});
     }
 }
 
@@ -206,9 +187,7 @@ Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
     const auto c = static_cast<std::size_t>(chosen.c);
     const auto d = static_cast<std::size_t>(chosen.d);
     const auto differ = [&](const char* text) {
-        return file.error(
-            ErrorCode::format_unsupported,
-            {"text", words(text, {count_arg(chosen.c + 1), count_arg(chosen.d + 1)})});
+        return file.unsupported("text", text, {count_arg(chosen.c + 1), count_arg(chosen.d + 1)});
     };
     if (!format.own_times.empty()) {
         chosen.time = format.own_times[c];
@@ -218,7 +197,7 @@ Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
         std::abs(format.rates[c].hz / format.rates[d].hz - 1) > same_rate) {
         return differ(VYBEG_MESSAGE("Words", "columns %1 and %2 of different sample rates"));
     }
-    chosen.d_factor = unit_ratio(format.units[d], format.units[c]).value_or(1);
+    chosen.d_factor = unit_ratio(format.headings[d].unit, format.headings[c].unit).value_or(1);
     return chosen;
 }
 
@@ -243,8 +222,8 @@ constexpr const char* phasor_options =
 // Whether every column beside the time is known of whole-angle logs, an angle among them.
 bool is_whole_angle(const TextFormat& format) {
     bool angle = false;
-    for (int column = 0; column < std::ssize(format.names); ++column) {
-        const std::string name = normal_name(format.names[static_cast<std::size_t>(column)]);
+    for (int column = 0; column < std::ssize(format.headings); ++column) {
+        const std::string name = normal_name(format.heading(column).name);
         const auto is_one_of = [&name](const std::vector<const char*>& known) {
             return std::ranges::any_of(known,
                                        [&](const char* each) { return normal_name(each) == name; });
@@ -272,7 +251,7 @@ Status check_holds_samples(const FileBytes& file, const TextHead& head, const Te
                                          VYBEG_MESSAGE("Words", "the powers E, R, S and Q"),
                                          "--columns E,R,S,Q"}}};
     const auto is_there = [&](const char* column) {
-        return std::ranges::find(format.names, column) != format.names.end();
+        return std::ranges::find(format.headings, column, &Channel::name) != format.headings.end();
     };
     for (const LogKind& kind : kinds) {
         if (std::ranges::all_of(kind.columns, is_there)) {
@@ -305,10 +284,9 @@ Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
     }
     TextFormat used = format;
     if (chosen.time != format.time_column) {
-        const auto time = static_cast<std::size_t>(chosen.time);
         used.time_column = chosen.time;
-        used.time_unit_s = seconds_per(time_unit({format.names[time], format.units[time]}))
-                               .value_or(format.time_unit_s);
+        used.time_unit_s =
+            seconds_per(time_unit(format.heading(chosen.time))).value_or(format.time_unit_s);
     }
     return find_table(file, used, chosen);
 }
@@ -320,7 +298,7 @@ bool same_written_rate(double stated_hz, double hz, double relative_sd) {
 
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
-    auto table = TRY(choose_table(file, options, job));
+    const auto table = TRY(choose_table(file, options, job));
     const std::vector<int>& own_times = table.format.own_times;
     if (!own_times.empty() && own_times[static_cast<std::size_t>(table.columns.c)] !=
                                   own_times[static_cast<std::size_t>(table.columns.d)]) {
@@ -331,7 +309,7 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     found.channels = channels_of(table.format);
     found.one_unit = true;
     note_words(table.format, found);
-    TRY(take_table(*file, std::move(table), options, job, found));
+    TRY(take_table(*file, table, options, job, found));
     return complete_recording(*file, std::move(found), options);
 }
 

@@ -1,107 +1,184 @@
 #include "core/recording/text/uff_reader.h"
 
 #include "core/base/translatable.h"
+#include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_lines.h"
-#include "core/recording/text/uff_dataset.h"
+
+#include <fast_float/fast_float.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
 namespace {
 
-// The lines of a Universal File one after the other, without their ends (LF, CRLF, CR). What is
-// binary between them is skipped by its length. Holds one chunk of the file in memory.
-class UffLines {
-public:
-    explicit UffLines(std::shared_ptr<const FileBytes> file) : file_(std::move(file)) {}
+// What the eleven records at the head of a dataset 58 (function at a nodal degree of freedom) say
+// of its values.
+struct UffFunction {
+    std::string name;   // from the first identification line, else node and direction; may be empty
+    std::string start;  // third identification line: date and time
+    std::string unit;   // of the values
+    int function = 0;   // 0 general, 1 time response, others are spectra and the like
+    int abscissa = 0;   // 0 unknown, 17 time, 18 frequency, ...
+    int data_type = 0;  // 2 and 4: real, of single and of double precision
+    bool is_complex = false;
+    bool is_even = false;
+    std::int64_t count = 0;
+    double step_s = 0;  // seconds from value to value
+    // Standard deviation of step_s relative to it, by its six digits.
+    double step_relative_sd = 0;
 
-    // The next line, valid until the next call; nothing after the last one. Errors:
-    // file_read_failed; format_limit where a line is longer than 1 MiB.
-    Result<std::optional<std::string_view>> next();
-
-    // Precondition: `bytes` is not negative.
-    void skip(std::int64_t bytes);
-
-    std::int64_t number() const { return number_; }  // of the line last returned, from 1
-    bool ended() const { return ended_; }            // whether that line had a line end
-    // Of what follows that line, bytes from the start of the file.
-    std::int64_t position() const { return offset_ - static_cast<std::int64_t>(rest().size()); }
-
-private:
-    std::string_view rest() const { return std::string_view(buffer_).substr(begin_); }
-    Result<bool> fill();
-
-    std::shared_ptr<const FileBytes> file_;
-    std::string buffer_;  // bytes before offset_; from begin_ on they are not yet returned
-    std::size_t begin_ = 0;
-    std::int64_t offset_ = 0;  // in the file
-    std::int64_t number_ = 0;
-    bool ended_ = true;
+    bool is_time_response() const;
 };
 
-constexpr std::size_t uff_chunk_bytes = std::size_t{1} << 16;
+constexpr std::size_t uff_header_lines = 11;
 
-Result<std::optional<std::string_view>> UffLines::next() {
-    std::size_t looked = 0;  // without a line end so far
-    for (;;) {
-        const std::size_t end = rest().find_first_of("\r\n", looked);
-        // A CR at the end of the chunk may be half of a CRLF.
-        if (end != std::string_view::npos && (rest()[end] == '\n' || end + 1 < rest().size())) {
-            const std::string_view line = rest().substr(0, end);
-            begin_ += end + (rest().substr(end, 2) == "\r\n" ? 2 : 1);
-            ++number_;
-            ended_ = true;
-            return std::optional(line);
-        }
-        looked = std::min(end, rest().size());
-        if (looked > longest_line) {
-            return line_too_long(*file_, "UFF", number_ + 1);
-        }
-        const auto more = TRY(fill());
-        if (!more) {
-            break;
-        }
-    }
-    if (rest().empty()) {
-        return std::optional<std::string_view>();
-    }
-    ended_ = rest().back() == '\r';
-    const std::string_view line = rest().substr(0, rest().size() - (ended_ ? 1 : 0));
-    begin_ = buffer_.size();
-    ++number_;
-    return std::optional(line);
+// What the identifier of a dataset 58b says of the bytes that follow its header.
+struct UffBinary {
+    int byte_order = 0;    // 1 little endian, 2 big endian
+    int float_format = 0;  // 1 DEC VMS, 2 IEEE 754, 3 IBM 5/370
+    std::int64_t header_lines = 0;
+    std::int64_t bytes = 0;
+};
+
+constexpr int time_response = 1;
+constexpr int general = 0;
+constexpr int time_axis = 17;
+constexpr int unknown_axis = 0;
+
+// The characters of a line of fixed columns, without blanks; empty behind its end.
+std::string_view field(std::string_view line, std::size_t begin, std::size_t width) {
+    return begin < line.size() ? trimmed(line.substr(begin, width)) : std::string_view{};
 }
 
-void UffLines::skip(std::int64_t bytes) {
-    const auto held = static_cast<std::int64_t>(rest().size());
-    begin_ += static_cast<std::size_t>(std::min(bytes, held));
-    offset_ += std::min(std::max<std::int64_t>(bytes - held, 0), file_->size() - offset_);
+// Writers put "NONE" where they have nothing to tell.
+std::string told(std::string_view text) {
+    text = trimmed(text);
+    return text == "NONE" ? std::string{} : to_utf8(text);
 }
 
-// False at the end of the file.
-Result<bool> UffLines::fill() {
-    buffer_.erase(0, begin_);
-    begin_ = 0;
-    const std::size_t held = buffer_.size();
-    buffer_.resize(held + uff_chunk_bytes);
-    const auto got = TRY(file_->read(offset_, std::span(buffer_).subspan(held)));
-    buffer_.resize(held + static_cast<std::size_t>(got));
-    offset_ += got;
-    return got > 0;
+template <class Number>
+std::optional<Number> number(std::string_view text) {
+    Number value{};
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size();
+    return whole ? std::optional(value) : std::nullopt;
+}
+
+// E.g. "12+X": the direction is 1, 2, 3 for the axes, 4, 5, 6 for rotations, negative the other
+// way.
+std::string node_and_direction(std::string_view line) {
+    const auto direction = number<int>(field(line, 51, 4));
+    const std::string_view node = field(line, 41, 10);
+    if (!direction || *direction == 0 || std::abs(*direction) > 6 || node.empty()) {
+        return {};
+    }
+    constexpr std::array<const char*, 6> axes{"X", "Y", "Z", "RX", "RY", "RZ"};
+    return std::string(node) + (*direction > 0 ? "+" : "-") +
+           axes[static_cast<std::size_t>(std::abs(*direction) - 1)];
+}
+
+bool UffFunction::is_time_response() const {
+    return (function == time_response || function == general) &&
+           (abscissa == time_axis || abscissa == unknown_axis);
+}
+
+// The values of a data line, written side by side or with blanks between them; appended to
+// `values`, missing ones as NaN. Fortran's D is read as E. False where there is anything else in
+// the line.
+bool parse_uff_values(std::string_view line, std::vector<double>& values) {
+    std::string copy;
+    if (line.find_first_of("Dd") != line.npos) {
+        copy = line;
+        std::replace_if(
+            copy.begin(), copy.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
+        line = copy;
+    }
+    for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+        line.remove_prefix(line.front() == '+' ? 1 : 0);
+        double value = 0;
+        const auto parsed = fast_float::from_chars(line.data(), line.data() + line.size(), value);
+        if (parsed.ec == std::errc::invalid_argument) {
+            return false;
+        }
+        values.push_back(std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN());
+        line.remove_prefix(static_cast<std::size_t>(parsed.ptr - line.data()));
+    }
+    return true;
+}
+
+// Precondition: as many lines as uff_header_lines. Nothing where a number in them is none.
+std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& lines) {
+    const std::string& kind = lines[5];
+    const std::string& form = lines[6];
+    const std::string& abscissa = lines[7];
+    const std::string& ordinate = lines[8];
+    const auto function = number<int>(field(kind, 0, 5));
+    const auto data_type = number<int>(field(form, 0, 10));
+    const auto count = number<std::int64_t>(field(form, 10, 10));
+    const auto spacing = number<int>(field(form, 20, 10));
+    const auto axis = number<int>(field(abscissa, 0, 10));
+    std::vector<double> step;
+    if (!function || !data_type || *data_type < 1 || *data_type > 6 || !count || *count < 0 ||
+        !spacing || !axis || !parse_uff_values(field(form, 43, 13), step) || step.size() != 1) {
+        return std::nullopt;
+    }
+    UffFunction found;
+    found.name = told(lines[0]);
+    if (found.name.empty()) {
+        found.name = node_and_direction(kind);
+    }
+    found.start = told(lines[2]);
+    found.unit = told(field(ordinate, 47, 20));
+    found.function = *function;
+    found.abscissa = *axis;
+    found.data_type = *data_type;
+    found.is_complex = *data_type >= 5;
+    found.is_even = *spacing == 1;
+    found.count = *count;
+    found.step_s = step[0] * seconds_per(told(field(abscissa, 47, 20))).value_or(1);
+    // Written as Fortran does, with the exponent of E or D: every digit counts, zeros too.
+    const NumberDigits digits = digits_of(usual_number(field(form, 43, 13), false));
+    found.step_relative_sd =
+        step[0] > 0 ? std::pow(10.0, -digits.decimals) / std::sqrt(12.0) / step[0] : 0;
+    return found;
+}
+
+// "58b" and the numbers after it. Nothing where they are none.
+std::optional<UffBinary> parse_uff_binary(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_of("bB") + 1, line.size()));
+    std::array<std::int64_t, 4> numbers{};
+    for (std::int64_t& value : numbers) {
+        line = trimmed(line);
+        const std::string_view word = line.substr(0, line.find(' '));
+        const auto parsed = number<std::int64_t>(word);
+        if (!parsed || *parsed < 0) {
+            return std::nullopt;
+        }
+        value = *parsed;
+        line.remove_prefix(word.size());
+    }
+    return UffBinary{static_cast<int>(std::min<std::int64_t>(numbers[0], 9)),
+                     static_cast<int>(std::min<std::int64_t>(numbers[1], 9)), numbers[2],
+                     numbers[3]};
 }
 
 constexpr std::string_view separator = "-1";  // before and behind each dataset
@@ -182,7 +259,8 @@ public:
 
     Result<Recording> finish() {
         if (channels_.empty()) {
-            return unsupported(VYBEG_MESSAGE("Words", "no time response (dataset 58)"));
+            return file_.unsupported("UFF",
+                                     VYBEG_MESSAGE("Words", "no time response (dataset 58)"));
         }
         const UffFunction& first = channels_.front();
         FoundSamples found;
@@ -203,28 +281,21 @@ public:
         found.start = first.start;
         found.promised_frames = first.count;
         found.source = column_source(c_.take(), d_.take());
-        found.frames = found.source->frames();
+        found.present_frames = found.source->frames();
         return complete_recording(file_, std::move(found), options_);
     }
 
 private:
     enum class Place { outside, number, header, data };
 
-    Error damaged(const char* text, std::vector<MessageArg> args = {}) const {
-        return file_.error(ErrorCode::format_damaged, {"UFF", words(text, std::move(args))});
-    }
-
-    Error unsupported(const char* text, std::vector<MessageArg> args = {}) const {
-        return file_.error(ErrorCode::format_unsupported, {"UFF", words(text, std::move(args))});
-    }
-
     Status take_separator() {
         if (place_ == Place::header) {
-            return damaged(VYBEG_MESSAGE("Words", "a dataset 58 ends within its header"));
+            return file_.damaged("UFF",
+                                 VYBEG_MESSAGE("Words", "a dataset 58 ends within its header"));
         }
         if (place_ == Place::data && is_channel_ && taken_ < channels_.back().count) {
-            return damaged(
-                VYBEG_MESSAGE("Words", "a dataset 58 has %1 values, and its header says %2"),
+            return file_.damaged(
+                "UFF", VYBEG_MESSAGE("Words", "a dataset 58 has %1 values, and its header says %2"),
                 {count_arg(taken_), count_arg(channels_.back().count)});
         }
         // Datasets of other kinds, too, end with a separator.
@@ -238,13 +309,14 @@ private:
         binary_.reset();
         if (is_binary_dataset(line)) {
             if (line.substr(0, line.find_first_of("bB")) != time_history) {
-                return unsupported(
-                    VYBEG_MESSAGE("Words", "binary data of another dataset than 58 (%1)"),
+                return file_.unsupported(
+                    "UFF", VYBEG_MESSAGE("Words", "binary data of another dataset than 58 (%1)"),
                     {std::string(line.substr(0, 6))});
             }
             binary_ = parse_uff_binary(line);
             if (!binary_ || binary_->header_lines != uff_header_lines) {
-                return damaged(
+                return file_.damaged(
+                    "UFF",
                     VYBEG_MESSAGE("Words", "the first line of a dataset 58b cannot be understood"));
             }
         }
@@ -261,8 +333,8 @@ private:
         }
         auto function = parse_uff_header(header_);
         if (!function) {
-            return damaged(
-                VYBEG_MESSAGE("Words", "the header of a dataset 58 cannot be understood"));
+            return file_.damaged(
+                "UFF", VYBEG_MESSAGE("Words", "the header of a dataset 58 cannot be understood"));
         }
         place_ = Place::data;
         taken_ = 0;
@@ -272,14 +344,14 @@ private:
             return {};
         }
         if (function->is_complex) {
-            return unsupported(VYBEG_MESSAGE("Words", "complex values"));
+            return file_.unsupported("UFF", VYBEG_MESSAGE("Words", "complex values"));
         }
         if (!function->is_even) {
-            return unsupported(VYBEG_MESSAGE("Words", "unevenly spaced values"));
+            return file_.unsupported("UFF", VYBEG_MESSAGE("Words", "unevenly spaced values"));
         }
         if (channels_.size() == most_channels) {
-            return unsupported(VYBEG_MESSAGE("Words", "more than %1 channels"),
-                               {count_arg(most_channels)});
+            return file_.unsupported("UFF", VYBEG_MESSAGE("Words", "more than %1 channels"),
+                                     {count_arg(most_channels)});
         }
         is_channel_ = channels_.empty() || (channels_.front().count == function->count &&
                                             channels_.front().step_s == function->step_s);
@@ -296,25 +368,27 @@ private:
         constexpr int ieee = 2, single_precision = 2, double_precision = 4;
         constexpr int little_endian = 1, of_big_endian = 2;
         if (binary_->float_format != ieee) {
-            return unsupported(binary_->float_format == 1
-                                   ? VYBEG_MESSAGE("Words", "floats of DEC VMS")
-                               : binary_->float_format == 3
-                                   ? VYBEG_MESSAGE("Words", "floats of IBM 5/370")
-                                   : VYBEG_MESSAGE("Words", "binary numbers of an unknown format"));
+            return file_.unsupported(
+                "UFF", binary_->float_format == 1 ? VYBEG_MESSAGE("Words", "floats of DEC VMS")
+                       : binary_->float_format == 3
+                           ? VYBEG_MESSAGE("Words", "floats of IBM 5/370")
+                           : VYBEG_MESSAGE("Words", "binary numbers of an unknown format"));
         }
         if (function.data_type != single_precision && function.data_type != double_precision) {
-            return unsupported(VYBEG_MESSAGE("Words", "binary values of the type %1"),
-                               {count_arg(function.data_type)});
+            return file_.unsupported("UFF", VYBEG_MESSAGE("Words", "binary values of the type %1"),
+                                     {count_arg(function.data_type)});
         }
         if (binary_->byte_order != little_endian && binary_->byte_order != of_big_endian) {
-            return damaged(
+            return file_.damaged(
+                "UFF",
                 VYBEG_MESSAGE("Words", "the byte order of a dataset 58b is neither 1 nor 2"));
         }
         const NumberType type =
             function.data_type == single_precision ? NumberType::f32 : NumberType::f64;
         const std::int64_t width = bytes_of(type);
         if (function.count > binary_->bytes / width || function.count * width != binary_->bytes) {
-            return damaged(
+            return file_.damaged(
+                "UFF",
                 VYBEG_MESSAGE("Words",
                               "a dataset 58b has %1 bytes, and its header says %2 values of %3"),
                 {count_arg(binary_->bytes), count_arg(function.count), count_arg(width)});
@@ -343,13 +417,14 @@ private:
         const auto channel = static_cast<int>(channels_.size());
         values_.clear();
         if (!parse_uff_values(line, values_)) {
-            return damaged(VYBEG_MESSAGE("Words", "line %1 is not a row of numbers"),
-                           {count_arg(number)});
+            return file_.damaged("UFF", VYBEG_MESSAGE("Words", "line %1 is not a row of numbers"),
+                                 {count_arg(number)});
         }
         taken_ += static_cast<std::int64_t>(values_.size());
         if (taken_ > channels_.back().count) {
-            return damaged(VYBEG_MESSAGE("Words", "line %1 has more values than the header says"),
-                           {count_arg(number)});
+            return file_.damaged(
+                "UFF", VYBEG_MESSAGE("Words", "line %1 has more values than the header says"),
+                {count_arg(number)});
         }
         if (channel == options_.channel_c) {
             c_.values.insert(c_.values.end(), values_.begin(), values_.end());
@@ -392,7 +467,7 @@ bool is_uff(std::string_view head) {
 
 Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                            const JobControl& job) {
-    UffLines lines(file);
+    TextLines lines(file, "UFF");
     UffFile content(file, options);
     for (;;) {
         const auto line = TRY(lines.next());
@@ -402,9 +477,7 @@ Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOpti
         TRY(content.take(*line, lines.number(), lines.ended(), lines.position()));
         lines.skip(content.bytes_to_skip());
         if (lines.number() % lines_per_report == 0) {
-            if (job.cancelled()) {
-                return file->error(ErrorCode::interrupted);
-            }
+            TRY(job.go_on());
             job.report(std::min(
                 1.0, static_cast<double>(lines.position()) / static_cast<double>(file->size())));
         }

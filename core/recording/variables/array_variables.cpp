@@ -32,8 +32,8 @@ public:
     }
 
     // Errors: those of the contents.
-    Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c,
-                                                       const ChannelPlace& d) const {
+    Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c, const ChannelPlace& d,
+                                                       std::int64_t /*frames*/) const override {
         auto column_c = column_of(array(c), c.channel);
         auto column_d = column_of(array(d), d.channel);
         if (!column_c || !column_d) {
@@ -75,21 +75,14 @@ Result<Recording> open_arrays(std::shared_ptr<const FileBytes> file, const std::
                               const JobControl& job) {
     VariableFile variables;
     variables.file = file;
-    variables.format = format;
     variables.catalogue.format = format;
     for (const StoredArray& stored : arrays) {
-        if (job.cancelled()) {
-            return file->error(ErrorCode::interrupted);
-        }
+        TRY(job.go_on());
         const auto value = TRY(value_of(stored));
         variables.catalogue.variables.push_back(stored.variable);
         variables.catalogue.variables.back().value = value;
     }
-    const auto reader = std::make_shared<ArrayVariables>(std::move(arrays));
-    variables.reader = reader;
-    variables.source = [reader](const ChannelPlace& c, const ChannelPlace& d, std::int64_t) {
-        return reader->source(c, d);
-    };
+    variables.reader = std::make_shared<ArrayVariables>(std::move(arrays));
     return open_variables(variables, options, job);
 }
 

@@ -3,7 +3,6 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/arrays/npy_reader.h"
-#include "core/recording/bytes/byte_source.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"

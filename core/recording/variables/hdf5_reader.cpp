@@ -30,21 +30,15 @@ bool is_hdf5(std::string_view head, const FileBytes& file) {
 
 Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
-    std::array<char, matlab_signature.size()> head{};
-    TRY(file->read(0, head));
-    const bool matlab = std::string_view(head.data(), head.size()) == matlab_signature;
+    const auto head = TRY(file->text(0, std::ssize(matlab_signature)));
+    const bool matlab = head == matlab_signature;
     const LibraryFormat format =
         matlab ? LibraryFormat{"mat73", "MAT 7.3"} : LibraryFormat{"hdf5", "HDF5"};
     auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
     VariableFile variables;
     variables.file = file;
-    variables.format = format.name;
     variables.catalogue = process->catalogue();
     variables.reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
-    variables.source = [reader = variables.reader](const ChannelPlace& c, const ChannelPlace& d,
-                                                   std::int64_t frames) {
-        return variable_source(reader, c, d, frames);
-    };
     return open_variables(variables, options, job);
 }
 

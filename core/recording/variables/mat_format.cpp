@@ -1,6 +1,7 @@
 #include "core/recording/variables/mat_format.h"
 
 #include "core/base/plain_text.h"
+#include "core/recording/samples/text_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -12,10 +13,6 @@ constexpr std::int64_t most_name_bytes = 256;
 constexpr std::array<NumberType, 6> types_by_precision{NumberType::f64, NumberType::f32,
                                                        NumberType::i32, NumberType::i16,
                                                        NumberType::u16, NumberType::u8};
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 bool is_name(std::string_view name) {
     return !name.empty() && is_letter(name.front()) &&

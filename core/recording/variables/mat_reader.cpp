@@ -5,7 +5,6 @@
 #include "core/recording/variables/mat_format.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -24,13 +23,9 @@ constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
 
 using Arrays = std::vector<StoredArray>;
 
-Error damaged(const FileBytes& file, const char* text, std::vector<MessageArg> args = {}) {
-    return file.error(ErrorCode::format_damaged, {"MAT", words(text, std::move(args))});
-}
-
 Error cut_off(const FileBytes& file) {
-    return damaged(file, VYBEG_MESSAGE("Words", "it ends at byte %1, inside of a variable"),
-                   {count_arg(file.size())});
+    return file.damaged("MAT", VYBEG_MESSAGE("Words", "it ends at byte %1, inside of a variable"),
+                        {count_arg(file.size())});
 }
 
 Error too_many(const FileBytes& file) {
@@ -64,12 +59,11 @@ Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
         if (++variables > most_variables) {
             return too_many(*file);
         }
-        std::array<char, mat4_header_bytes> bytes{};
-        const auto got = TRY(file->read(at, bytes));
-        const auto header = mat4_header({bytes.data(), static_cast<std::size_t>(got)});
+        const auto bytes = TRY(file->text(at, mat4_header_bytes));
+        const auto header = mat4_header(bytes);
         if (!header) {
-            return damaged(*file, VYBEG_MESSAGE("Words", "there is no variable at byte %1"),
-                           {count_arg(at)});
+            return file->damaged("MAT", VYBEG_MESSAGE("Words", "there is no variable at byte %1"),
+                                 {count_arg(at)});
         }
         const std::int64_t data = at + mat4_header_bytes + header->name_bytes;
         std::string name(static_cast<std::size_t>(header->name_bytes), '\0');
@@ -124,8 +118,8 @@ public:
             } else if (element.type == compressed) {
                 add_packed(element);
             }
-            if (job.cancelled()) {
-                fail(file_->error(ErrorCode::interrupted));
+            if (const Status going = job.go_on(); !going) {
+                fail(going.error());
             }
             top_ = element.next;
         }
@@ -146,8 +140,8 @@ private:
     }
 
     void misfit() {
-        fail(damaged(
-            *file_,
+        fail(file_->damaged(
+            "MAT",
             VYBEG_MESSAGE("Words", "the size of the variable at byte %1 does not fit its numbers"),
             {count_arg(top_)}));
     }
@@ -297,11 +291,10 @@ private:
 
 Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                            const JobControl& job) {
-    std::array<char, header_bytes> head{};
-    const auto got = TRY(file->read(0, head));
-    const bool is_level5 = is_mat5({head.data(), head.size()});
-    if (is_level5 && got < header_bytes) {
-        return damaged(*file, VYBEG_MESSAGE("Words", "it ends in its header"));
+    const auto head = TRY(file->text(0, header_bytes));
+    const bool is_level5 = is_mat5(head);
+    if (is_level5 && std::ssize(head) < header_bytes) {
+        return file->damaged("MAT", VYBEG_MESSAGE("Words", "it ends in its header"));
     }
     auto arrays = TRY(is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job)
                                 : level4_arrays(file));

@@ -33,10 +33,8 @@ Result<StoredArray> array_in(const std::shared_ptr<const FileBytes>& file, const
         stored.variable.type = name_of(array->type);
         const std::int64_t channels = array->channels();
         if (channels > 0 && npy_column(*array, *content, channels - 1).frames() < array->frames()) {
-            return file->error(
-                ErrorCode::format_damaged,
-                {"NPZ",
-                 words(VYBEG_MESSAGE("Words", "%1 is shorter than its header says"), {zip.name})});
+            return file->damaged(
+                "NPZ", VYBEG_MESSAGE("Words", "%1 is shorter than its header says"), {zip.name});
         }
     }
     return stored;
@@ -49,18 +47,15 @@ Result<Recording> open_npz(std::shared_ptr<const FileBytes> file, const OpenOpti
     const auto members = TRY(zip_members(*file));
     std::vector<StoredArray> arrays;
     for (const ZipMember& member : members) {
-        if (job.cancelled()) {
-            return file->error(ErrorCode::interrupted);
-        }
+        TRY(job.go_on());
         if (member.name.ends_with(ending)) {
             auto array = TRY(array_in(file, member));
             arrays.push_back(std::move(array));
         }
     }
     if (arrays.empty()) {
-        return file->error(
-            ErrorCode::format_unsupported,
-            {"ZIP", words(VYBEG_MESSAGE("Words", "members other than NumPy arrays (.npy)"))});
+        return file->unsupported("ZIP",
+                                 VYBEG_MESSAGE("Words", "members other than NumPy arrays (.npy)"));
     }
     return open_arrays(std::move(file), "NPZ", std::move(arrays), options, job);
 }

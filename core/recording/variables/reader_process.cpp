@@ -175,8 +175,8 @@ Status ReaderProcess::take_catalogue() {
     }
     auto catalogue = decode_catalogue(*bytes);
     if (!catalogue) {
-        return damaged(
-            VYBEG_MESSAGE("Words", "its library returned no sensible list of variables"));
+        return file_->damaged(
+            format_, VYBEG_MESSAGE("Words", "its library returned no sensible list of variables"));
     }
     catalogue_ = std::move(*catalogue);
     return {};
@@ -278,24 +278,27 @@ Error ReaderProcess::failed_reply(const Reply& reply) {
             return *error;
         }
     }
-    return damaged(VYBEG_MESSAGE("Words", "its library returned nonsense"));
+    return file_->damaged(format_, VYBEG_MESSAGE("Words", "its library returned nonsense"));
 }
 
 // Why nothing came, as far as the end of the helper tells.
 Error ReaderProcess::broken_off() {
     const int status = end();
     if (last_wait_ == Wait::used_up) {
-        return damaged(
+        return file_->damaged(
+            format_,
             VYBEG_MESSAGE("Words",
                           "its library did not come to an end within %1 s of processor time"),
             {count_arg(seconds_)});
     }
     if (last_wait_ == Wait::idle) {
-        return damaged(VYBEG_MESSAGE("Words", "its library stopped working on it for %1 s"),
-                       {count_arg(idle_slices * slice_ms / 1000)});
+        return file_->damaged(format_,
+                              VYBEG_MESSAGE("Words", "its library stopped working on it for %1 s"),
+                              {count_arg(idle_slices * slice_ms / 1000)});
     }
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    return damaged(
+    return file_->damaged(
+        format_,
         signal == SIGXCPU ? VYBEG_MESSAGE("Words", "its library did not come to an end")
         : signal == SIGSYS
             ? VYBEG_MESSAGE("Words", "its library was stopped when it tried to do more than read")
@@ -314,10 +317,6 @@ int ReaderProcess::end() {
     while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
     }
     return status;
-}
-
-Error ReaderProcess::damaged(const char* text, std::vector<MessageArg> args) const {
-    return file_->error(ErrorCode::format_damaged, {format_, words(text, std::move(args))});
 }
 
 }  // namespace vybeg

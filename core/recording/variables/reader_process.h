@@ -52,7 +52,6 @@ private:
     Error failed_reply(const Reply& reply);
     Error broken_off();
     int end();
-    Error damaged(const char* text, std::vector<MessageArg> args = {}) const;
 
     std::shared_ptr<const FileBytes> file_;
     std::string format_;

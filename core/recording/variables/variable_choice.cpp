@@ -201,9 +201,8 @@ private:
     }
 
     Error unsupported(const FileVariable& of) const {
-        return file_.error(ErrorCode::format_unsupported,
-                           {catalogue_.format,
-                            words(VYBEG_MESSAGE("Words", "%1 (%2)"), {of.unsupported, of.name})});
+        return file_.unsupported(catalogue_.format, VYBEG_MESSAGE("Words", "%1 (%2)"),
+                                 {of.unsupported, of.name});
     }
 
     Status choose_rate_of(const FileVariable& c, const FileVariable& d) {
@@ -216,14 +215,13 @@ private:
         if (c.rate_hz) {
             choice_.rate = SampleRate{*c.rate_hz, RateOrigin::file};
         }
-        const std::string own = c.name.substr(0, c.name.size() - last_name(c.name).size());
+        const std::string own = owner_of(c);
         for (const bool near : {true, false}) {
             const bool open = !choice_.rate;
             for (std::int64_t i = 0; i < count() && open; ++i) {
                 const FileVariable& of = variable(i);
-                const auto rate = of.value && (!near || of.name.starts_with(own))
-                                      ? rate_by_name(last_name(of.name), *of.value, of.unit)
-                                      : std::nullopt;
+                const auto rate =
+                    !near || of.name.starts_with(own) ? stated_rate(of) : std::nullopt;
                 if (rate && choice_.rate && !same_rate(*rate, choice_.rate->hz)) {
                     return rates_differ(choice_.rate->hz, *rate);
                 }
@@ -245,14 +243,13 @@ private:
 
     // Whether what stands beside D in a struct or group of its own contradicts what C has.
     Status check_rate_of(const FileVariable& d, const std::string& own_of_c) {
-        const std::string own = d.name.substr(0, d.name.size() - last_name(d.name).size());
+        const std::string own = owner_of(d);
         for (std::int64_t i = 0; i < count() && own != own_of_c; ++i) {
             const FileVariable& of = variable(i);
             if (!of.name.starts_with(own) || (own.empty() && of.name.starts_with(own_of_c))) {
                 continue;
             }
-            const auto rate =
-                of.value ? rate_by_name(last_name(of.name), *of.value, of.unit) : std::nullopt;
+            const auto rate = stated_rate(of);
             if (rate && choice_.rate && !same_rate(*rate, choice_.rate->hz)) {
                 return rates_differ(choice_.rate->hz, *rate);
             }
@@ -265,6 +262,16 @@ private:
 
     Error rates_differ(double first_hz, double second_hz) const {
         return two_rates(file_, catalogue_, first_hz, second_hz);
+    }
+
+    // Of a single number that is named as a rate or a step.
+    static std::optional<double> stated_rate(const FileVariable& of) {
+        return of.value ? rate_by_name(last_name(of.name), *of.value, of.unit) : std::nullopt;
+    }
+
+    // The struct or group of a variable, with the separator.
+    static std::string owner_of(const FileVariable& of) {
+        return of.name.substr(0, of.name.size() - last_name(of.name).size());
     }
 
     // Seconds, unless the name or the unit tells otherwise. Whole numbers without a unit count
@@ -286,8 +293,7 @@ private:
         const auto place = TRY(find(name(2)));
         const FileVariable& of = variable(place);
         if (of.value) {
-            const auto meant = rate_by_name(last_name(of.name), *of.value, of.unit);
-            choice_.rate = SampleRate{meant.value_or(*of.value), RateOrigin::file};
+            choice_.rate = SampleRate{stated_rate(of).value_or(*of.value), RateOrigin::file};
         } else if (of.frames == choice_.frames && of.channels == 1) {
             choice_.time = place;
             choice_.time_unit_s = unit_of_times(of).value_or(1);
@@ -315,13 +321,12 @@ bool same_rate(double one_hz, double other_hz) {
 
 Error two_rates(const FileBytes& file, const Catalogue& catalogue, double first_hz,
                 double second_hz) {
-    return file.error(
-        ErrorCode::format_unsupported,
-        {catalogue.format,
-         words(VYBEG_MESSAGE("Words",
-                             "two sample rates, %1 and %2 Hz (--variables C,D,RATE tells "
-                             "which holds)"),
-               {number_arg(first_hz), number_arg(second_hz)})});
+    return file.unsupported(
+        catalogue.format,
+        VYBEG_MESSAGE("Words",
+                      "two sample rates, %1 and %2 Hz (--variables C,D,RATE tells "
+                      "which holds)"),
+        {number_arg(first_hz), number_arg(second_hz)});
 }
 
 Result<VariableChoice> choose_variables(const FileBytes& file, const Catalogue& catalogue,

@@ -66,6 +66,12 @@ Status LibraryVariables::read(const ChannelPlace& place, std::int64_t first,
     return {};
 }
 
+Result<std::shared_ptr<const SampleSource>> LibraryVariables::source(const ChannelPlace& c,
+                                                                     const ChannelPlace& d,
+                                                                     std::int64_t frames) const {
+    return variable_source(shared_from_this(), c, d, frames);
+}
+
 std::shared_ptr<const SampleSource> variable_source(std::shared_ptr<const VariableReader> reader,
                                                     ChannelPlace c, ChannelPlace d,
                                                     std::int64_t frames, bool seeks) {

@@ -29,17 +29,25 @@ public:
     // Fills `out` with the samples of a channel from the frame `first` on; infinite ones are NaN.
     virtual Status read(const ChannelPlace& place, std::int64_t first,
                         std::span<double> out) const = 0;
+
+    // Two channels of so many frames, on demand.
+    virtual Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c,
+                                                               const ChannelPlace& d,
+                                                               std::int64_t frames) const = 0;
 };
 
 // The same through vybeg-reader. A helper that died or was given up is replaced at the next read: a
 // damaged segment does not cost the rest of the recording. Errors: those of ReaderProcess.
-class LibraryVariables final : public VariableReader {
+class LibraryVariables final : public VariableReader,
+                               public std::enable_shared_from_this<LibraryVariables> {
 public:
     LibraryVariables(std::shared_ptr<const FileBytes> file, LibraryFormat format,
                      std::unique_ptr<ReaderProcess> process);
 
     Status read(const ChannelPlace& place, std::int64_t first,
                 std::span<double> out) const override;
+    Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c, const ChannelPlace& d,
+                                                       std::int64_t frames) const override;
 
 private:
     std::shared_ptr<const FileBytes> file_;

@@ -1,7 +1,7 @@
 #include "core/recording/variables/variable_recording.h"
 
-#include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/reader_rules.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/times/time_grid.h"
 
 #include <algorithm>
@@ -34,6 +34,14 @@ struct TimeVariable {
             time *= unit_s;
         }
         return status;
+    }
+
+    // The first and the last of `frames` times, s.
+    Result<std::array<double, 2>> ends(const VariableReader& reader, std::int64_t frames) const {
+        std::array<double, 2> found{};
+        TRY(read(reader, 0, std::span(found).first(1)));
+        TRY(read(reader, frames - 1, std::span(found).last(1)));
+        return found;
     }
 };
 
@@ -69,8 +77,8 @@ double step_of(std::span<const double> first_times_s, double mean_step_s,
 
 // Reads `frames` times once, block by block, holding none. Errors: those of VariableReader;
 // interrupted.
-Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader,
-                             const TimeVariable& time, std::int64_t frames, const JobControl& job) {
+Result<TimeSteps> scan_times(const VariableReader& reader, const TimeVariable& time,
+                             std::int64_t frames, const JobControl& job) {
     // Before the last time is looked at, which may lie behind much that has to be unpacked: most
     // of what is none does not even begin like one.
     std::vector<double> block(static_cast<std::size_t>(std::min(frames, frames_per_request)));
@@ -78,11 +86,7 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
     if (!std::ranges::is_sorted(block)) {
         return TimeSteps{};
     }
-    double first = 0;
-    double last = 0;
-    for (const auto& [frame, value] : {std::pair{std::int64_t{0}, &first}, {frames - 1, &last}}) {
-        TRY(time.read(reader, frame, {value, 1}));
-    }
+    const auto [first, last] = TRY(time.ends(reader, frames));
     TimeSteps steps;
     const double mean_step_s = (last - first) / static_cast<double>(frames - 1);
     if (!(mean_step_s > 0 && mean_step_s < longest_step_s)) {
@@ -95,9 +99,7 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
     bool repeated = false;
     double before = first;
     for (std::int64_t at = 0; at < frames; at += frames_per_request) {
-        if (job.cancelled()) {
-            return file.error(ErrorCode::interrupted);
-        }
+        TRY(job.go_on());
         const std::span<double> times(
             block.data(), static_cast<std::size_t>(std::min(frames_per_request, frames - at)));
         TRY(time.read(reader, at, times));
@@ -156,10 +158,7 @@ Status take_uneven(const Opening& opening, const TimeResolution& resolution, Fou
 // Whether the first and the last of the times have the rate that the file states. Times in steps of
 // a second or more count something.
 Status check_times(const Opening& opening, double rate_hz) {
-    const VariableReader& reader = *opening.variables.reader;
-    std::array<double, 2> ends{};
-    TRY(opening.time->read(reader, 0, std::span(ends).first(1)));
-    TRY(opening.time->read(reader, opening.choice.frames - 1, std::span(ends).last(1)));
+    const auto ends = TRY(opening.time->ends(*opening.variables.reader, opening.choice.frames));
     const double step_s = (ends[1] - ends[0]) / static_cast<double>(opening.choice.frames - 1);
     const bool is_time = step_s > 0 && step_s < longest_step_s;
     return is_time && !same_rate(1 / step_s, rate_hz)
@@ -174,24 +173,19 @@ Status check_times_of_d(const Opening& opening) {
     const auto frames = opening.choice.frames;
     TimeVariable of_d = *opening.time;
     of_d.place.variable = *opening.choice.time_of_d;
-    std::array<double, 2> ends_c{};
-    std::array<double, 2> ends_d{};
-    for (const auto& [time, ends] : {std::pair(&*opening.time, &ends_c), {&of_d, &ends_d}}) {
-        TRY(time->read(*opening.variables.reader, 0, std::span(*ends).first(1)));
-        TRY(time->read(*opening.variables.reader, frames - 1, std::span(*ends).last(1)));
-    }
+    const auto ends_c = TRY(opening.time->ends(*opening.variables.reader, frames));
+    const auto ends_d = TRY(of_d.ends(*opening.variables.reader, frames));
     const double step_s = (ends_c[1] - ends_c[0]) / static_cast<double>(frames - 1);
     const bool same = std::abs(ends_c[0] - ends_d[0]) <= allowed * step_s &&
                       std::abs(ends_c[1] - ends_d[1]) <= allowed * step_s;
     return same ? Status()
-                : opening.variables.file->error(
-                      ErrorCode::format_unsupported,
-                      {opening.variables.format,
-                       words(VYBEG_MESSAGE("Words",
-                                           "C and D at different times (%1 to %2 s and "
-                                           "%3 to %4 s)"),
-                             {number_arg(ends_c[0], 9), number_arg(ends_c[1], 9),
-                              number_arg(ends_d[0], 9), number_arg(ends_d[1], 9)})});
+                : opening.variables.file->unsupported(
+                      opening.variables.catalogue.format,
+                      VYBEG_MESSAGE("Words",
+                                    "C and D at different times (%1 to %2 s and "
+                                    "%3 to %4 s)"),
+                      {number_arg(ends_c[0], 9), number_arg(ends_c[1], 9), number_arg(ends_d[0], 9),
+                       number_arg(ends_d[1], 9)});
 }
 
 Status take_samples(const Opening& opening, const OpenOptions& options, const JobControl& job,
@@ -203,8 +197,8 @@ Status take_samples(const Opening& opening, const OpenOptions& options, const Jo
     if (opening.time && found.own_rate) {
         TRY(check_times(opening, found.own_rate->hz));
     } else if (opening.time) {
-        const auto steps = TRY(scan_times(*opening.variables.file, *opening.variables.reader,
-                                          *opening.time, opening.choice.frames, job));
+        const auto steps =
+            TRY(scan_times(*opening.variables.reader, *opening.time, opening.choice.frames, job));
         const bool even = steps.even && steps.even->segments.size() == 1;
         if (steps.is_time && !even) {
             return take_uneven(opening, steps.resolution, found);
@@ -216,7 +210,8 @@ Status take_samples(const Opening& opening, const OpenOptions& options, const Jo
     }
     // Before the work of unpacking.
     TRY(choose_rate(*opening.variables.file, found.own_rate, options));
-    auto source = TRY(opening.variables.source(opening.c, opening.d, opening.choice.frames));
+    auto source =
+        TRY(opening.variables.reader->source(opening.c, opening.d, opening.choice.frames));
     found.source = std::move(source);
     return {};
 }
@@ -232,13 +227,13 @@ Result<Recording> open_variables(const VariableFile& from, const OpenOptions& op
     TRY(check_frames(file, choice.frames));
     FoundSamples found;
     found.channels = choice.names;
-    found.frames = choice.frames;
+    found.present_frames = choice.frames;
     found.never_closed = from.catalogue.not_closed;
     Opening opening{from, {}, {}, {}, {}};
     opening.c = choice.channels[static_cast<std::size_t>(options.channel_c - 1)];
     opening.d = choice.channels[static_cast<std::size_t>(options.channel_d - 1)];
     const auto& variables = from.catalogue.variables;
-    found.format = {FormatPart::name(from.format),
+    found.format = {FormatPart::name(from.catalogue.format),
                     FormatPart::words(variables[static_cast<std::size_t>(opening.c.variable)].type),
                     FormatPart::channels(channels)};
     if (choice.time) {

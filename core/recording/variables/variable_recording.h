@@ -8,22 +8,15 @@
 #include "core/recording/variables/variable_reader.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <string>
 
 namespace vybeg {
 
 // A file of several variables (MAT, HDF5, NPZ), whatever reads them.
 struct VariableFile {
     std::shared_ptr<const FileBytes> file;
-    std::string format;  // "MAT 5", "NPZ", ...
     Catalogue catalogue;
     std::shared_ptr<const VariableReader> reader;
-    // Two channels of so many frames, on demand.
-    std::function<Result<std::shared_ptr<const SampleSource>>(
-        const ChannelPlace& c, const ChannelPlace& d, std::int64_t frames)>
-        source;
 };
 
 // The recording that choose_variables() finds in the file. Where the rate comes from times that are

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/samples/memory_source.h"
+#include "core/recording/samples/sample_source.h"
 
 #include <QString>
 #include <QTest>

@@ -1,4 +1,3 @@
-#include "core/recording/bytes/number_decoding.h"
 #include "core/recording/bytes/number_type.h"
 #include "tests/core/recording/source_reading.h"
 #include "tests/test_registry.h"

@@ -3,7 +3,6 @@
 #include "core/recording/bytes/byte_order.h"
 #include "core/recording/open/file_format.h"
 #include "core/recording/open/preview.h"
-#include "core/recording/open/recording_preview.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/test_registry.h"

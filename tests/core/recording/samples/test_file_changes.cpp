@@ -1,6 +1,6 @@
 // A recording whose file is no longer what was opened.
 #include "core/recording/bytes/sha256.h"
-#include "core/recording/samples/file_changes.h"
+#include "core/recording/samples/recording.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/test_registry.h"

@@ -345,15 +345,13 @@ private slots:
                                       .counter_column = -1,
                                       .time_unit_s = 1e-3,
                                       .header_lines_used = 1,
-                                      .names = {"t", "C", "D"},
-                                      .units = {"ms", "V", "V"}}));
+                                      .headings = {{"t", "ms"}, {"C", "V"}, {"D", "V"}}}));
         QVERIFY(!guess_text_format(std::vector<std::string>{"Dear Sir,", "1", "", "2", "x;y"}));
         QVERIFY(!guess_text_format({}));
     }
 
     void lines_longer_than_a_read_and_reads_that_end_inside_a_line_end_are_one_text() {
-        // Files of more than one read of 1 MiB, with every possible place of the boundary in
-        // "\r\n".
+        // Files of many reads of 64 KiB, with every possible place of a boundary in "\r\n".
         const Folder folder;
         const std::string row = "0.125, -2.5\r\n";
         const std::size_t rows = 100000;

@@ -1,14 +1,17 @@
-#include "core/recording/text/text_scan.h"
+#include "core/recording/text/text_reading.h"
 
 #include "core/base/number_text.h"
+#include "core/recording/samples/recent_blocks.h"
 #include "core/recording/samples/text_fields.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace vybeg {
 namespace {
@@ -64,10 +67,7 @@ struct BlockScan {
     Status read;
     std::int64_t rows = 0;
     std::int64_t lines = 0;
-    std::int64_t lines_ignored = 0;
-    std::int64_t missing_samples = 0;
-    std::int64_t rows_with_missing = 0;
-    std::int64_t first_missing_row = -1;
+    LeftOut left_out;
     std::optional<TextFault> fault;  // in the last line
     bool backwards = false;          // the time in the last line lies below the one before
     double before = 0;               // of these, in the column's unit
@@ -77,7 +77,6 @@ struct BlockScan {
     std::int64_t first_line = 0;     // of the first row
     std::int64_t repeated_line = 0;  // of the first row whose time is that of the row before
     double repeated = 0;             // this time
-    std::array<std::int64_t, 2> over_range{};
     FinestDigits digits;
     UniformTimeDetector times{0};
 };
@@ -101,7 +100,7 @@ public:
         }
         found.fault = rows.fault();
         found.lines = rows.lines();
-        found.lines_ignored = rows.ignored();
+        found.left_out.lines_ignored = rows.ignored();
         return found;
     }
 
@@ -113,11 +112,12 @@ private:
         const bool two = table_.columns.d != table_.columns.c;
         const int missing = (std::isnan(row.c()) ? 1 : 0) + (two && std::isnan(row.d()) ? 1 : 0);
         if (missing > 0) {
-            found.over_range[0] += row.c_over_range() ? 1 : 0;
-            found.over_range[1] += two && row.d_over_range() ? 1 : 0;
-            found.missing_samples += missing;
-            if (found.rows_with_missing++ == 0) {
-                found.first_missing_row = found.rows;
+            LeftOut& out = found.left_out;
+            out.over_range[0] += row.c_over_range() ? 1 : 0;
+            out.over_range[1] += two && row.d_over_range() ? 1 : 0;
+            out.missing_samples += missing;
+            if (out.rows_with_missing++ == 0) {
+                out.first_missing_row = found.rows;
             }
         }
         ++found.rows;
@@ -175,15 +175,7 @@ public:
         if (block.fault) {
             return fault_error(table_.blocks.file(), line(block.lines), *block.fault);
         }
-        if (block.rows_with_missing > 0 && scan_.rows_with_missing == 0) {
-            scan_.first_missing_row = scan_.rows() + block.first_missing_row;
-        }
-        scan_.missing_samples += block.missing_samples;
-        for (std::size_t i = 0; i < scan_.over_range.size(); ++i) {
-            scan_.over_range[i] += block.over_range[i];
-        }
-        scan_.rows_with_missing += block.rows_with_missing;
-        scan_.lines_ignored += block.lines_ignored;
+        add(block.left_out);
         lines_ += block.lines;
         if (timed) {
             scan_.first_time = scan_.rows() == 0 ? block.first_time : scan_.first_time;
@@ -213,6 +205,19 @@ public:
     }
 
 private:
+    void add(const LeftOut& next) {
+        LeftOut& all = scan_.left_out;
+        if (next.rows_with_missing > 0 && all.rows_with_missing == 0) {
+            all.first_missing_row = scan_.rows() + next.first_missing_row;
+        }
+        all.missing_samples += next.missing_samples;
+        for (std::size_t i = 0; i < all.over_range.size(); ++i) {
+            all.over_range[i] += next.over_range[i];
+        }
+        all.rows_with_missing += next.rows_with_missing;
+        all.lines_ignored += next.lines_ignored;
+    }
+
     // Equal times follow each other where they are written more coarsely than they step; of times
     // that are even otherwise it is no error.
     void note_repeated(std::int64_t in_block, double time) {
@@ -262,6 +267,93 @@ Result<UniformTimeDetector> empty_line(const TextTable& table) {
     return UniformTimeDetector(0);
 }
 
+constexpr std::int64_t rows_for_threads = std::int64_t{1}
+                                          << 14;  // less is read by the caller alone
+
+// The block with a row, by the first rows of all.
+std::int64_t block_of(const std::vector<std::int64_t>& first_rows, std::int64_t row) {
+    return std::upper_bound(first_rows.begin(), first_rows.end(), row) - first_rows.begin() - 1;
+}
+
+// The file has been found in order when it was opened.
+Error changed(const TextTable& table) {
+    return table.blocks.file().error(ErrorCode::file_read_failed,
+                                     {"the file was changed while it was read"});
+}
+
+// The rows of a table one after the other.
+class TextSource final : public SampleSource {
+public:
+    TextSource(TextTable table, std::vector<std::int64_t> first_rows)
+        : table_(std::move(table)), first_rows_(std::move(first_rows)) {
+        table_.columns.time = -1;  // it has done its part
+    }
+
+    std::int64_t frames() const override { return first_rows_.back(); }
+
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
+        if (c.empty()) {
+            return {};
+        }
+        const std::int64_t end = first + static_cast<std::int64_t>(c.size());
+        const std::int64_t first_block = block_of(first_rows_, first);
+        const std::int64_t last_block = block_of(first_rows_, end - 1);
+        std::vector<Status> read(static_cast<std::size_t>(last_block - first_block + 1));
+        const auto read_block = [&](std::int64_t index) {
+            const auto samples = block_samples(index, index == last_block);
+            if (samples) {
+                (*samples)->copy_to(first, c, d);
+            } else {
+                read[static_cast<std::size_t>(index - first_block)] = samples.error();
+            }
+        };
+        if (end - first < rows_for_threads) {
+            for (std::int64_t index = first_block; index <= last_block; ++index) {
+                read_block(index);
+            }
+        } else {
+            // Isolated: while it waits, this thread takes no other work, which could be long.
+            tbb::this_task_arena::isolate(
+                [&] { tbb::parallel_for(first_block, last_block + 1, read_block); });
+        }
+        const auto failed = std::ranges::find_if(read, [](const Status& s) { return !s; });
+        return failed == read.end() ? Status{} : *failed;
+    }
+
+private:
+    // A block's samples; they are kept until another block's are.
+    Result<SampleBlockPointer> block_samples(std::int64_t index, bool keep) const {
+        if (auto kept = kept_.find(index)) {
+            return kept;
+        }
+        TextBlock block;
+        TRY(table_.blocks.read(index, block));
+        const auto at = static_cast<std::size_t>(index);
+        const auto count = static_cast<std::size_t>(first_rows_[at + 1] - first_rows_[at]);
+        auto samples = std::make_shared<SampleBlock>();
+        samples->index = index;
+        samples->first = first_rows_[at];
+        samples->c.reserve(count);
+        samples->d.reserve(count);
+        TextRows rows(table_.format, table_.columns, block, SampleUse::read);
+        while (rows.next() && samples->c.size() <= count) {
+            samples->c.push_back(rows.c());
+            samples->d.push_back(rows.d());
+        }
+        if (rows.fault() || samples->c.size() != count) {
+            return changed(table_);
+        }
+        if (keep) {
+            kept_.keep(samples);
+        }
+        return SampleBlockPointer(std::move(samples));
+    }
+
+    TextTable table_;
+    std::vector<std::int64_t> first_rows_;
+    RecentBlocks kept_{1};
+};
+
 }  // namespace
 
 Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
@@ -277,9 +369,7 @@ Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
                 blocks[i] = scanner.scan(first + static_cast<std::int64_t>(i));
             }
         });
-        if (job.cancelled()) {
-            return table.blocks.file().error(ErrorCode::interrupted);
-        }
+        TRY(job.go_on());
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             TRY(sum.take(blocks[i]));
             const auto done = static_cast<double>(first) + static_cast<double>(i + 1);
@@ -287,6 +377,44 @@ Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
         }
     }
     return sum.finish();
+}
+
+std::shared_ptr<const SampleSource> text_source(const TextTable& table, const TextScan& scan) {
+    const auto rows = std::make_shared<TextSource>(table, scan.first_rows);
+    if (!scan.even || scan.even->segments.size() == 1) {
+        return rows;
+    }
+    std::vector<SourcePiece> pieces;
+    for (const RowSegment& segment : scan.even->segments) {
+        pieces.push_back({segment.first_frame, rows, segment.first_row, segment.rows});
+    }
+    return joined_source(std::move(pieces));
+}
+
+Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& scan,
+                                     const JobControl& job) {
+    TimedSamples samples;
+    samples.resolution = scan.resolution;
+    for (std::vector<double>* values : {&samples.time_s, &samples.c, &samples.d}) {
+        values->reserve(static_cast<std::size_t>(scan.rows()));
+    }
+    TextBlock block;
+    const std::int64_t count = table.blocks.count();
+    for (std::int64_t index = 0; index < count; ++index) {
+        TRY(job.go_on());
+        TRY(table.blocks.read(index, block));
+        TextRows rows(table.format, table.columns, block, SampleUse::read);
+        while (rows.next() && static_cast<std::int64_t>(samples.c.size()) < scan.rows()) {
+            samples.time_s.push_back(rows.time() * table.format.time_unit_s);
+            samples.c.push_back(rows.c());
+            samples.d.push_back(rows.d());
+        }
+        job.report(static_cast<double>(index) / static_cast<double>(count));
+    }
+    if (static_cast<std::int64_t>(samples.c.size()) != scan.rows()) {
+        return changed(table);
+    }
+    return samples;
 }
 
 }  // namespace vybeg
