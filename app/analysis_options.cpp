@@ -2,7 +2,7 @@
 
 #include "app/option_values.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/batch/limits.h"
 #include "core/recording/samples/open_table.h"
 

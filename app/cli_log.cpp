@@ -1,6 +1,7 @@
 #include "app/cli_log.h"
 
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
 #include "core/base/plain_text.h"
 #include "core/output/quantity_json.h"
 

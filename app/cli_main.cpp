@@ -6,7 +6,7 @@
 #include "app/cli_support.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
-#include "core/base/caught_error.h"
+#include "core/base/error.h"
 #include "core/simulation/simulate.h"
 
 #include <CLI/CLI.hpp>

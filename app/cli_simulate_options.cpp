@@ -3,7 +3,7 @@
 #include "app/analysis_options.h"
 #include "app/option_values.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/base/setting_rows.h"

@@ -1,7 +1,7 @@
 #include "app/option_values.h"
 
 #include "core/analysis/list_fields.h"
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 

@@ -1,7 +1,6 @@
 #include "app/process_guard.h"
 
-#include "core/base/caught_error.h"
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/base/read_value.h"
 
 #include <tbb/info.h>

@@ -1,6 +1,6 @@
 #include "core/base/finding.h"
 
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 #include "core/base/plain_text.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "core/batch/batch_paths.h"
 
 #include "core/analysis/set_conditions.h"
+#include "core/base/message_arg.h"
 #include "core/base/read_value.h"
-#include "core/base/system_reason.h"
 #include "core/batch/list_sets.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_paths.h"

@@ -1,6 +1,6 @@
 #include "core/batch/set_work.h"
 
-#include "core/base/caught_error.h"
+#include "core/base/error.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
 #include "core/output/passport_json.h"

@@ -1,7 +1,7 @@
 #include "core/database/results_database.h"
 
 #include "core/analysis/list_fields.h"
-#include "core/base/system_reason.h"
+#include "core/base/message_arg.h"
 #include "core/database/result_rows.h"
 #include "core/database/schema.h"
 #include "core/resonator/results/resonator_parameters.h"

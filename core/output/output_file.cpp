@@ -1,6 +1,6 @@
 #include "core/output/output_file.h"
 
-#include "core/base/system_reason.h"
+#include "core/base/message_arg.h"
 #include "core/output/output_paths.h"
 #include "core/output/temporary_file.h"
 

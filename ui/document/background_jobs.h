@@ -4,7 +4,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
 #include "core/analysis/visible_first.h"
-#include "core/base/caught_error.h"
+#include "core/base/error.h"
 #include "core/batch/identify_set.h"
 #include "core/recording/envelope/envelope_builder.h"
 #include "core/recording/open/quick_overview.h"

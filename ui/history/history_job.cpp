@@ -1,6 +1,6 @@
 #include "ui/history/history_job.h"
 
-#include "core/base/translatable.h"
+#include "core/base/message_arg.h"
 #include "core/output/identify_json.h"
 
 namespace vybeg::ui {

@@ -1,6 +1,6 @@
 #include "core/recording/bytes/number_type.h"
 
-#include "core/base/translatable.h"
+#include "core/base/message_arg.h"
 
 namespace vybeg {
 

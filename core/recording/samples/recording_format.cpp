@@ -1,7 +1,7 @@
 #include "core/recording/samples/recording_format.h"
 
+#include "core/base/message_arg.h"
 #include "core/base/plain_text.h"
-#include "core/base/translatable.h"
 
 namespace vybeg {
 

@@ -1,6 +1,6 @@
 #include "core/recording/text/text_format.h"
 
-#include "core/base/translatable.h"
+#include "core/base/message_arg.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_columns.h"
