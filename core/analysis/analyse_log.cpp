@@ -5,7 +5,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/estimators/wave/flags.h"
 #include "core/estimators/wave/wave_state.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/track/unwrap.h"
 
 #include <algorithm>

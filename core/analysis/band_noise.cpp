@@ -1,7 +1,7 @@
 #include "core/analysis/band_noise.h"
 
 #include "core/numerics/fft.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/track/track_summary.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "core/analysis/power_log.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/read_value.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/results/power_fit.h"
 #include "core/resonator/runs/wave_uncertainty.h"
 

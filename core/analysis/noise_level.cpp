@@ -1,7 +1,7 @@
 #include "core/analysis/noise_level.h"
 
 #include "core/estimators/batch/window_estimate.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/windows/window_plan.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/numerics/kaiser.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/conditioning/filtered_source.h"
 

@@ -1,7 +1,7 @@
 #include "core/drift/whole_angle_log.h"
 
-#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/residuals/residual_lines.h"
 
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/conditioning/filtered_source.h"
 #include "core/residuals/line_origin.h"
 

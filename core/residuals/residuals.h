@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/settings.h"
-#include "core/numerics/distribution.h"
+#include "core/numerics/statistics.h"
 
 #include <cmath>
 #include <cstdint>

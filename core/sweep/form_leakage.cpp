@@ -1,6 +1,6 @@
 #include "core/sweep/form_leakage.h"
 
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/windows/carrier_search.h"
 
 #include "core/numerics/fft.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/windows/carrier_zoom.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ui/plots/decimated_graph.h"
 
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "ui/plots/value_range.h"
 
 #include <algorithm>

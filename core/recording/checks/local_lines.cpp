@@ -2,7 +2,7 @@
 
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/fft.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 #include "core/recording/checks/lost_samples_check.h"
 
-#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/checks/sample_prediction.h"
 #include "core/recording/checks/step_evidence.h"
 

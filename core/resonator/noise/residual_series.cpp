@@ -1,6 +1,6 @@
 #include "core/resonator/noise/residual_series.h"
 
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <cmath>
 #include <complex>

@@ -1,8 +1,8 @@
 #include "core/resonator/runs/wave_motion.h"
 
 #include "core/estimators/wave/wave_state.h"
-#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/runs/between_windows.h"
 #include "core/resonator/runs/decay_time.h"
 #include "core/resonator/runs/mean_rate.h"

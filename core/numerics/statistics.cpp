@@ -1,10 +1,21 @@
-#include "core/numerics/distribution.h"
+#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 
 namespace vybeg {
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
 
 Moments moments_of(std::span<const double> x) {
     Moments moments;
@@ -75,6 +86,30 @@ Histogram histogram_of(std::span<const double> x, const Moments& moments) {
         }
     }
     return histogram;
+}
+
+LineFit fit_line(std::span<const double> x, std::span<const double> y) {
+    LineFit fit;
+    double count = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        if (!std::isnan(x[k] + y[k])) {
+            fit.mean_x += x[k];
+            fit.mean_y += y[k];
+            count += 1;
+        }
+    }
+    fit.mean_x /= count;
+    fit.mean_y /= count;
+    double product = 0;
+    double spread = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        if (!std::isnan(x[k] + y[k])) {
+            product += (x[k] - fit.mean_x) * (y[k] - fit.mean_y);
+            spread += (x[k] - fit.mean_x) * (x[k] - fit.mean_x);
+        }
+    }
+    fit.slope = spread > 0 ? product / spread : 0;
+    return fit;
 }
 
 }  // namespace vybeg
