@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vybeg {
@@ -44,9 +45,31 @@ struct SignalExcerpt {
     double residual_d(std::size_t k) const { return d[k] - fit_d[k]; }
 };
 
-// The frames [first, first + count) as far as the source has them. Errors: those of the source;
-// interrupted.
+// The frames [first, first + count) as far as the source has them; with `window` the wave is that
+// of this window on all of them. Errors: those of the source; interrupted.
 Result<SignalExcerpt> signal_excerpt(const SignalSource& source, std::int64_t first,
-                                     std::int64_t count, const JobControl& job);
+                                     std::int64_t count, const JobControl& job,
+                                     std::optional<std::int64_t> window = {});
+
+// A curve of both channels over time: seconds, recording units. NaN where no window, or one without
+// a wave, has the time.
+struct SignalCurve {
+    std::vector<double> time_s;
+    std::vector<double> c;
+    std::vector<double> d;
+};
+
+// The wave (6) of the windows at `count` times at equal distances from from_s to to_s, also between
+// samples; each time has the wave of the sample nearest to it (window_wave.h). Preconditions: the
+// track has all rows of its plan; count >= 2.
+SignalCurve wave_curve(const Analysis& analysis, double rate_hz, double from_s, double to_s,
+                       int count);
+
+// Amplitudes of C and D, sqrt(a_A^2 cos^2 2theta_A + a_B^2 sin^2 2theta_A) and its like by (6), in
+// columns of equal width: the mean of eight windows at most in each. Columns begin at whole
+// multiples of their width, so that a curve that is panned does not flicker; one lies beyond each
+// end. Preconditions: as above; count >= 1, from_s < to_s.
+SignalCurve amplitude_curve(const Analysis& analysis, double rate_hz, double from_s, double to_s,
+                            int count);
 
 }  // namespace vybeg
