@@ -3,7 +3,7 @@
 #include "core/analysis/phasor_log.h"
 #include "core/analysis/power_log.h"
 #include "core/analysis/setting_table.h"
-#include "core/estimators/wave/flags.h"
+#include "core/estimators/wave/estimator.h"
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/statistics.h"
 #include "core/track/unwrap.h"

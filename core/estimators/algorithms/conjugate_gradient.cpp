@@ -1,9 +1,8 @@
 #include "core/estimators/algorithms/conjugate_gradient.h"
 
 #include "core/estimators/algorithms/closed_form_estimator.h"
-#include "core/estimators/batch/batch_descent.h"
 #include "core/estimators/batch/carrier_sums.h"
-#include "core/estimators/batch/descent_step.h"
+#include "core/estimators/batch/descent.h"
 #include "core/estimators/batch/window_estimate.h"
 #include "core/numerics/phase.h"
 

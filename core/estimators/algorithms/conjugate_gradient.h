@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/estimators/batch/wave_functional.h"
+#include "core/estimators/batch/descent.h"
+#include "core/estimators/batch/profile.h"
 #include "core/estimators/wave/estimator.h"
-#include "core/estimators/wave/frequency_bracket.h"
 
 namespace vybeg {
 

@@ -86,7 +86,7 @@ inline double spread_by_x(const TaylorFrame& frame) {
 }
 
 // Of one window, by w: d/dw multiplies by -iu.
-inline WindowJets<double> jets_of(const Moments& z, const WindowKernel& kernel) {
+inline WindowJets<double> jets_of(const WindowMoments& z, const WindowKernel& kernel) {
     const auto p = [](const ChannelMoments& of) {
         return Jet2<double>{of[0].real(), of[1].imag(), -of[2].real()};
     };
@@ -103,7 +103,7 @@ inline WindowJets<double> jets_of(const Moments& z, const WindowKernel& kernel) 
 
 // Values alone.
 inline WindowJets<double> jets_of(const Projections& z, const WindowKernel& kernel) {
-    return jets_of(Moments{{z.c, 0, 0}, {z.d, 0, 0}}, kernel);
+    return jets_of(WindowMoments{{z.c, 0, 0}, {z.d, 0, 0}}, kernel);
 }
 
 }  // namespace vybeg

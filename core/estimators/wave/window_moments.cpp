@@ -43,12 +43,12 @@ SampleProducts sample_products(const Window& window) {
     return sum;
 }
 
-Moments window_moments(const Window& window, double w) {
-    Moments sum{};
+WindowMoments window_moments(const Window& window, double w) {
+    WindowMoments sum{};
     const Complex step = unit(-w);
     for_blocks(window.length(), w, [&](std::int64_t first, std::int64_t last, double u, Complex r) {
         // Powers of the position in the block: small numbers, shifted to the window's centre below.
-        Moments block{};
+        WindowMoments block{};
         double v = 0;
         for (std::int64_t j = first; j < last; ++j, v += 1) {
             const auto at = static_cast<std::size_t>(j);

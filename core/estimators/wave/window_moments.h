@@ -36,14 +36,14 @@ SampleProducts sample_products(const Window& window);
 // (C_x - i S_x).
 using ChannelMoments = std::array<std::complex<double>, 3>;
 
-struct Moments {
+struct WindowMoments {
     ChannelMoments c;
     ChannelMoments d;
 };
 
 // One pass over the samples. Relative error about 1e-15 for any length: the phase is anchored every
 // 64 samples.
-Moments window_moments(const Window& window, double w);
+WindowMoments window_moments(const Window& window, double w);
 
 // z[0] of both channels, for searches without derivatives.
 struct Projections {

@@ -116,7 +116,7 @@ private slots:
                             qPrintable(which));
                 VYBEG_CLOSE(series.d, direct.d, tolerance * static_cast<double>(n),
                             qPrintable(which));
-                const Moments moments = window_moments(window, w);
+                const WindowMoments moments = window_moments(window, w);
                 const Jet2<double> power = profile_power(jets_of(moments, window_kernel(n, w)));
                 // A step of Newton's from there moves by less than 1e-9 of a lobe.
                 VYBEG_CLOSE(power.slope / power.bend * static_cast<double>(n), 0, 1e-7);

@@ -1,7 +1,7 @@
-#include "core/estimators/batch/batch_closed_forms.h"
+#include "core/estimators/batch/closed_forms.h"
 
 #include "core/estimators/batch/profile.h"
-#include "core/estimators/wave/newton.h"
+#include "core/estimators/wave/jet.h"
 
 namespace vybeg {
 namespace {

@@ -1,7 +1,6 @@
-#include "core/estimators/batch/batch_descent.h"
+#include "core/estimators/batch/descent.h"
 
 #include "core/estimators/batch/closed_forms.h"
-#include "core/estimators/batch/descent_step.h"
 
 namespace vybeg {
 namespace {
@@ -32,6 +31,13 @@ VYBEG_INLINED inline WaveFunctional<Vec8> functional_at(const ProjectionBatch& b
 }
 
 }  // namespace
+
+WaveFunctional<double> evaluate_functional(const WaveParameters& parameters,
+                                           const WindowMoments& moments,
+                                           const WindowKernel& kernel) {
+    return wave_functional(turned(parameters.state), jets_of(moments, kernel),
+                           kernel.gram_cos + kernel.gram_sin);
+}
 
 VYBEG_DISPATCHED
 void in_phase_starts(const ProjectionBatch& __restrict batch, const TaylorFrame& __restrict frame,
