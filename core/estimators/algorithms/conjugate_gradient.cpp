@@ -42,7 +42,7 @@ public:
         ProjectionBatch batch;
         BatchMaximum maximum;
         BatchStart start;
-        DescentFit<Vec8> fits;
+        SeriesFit<Vec8> fits;
         for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
             count = sums_.next(first, batch, maximum);
             const TaylorFrame& frame = sums_.frame();
@@ -61,10 +61,7 @@ public:
                 if (!std::isfinite(power)) {
                     out[k] = no_estimate(Flag::gap);
                 } else if (fits.arrived[lane] > 0) {
-                    const DescentFit<double> fit = lane_of(fits, lane);
-                    const double residual = residual_of(fit.residual, power, window, fit.wave);
-                    out[k] = complete_estimate(
-                        fit.wave, {residual, without_motion(residual, fit.motion)}, options_);
+                    out[k] = complete_estimate(lane_of(fits, lane), power, window, options_);
                 } else {
                     out[k] =
                         estimate_window(window, start_values(window, centre_of(block, k, centre_s)))
@@ -106,11 +103,12 @@ private:
 
     void set_start(BatchStart& start, std::size_t lane, const WaveParameters& values,
                    const TaylorFrame& frame) const {
-        start.a_A[lane] = values.state.a_A;
-        start.a_B[lane] = values.state.a_B;
-        start.two_theta_A[lane] = values.state.two_theta_A;
-        start.alpha[lane] = values.state.alpha;
-        start.x[lane] = 0.5 * static_cast<double>(options_.length) * (values.w - frame.w0());
+        const auto& [a_A, a_B, two_theta_A, alpha] = values.state;
+        const double x = 0.5 * static_cast<double>(options_.length) * (values.w - frame.w0());
+        const Five<double> five{a_A, a_B, two_theta_A, alpha, x};
+        for (std::size_t k = 0; k < five.size(); ++k) {
+            start[k][lane] = five[k];
+        }
     }
 
     struct Estimated {

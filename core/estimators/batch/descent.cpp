@@ -44,20 +44,18 @@ void in_phase_starts(const ProjectionBatch& __restrict batch, const TaylorFrame&
                      BatchStart& __restrict start) {
     const InPhaseForm<Vec8> form(products_of(batch), {static_cast<double>(frame.length())});
     const WaveStateOf<Vec8> wave = form.at(jets_at_reference(batch, frame), Vec8{}).wave.wave;
-    store(wave.a_A, start.a_A);
-    store(wave.a_B, start.a_B);
-    store(wave.two_theta_A, start.two_theta_A);
-    store(wave.alpha, start.alpha);
-    store(Vec8{}, start.x);
+    const Five<Vec8> values{wave.a_A, wave.a_B, wave.two_theta_A, wave.alpha, Vec8{}};
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        store(values[k], start[k]);
+    }
 }
 
 VYBEG_DISPATCHED
 void descend_batch(const ProjectionBatch& __restrict batch, const TaylorFrame& __restrict frame,
-                   const BatchStart& __restrict start, DescentFit<Vec8>& __restrict found) {
+                   const BatchStart& __restrict start, SeriesFit<Vec8>& __restrict found) {
     const auto n = static_cast<double>(frame.length());
     const double tolerance = descent_tolerance(frame.w0(), frame.length());
-    Five<Vec8> at{load(start.a_A), load(start.a_B), load(start.two_theta_A), load(start.alpha),
-                  load(start.x)};
+    Five<Vec8> at{load(start[0]), load(start[1]), load(start[2]), load(start[3]), load(start[4])};
     Mask8 good = less(absolute(at[4]), taylor_reach);
     Mask8 on_the_way = good;
     WaveFunctional<Vec8> f = functional_at(batch, frame, at);

@@ -125,6 +125,27 @@ VYBEG_INLINED inline Series sum_of_segments(SampleColumns of, const SampleCut& c
     return sum;
 }
 
+// Order k of a series times that of e^{iyx}, of which `powers` are y^m/m!, from its order `first`
+// on: the powers of i are 1, i, -1, -i, ...
+template <class Power>
+VYBEG_INLINED inline void add_times_powers(const std::array<Power, taylor_orders>& powers,
+                                           std::size_t first,
+                                           const std::array<Vec8, taylor_orders>& re,
+                                           const std::array<Vec8, taylor_orders>& im, std::size_t k,
+                                           Vec8& cosine, Vec8& sine) {
+#pragma GCC unroll 8
+    for (std::size_t m = first; m <= k; ++m) {
+        const Power power = m % 4 < 2 ? powers[m] : -powers[m];
+        if (m % 2 == 0) {
+            cosine += power * re[k - m];
+            sine += power * im[k - m];
+        } else {
+            cosine -= power * im[k - m];
+            sine += power * re[k - m];
+        }
+    }
+}
+
 // Series of one channel of eight hop sums, moved to another centre and added: cos is the real, sin
 // the imaginary part of the sum of s e^{iwu}.
 VYBEG_INLINED inline void add_shifted_channel(double* to, std::size_t to_pitch, const double* from,
@@ -141,18 +162,7 @@ VYBEG_INLINED inline void add_shifted_channel(double* to, std::size_t to_pitch, 
     for (std::size_t k = 0; k < taylor_orders; ++k) {
         Vec8 cosine = load(to + k * to_pitch);
         Vec8 sine = load(to + (taylor_orders + k) * to_pitch);
-        // The powers of i y: 1, i, -1, -i, ...
-#pragma GCC unroll 8
-        for (std::size_t m = 0; m <= k; ++m) {
-            const double power = m % 4 < 2 ? shift.powers[m] : -shift.powers[m];
-            if (m % 2 == 0) {
-                cosine += power * re[k - m];
-                sine += power * im[k - m];
-            } else {
-                cosine -= power * im[k - m];
-                sine += power * re[k - m];
-            }
-        }
+        add_times_powers(shift.powers, 0, re, im, k, cosine, sine);
         __builtin_memcpy(to + k * to_pitch, &cosine, sizeof cosine);
         __builtin_memcpy(to + (taylor_orders + k) * to_pitch, &sine, sizeof sine);
     }
@@ -215,7 +225,6 @@ VYBEG_INLINED inline void move_channel(double* to, std::size_t to_pitch, const d
         re[k] = cosine[k] * turn.cosine - sine[k] * turn.sine;
         im[k] = cosine[k] * turn.sine + sine[k] * turn.cosine;
     }
-    // Times (i y)^m/m!: 1, i, -1, -i, ...
     std::array<Vec8, taylor_orders> powers;
     powers[0] = Vec8{} + 1.0;
     for (std::size_t m = 1; m < taylor_orders; ++m) {
@@ -225,17 +234,7 @@ VYBEG_INLINED inline void move_channel(double* to, std::size_t to_pitch, const d
     for (std::size_t k = 0; k < taylor_orders; ++k) {
         Vec8 sum_re = re[k];
         Vec8 sum_im = im[k];
-#pragma GCC unroll 8
-        for (std::size_t m = 1; m <= k; ++m) {
-            const Vec8 power = m % 4 < 2 ? powers[m] : -powers[m];
-            if (m % 2 == 0) {
-                sum_re += power * re[k - m];
-                sum_im += power * im[k - m];
-            } else {
-                sum_re -= power * im[k - m];
-                sum_im += power * re[k - m];
-            }
-        }
+        add_times_powers(powers, 1, re, im, k, sum_re, sum_im);
         __builtin_memcpy(to + k * to_pitch, &sum_re, sizeof sum_re);
         __builtin_memcpy(to + (taylor_orders + k) * to_pitch, &sum_im, sizeof sum_im);
     }

@@ -128,6 +128,12 @@ BestWave best_wave(const Phasors& phasors, double w, const Window& window) {
             motion_power(jets, window_kernel(window.length(), w).spread)};
 }
 
+WaveEstimate complete_estimate(const SeriesFit<double>& fit, double power, const Window& window,
+                               const EstimatorOptions& options) {
+    const double residual = residual_of(fit.residual, power, window, fit.wave);
+    return complete_estimate(fit.wave, {residual, without_motion(residual, fit.motion)}, options);
+}
+
 WaveEstimate complete_estimate(const Phasors& phasors, double w, Flags flags, const Window& window,
                                const EstimatorOptions& options) {
     const PhasorParts<double> parts = parts_of(phasors);

@@ -64,6 +64,15 @@ VYBEG_INLINED inline WaveReport<Vec8> report_batch(const ProjectionBatch& batch,
         found);
 }
 
+// Least-squares wave of a window from the series of its projections.
+template <class Real>
+struct SeriesFit {
+    WaveReport<Real> wave;
+    Real residual;  // n F at the minimum
+    Real motion;    // motion_power()
+    Real arrived;   // 1; 0 where the steps have not converged within the reach of the series
+};
+
 // Samples of window k of a block.
 Window window_of(const WindowBlock& block, std::size_t k);
 
@@ -122,9 +131,13 @@ inline double steady_freedom(std::int64_t n) {
     return 2 * static_cast<double>(n) - 8;
 }
 
-// Estimate of a window: rms from the residual; noise with 2n - parameters degrees of freedom;
-// standard deviations for the known noise, otherwise for the steady noise of the window.
+// Estimate of a window, whose samples have the `power`: rms from the residual; noise with 2n -
+// parameters degrees of freedom; standard deviations for the known noise, otherwise for the steady
+// noise of the window.
 WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fit,
+                               const EstimatorOptions& options);
+
+WaveEstimate complete_estimate(const SeriesFit<double>& fit, double power, const Window& window,
                                const EstimatorOptions& options);
 
 // The same with everything from the window itself, for a wave of five parameters.
