@@ -1,12 +1,13 @@
 #include "core/batch/compute_batch.h"
 
+#include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
-#include "core/batch/batch_paths.h"
-#include "core/batch/folder_watch.h"
+#include "core/base/result.h"
+#include "core/batch/batch_request.h"
+#include "core/batch/batch_sets.h"
 #include "core/batch/limits.h"
-#include "core/batch/list_sets.h"
 #include "core/batch/set_work.h"
 #include "core/database/results_database.h"
 #include "core/output/batch_csv.h"
@@ -16,10 +17,17 @@
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
 #include <utility>
 
 namespace vybeg {
@@ -157,6 +165,110 @@ Error as_left(const Error& error, const OutputFile& output, RowJournal& journal,
                        {count_arg(static_cast<std::int64_t>(done)),
                         count_arg(static_cast<std::int64_t>(sets))}}
                : output.as_it_stands(error);
+}
+
+// What has come to a folder so far: the sets of its measurement list, where it has one, whose
+// recordings are all there, and every other file as a set of its own. A file counts when its size
+// and times are those of the look before: nothing writes it any more.
+class FolderWatch {
+public:
+    static constexpr double pause_s = 1;  // between two looks
+
+    // `request` must outlive this object.
+    explicit FolderWatch(const BatchRequest& request) : request_(request) {}
+
+    // Nothing while the folder's list has a fault or is being written. Errors: those of
+    // list_of_folder().
+    Result<MeasurementList> look();
+
+    // Why the folder's list does not count at the last look: those of read_measurement_list(), and
+    // list_invalid for a second list.
+    const std::optional<Error>& fault() const { return fault_; }
+
+private:
+    bool is_settled(const fs::path& path);
+
+    const BatchRequest& request_;
+    std::optional<Error> fault_;
+    std::map<fs::path, std::string> stamps_;  // of the look before, and of this one
+};
+
+Result<MeasurementList> FolderWatch::look() {
+    auto files = TRY(wanted_list(request_));
+    fault_.reset();
+    MeasurementList come;
+    std::set<fs::path> listed;
+    std::optional<fs::path> list_path;
+    std::vector<MeasurementSet> single;
+    bool list_in_writing = false;
+    for (MeasurementSet& file : files.sets) {
+        const fs::path& path = file.recordings.front().path;
+        const bool settled = is_settled(path);
+        const bool is_list = is_measurement_list(path);
+        list_in_writing = list_in_writing || (is_list && !settled);
+        if (!settled) {
+            continue;
+        }
+        if (!is_list) {
+            single.push_back(std::move(file));
+            continue;
+        }
+        if (list_path) {
+            fault_ = Error{ErrorCode::list_invalid,
+                           path.string(),
+                           {count_arg(1), "file",
+                            words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
+                                  {list_path->filename().string()})}};
+            continue;
+        }
+        list_path = path;
+        Result<MeasurementList> list =
+            read_measurement_list(path, {request_.open, request_.settings});
+        if (!list) {
+            fault_ = list.error();
+            continue;
+        }
+        come = std::move(*list);
+    }
+    if (fault_ || list_in_writing) {  // which files are of its sets is unknown
+        return MeasurementList{};
+    }
+    for (const MeasurementSet& set : come.sets) {
+        for (const RecordingRef& recording : set.recordings) {
+            listed.insert(recording.path.lexically_normal());
+        }
+    }
+    std::erase_if(come.sets, [this](const MeasurementSet& set) {
+        return !std::ranges::all_of(set.recordings, [this](const RecordingRef& recording) {
+            return is_settled(recording.path.lexically_normal());
+        });
+    });
+    for (MeasurementSet& file : single) {
+        RecordingRef& recording = file.recordings.front();
+        if (!listed.contains(recording.path.lexically_normal())) {
+            for (const std::string& column : come.other_columns) {
+                recording.others.emplace_back(column, "");
+            }
+            come.sets.push_back(std::move(file));
+        }
+    }
+    return come;
+}
+
+bool FolderWatch::is_settled(const fs::path& path) {
+    const std::string now = file_stamp(path);
+    std::string& before = stamps_[path.lexically_normal()];
+    const bool same = before == now && now != no_file;
+    before = now;
+    return same;
+}
+
+// Waits, or until the token stops it.
+void pause(const std::stop_token& stop, double seconds) {
+    std::mutex mutex;
+    std::condition_variable_any never;
+    std::unique_lock lock(mutex);
+    never.wait_for(lock, stop, std::chrono::duration<double>(seconds), [] { return false; });
 }
 
 // A batch, of one list or of all that come to a folder.
