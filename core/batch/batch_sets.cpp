@@ -32,6 +32,43 @@ std::string rollback_of(const std::string& database) {
     return database + "-journal";
 }
 
+// FOLDER/NAME.json. Characters of the name that cannot be in a file name are shown as %2F.
+std::filesystem::path json_in(const std::filesystem::path& folder, const std::string& name) {
+    std::string file;
+    for (const char character : name) {
+        const auto byte = static_cast<unsigned char>(character);
+        const bool hides = character == '.' && file.empty();
+        if (hides || character == '/' || character == '%' || byte < ' ' || byte == 0x7F) {
+            file += '%';
+            file += "0123456789ABCDEF"[byte >> 4];
+            file += "0123456789ABCDEF"[byte & 15];
+        } else {
+            file += character;
+        }
+    }
+    return folder / (file + ".json");
+}
+
+// The passport of the set's gyro in a folder, or of the set where it names no gyro; empty: there is
+// none.
+std::string passport_in(const std::string& folder, const MeasurementSet& set) {
+    if (folder.empty()) {
+        return {};
+    }
+    const std::string gyro = gyro_of(set);
+    const std::filesystem::path path = json_in(folder, gyro.empty() ? set.name : gyro);
+    std::error_code unknown;
+    return std::filesystem::exists(path, unknown) ? path.string() : "";
+}
+
+// Value of the list's column gyro_type for a set; empty: not told.
+std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set) {
+    const auto column = std::ranges::find(list.other_columns, "gyro_type");
+    return column == list.other_columns.end()
+               ? ""
+               : other_of(set, static_cast<std::size_t>(column - list.other_columns.begin()));
+}
+
 }  // namespace
 
 std::string file_stamp(const std::filesystem::path& path) {
@@ -62,39 +99,6 @@ Result<MeasurementSet> set_named(const MeasurementList& list, const std::string&
     names += list.sets.size() > most_names ? ", ..." : "";
     return name.empty() ? Error{ErrorCode::set_not_chosen, "", {option, names}}
                         : refused_value(option, name, "the sets of the list are " + names);
-}
-
-std::filesystem::path json_in(const std::filesystem::path& folder, const std::string& name) {
-    std::string file;
-    for (const char character : name) {
-        const auto byte = static_cast<unsigned char>(character);
-        const bool hides = character == '.' && file.empty();
-        if (hides || character == '/' || character == '%' || byte < ' ' || byte == 0x7F) {
-            file += '%';
-            file += "0123456789ABCDEF"[byte >> 4];
-            file += "0123456789ABCDEF"[byte & 15];
-        } else {
-            file += character;
-        }
-    }
-    return folder / (file + ".json");
-}
-
-std::string passport_in(const std::string& folder, const MeasurementSet& set) {
-    if (folder.empty()) {
-        return {};
-    }
-    const std::string gyro = gyro_of(set);
-    const std::filesystem::path path = json_in(folder, gyro.empty() ? set.name : gyro);
-    std::error_code unknown;
-    return std::filesystem::exists(path, unknown) ? path.string() : "";
-}
-
-std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set) {
-    const auto column = std::ranges::find(list.other_columns, "gyro_type");
-    return column == list.other_columns.end()
-               ? ""
-               : other_of(set, static_cast<std::size_t>(column - list.other_columns.begin()));
 }
 
 Result<std::string> row_key(const BatchRequest& request, const SetTask& task,

@@ -11,34 +11,22 @@
 
 namespace vybeg {
 
-// Sets of a measurement list, and the files that belong to them.
+// Sets of a measurement list or a batch, and the files that belong to them.
 
 // The set that an option names. Errors, with the names that there are: setting_invalid;
 // set_not_chosen without a name.
 Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
                                  const std::string& name);
 
-// FOLDER/NAME.json. Characters of the name that cannot be in a file name are shown as %2F.
-std::filesystem::path json_in(const std::filesystem::path& folder, const std::string& name);
-
-// The passport of the set's gyro in a folder, or of the set where it names no gyro; empty: there is
-// none.
-std::string passport_in(const std::string& folder, const MeasurementSet& set);
-
 // Size of a file and times of the last change of its bytes and of its inode.
 std::string file_stamp(const std::filesystem::path& path);
 inline constexpr const char* no_file = "-";  // its stamp
-
-// Value of the list's column gyro_type for a set; empty: not told.
-std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set);
 
 // All that the row of a task depends on, as a hash: program, columns of the table, set, conditions,
 // settings, limits, the files by size and time of change, and what else its result goes into;
 // `database`: its identity, empty: none. Errors: file_read_failed.
 Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
                             const std::string& database);
-
-// Files and folders of a batch.
 
 bool is_folder(const std::string& path);
 

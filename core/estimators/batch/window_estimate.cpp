@@ -46,6 +46,47 @@ void add_leakage(WaveEstimate& estimate) {
     }
 }
 
+// Adds the leakage of a closed form to its deviations: the difference from the best wave of the
+// same samples, due to a window off Snap and to the power of the noise in averages. The best wave
+// is efficient, so that the difference is not correlated with its error (J. A. Hausman, 1978) and
+// variances add: that of the best wave plus the squared difference. Sets Flag::leakage where a
+// difference exceeds its standard deviation.
+void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz) {
+    // (2theta_A, alpha) and (2theta_A + pi, alpha + pi) are the same wave.
+    estimate.leakage_f_hz = estimate.f_hz - best.w / (2 * pi) * rate_hz;
+    estimate.leakage = {estimate.state.a_A - best.state.a_A, estimate.state.a_B - best.state.a_B,
+                        reduced(estimate.state.two_theta_A - best.state.two_theta_A, pi),
+                        reduced(estimate.state.alpha - best.state.alpha, pi)};
+    estimate.leakage_delta_phi_CD = reduced(estimate.delta_phi_CD - best.delta_phi_CD, 2 * pi);
+    if (has(estimate.flags, Flag::no_quadrature)) {
+        estimate.leakage.a_B = estimate.leakage_delta_phi_CD = 0;
+    }
+    add_leakage(estimate);
+}
+
+// Sets undefined values to NaN: a_B and dphi_CD of an algorithm without quadrature (flag
+// no_quadrature), otherwise the angles where |a_A - |a_B|| is below three standard deviations (flag
+// circular). `noise`: that of the phasors, sd per sample and channel.
+void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n) {
+    if (has(estimate.flags, Flag::no_quadrature)) {
+        estimate.state.a_B = estimate.sd.a_B = nan;
+        estimate.delta_phi_CD = estimate.sd_delta_phi_CD = nan;
+        return;
+    }
+    // The smaller travelling wave, u+ or u-, has a standard deviation of sigma sqrt(4/n) in
+    // modulus; the second bound is the rounding error of a perfect circle.
+    const WaveState& state = estimate.state;
+    const double smaller = state.a_A - std::abs(state.a_B);
+    const auto count = static_cast<double>(n);
+    const double variance = 4 * noise * noise / count;
+    if (!(smaller * smaller > 9 * variance && smaller > 1e-12 * state.a_A)) {
+        set(estimate.flags, Flag::circular);
+        estimate.state.two_theta_A = estimate.sd.two_theta_A = nan;
+        estimate.state.alpha = estimate.sd.alpha = nan;
+        estimate.orthogonality = nan;
+    }
+}
+
 }  // namespace
 
 Window window_of(const WindowBlock& block, std::size_t k) {
@@ -66,19 +107,6 @@ WaveEstimate no_estimate(Flag flag) {
     return estimate;
 }
 
-void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz) {
-    // (2theta_A, alpha) and (2theta_A + pi, alpha + pi) are the same wave.
-    estimate.leakage_f_hz = estimate.f_hz - best.w / (2 * pi) * rate_hz;
-    estimate.leakage = {estimate.state.a_A - best.state.a_A, estimate.state.a_B - best.state.a_B,
-                        reduced(estimate.state.two_theta_A - best.state.two_theta_A, pi),
-                        reduced(estimate.state.alpha - best.state.alpha, pi)};
-    estimate.leakage_delta_phi_CD = reduced(estimate.delta_phi_CD - best.delta_phi_CD, 2 * pi);
-    if (has(estimate.flags, Flag::no_quadrature)) {
-        estimate.leakage.a_B = estimate.leakage_delta_phi_CD = 0;
-    }
-    add_leakage(estimate);
-}
-
 void set_noise(WaveEstimate& estimate, double noise) {
     const double ratio = noise / estimate.steady_noise;
     if (!(ratio > 0 && std::isfinite(ratio))) {
@@ -90,26 +118,6 @@ void set_noise(WaveEstimate& estimate, double noise) {
     });
     if (leaks) {
         add_leakage(estimate);
-    }
-}
-
-void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n) {
-    if (has(estimate.flags, Flag::no_quadrature)) {
-        estimate.state.a_B = estimate.sd.a_B = nan;
-        estimate.delta_phi_CD = estimate.sd_delta_phi_CD = nan;
-        return;
-    }
-    // The smaller travelling wave, u+ or u-, has a standard deviation of sigma sqrt(4/n) in
-    // modulus; the second bound is the rounding error of a perfect circle.
-    const WaveState& state = estimate.state;
-    const double smaller = state.a_A - std::abs(state.a_B);
-    const auto count = static_cast<double>(n);
-    const double variance = 4 * noise * noise / count;
-    if (!(smaller * smaller > 9 * variance && smaller > 1e-12 * state.a_A)) {
-        set(estimate.flags, Flag::circular);
-        estimate.state.two_theta_A = estimate.sd.two_theta_A = nan;
-        estimate.state.alpha = estimate.sd.alpha = nan;
-        estimate.orthogonality = nan;
     }
 }
 

@@ -110,18 +110,6 @@ inline double without_motion(double residual, double motion) {
 // Best wave with the powers of its window.
 BestWave best_wave(const Phasors& phasors, double w, const Window& window);
 
-// Adds the leakage of a closed form to its deviations: the difference from the best wave of the
-// same samples, due to a window off Snap and to the power of the noise in averages. The best wave
-// is efficient, so that the difference is not correlated with its error (J. A. Hausman, 1978) and
-// variances add: that of the best wave plus the squared difference. Sets Flag::leakage where a
-// difference exceeds its standard deviation.
-void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz);
-
-// Sets undefined values to NaN: a_B and dphi_CD of an algorithm without quadrature (flag
-// no_quadrature), otherwise the angles where |a_A - |a_B|| is below three standard deviations (flag
-// circular). `noise`: that of the phasors, sd per sample and channel.
-void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n);
-
 // Gives the deviations of an estimate for another noise than that of its own window. The leakage of
 // a closed form stays in them, and Flag::leakage follows them.
 void set_noise(WaveEstimate& estimate, double noise);
