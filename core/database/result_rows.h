@@ -11,7 +11,7 @@
 
 namespace vybeg {
 
-// Results as rows of the tables of schema.h. All throw SqliteFailure; the reading ones also
+// Results as rows of the tables of results_database.cpp. All throw SqliteFailure; the reading ones also
 // DamagedRow.
 
 // A row whose texts are not what was written.
