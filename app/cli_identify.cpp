@@ -12,7 +12,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -85,23 +84,21 @@ Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
     return {};
 }
 
-std::string identify_timing_line(const Identification& identification, double open_s,
-                                 double write_s) {
+void tell_timing(const Identification& identification, double open_s, double write_s) {
     const IdentifyTiming& timing = identification.timing;
     std::int64_t windows = 0;
     for (const IdentifiedRun& run : identification.runs) {
         windows += run.windows;
     }
-    const nlohmann::ordered_json line{{"open_s", open_s},
-                                      {"read_s", timing.read_s},
-                                      {"carrier_s", timing.carrier_s},
-                                      {"estimate_s", timing.estimate_s},
-                                      {"windows_s", timing.windows_s},
-                                      {"fit_s", timing.fit_s},
-                                      {"write_s", write_s},
-                                      {"windows", windows},
-                                      {"threads", timing.threads}};
-    return line.dump() + "\n";
+    say_timing({{"open_s", open_s},
+                {"read_s", timing.read_s},
+                {"carrier_s", timing.carrier_s},
+                {"estimate_s", timing.estimate_s},
+                {"windows_s", timing.windows_s},
+                {"fit_s", timing.fit_s},
+                {"write_s", write_s},
+                {"windows", windows},
+                {"threads", timing.threads}});
 }
 
 }  // namespace
@@ -143,10 +140,7 @@ Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token st
     }
     TRY(OutputFile::commit_together(files));
     if (request.timing) {
-        std::fputs(
-            identify_timing_line(result->identification, opened - begun, seconds_now() - identified)
-                .c_str(),
-            stderr);
+        tell_timing(result->identification, opened - begun, seconds_now() - identified);
     }
     return {};
 }

@@ -1,12 +1,12 @@
-#include "app/analysis_options.h"
 #include "app/cli_commands.h"
-#include "app/cli_interrupt.h"
-#include "app/cli_log.h"
-#include "app/cli_simulate_options.h"
 #include "app/cli_support.h"
-#include "app/option_values.h"
+#include "app/command_line.h"
 #include "app/process_guard.h"
+#include "core/analysis/setting_table.h"
 #include "core/base/error.h"
+#include "core/batch/limits.h"
+#include "core/drift/drift_settings.h"
+#include "core/recording/samples/open_table.h"
 #include "core/simulation/simulate.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <exception>
 #include <span>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -77,13 +76,31 @@ void add_drift_options(CLI::App& app, DriftRequest& request) {
     app.add_option("LOG", request.inputs, "Whole-angle logs of one gyro: text, NPZ, MAT or HDF5")
         ->type_name("")
         ->required();
-    add_drift_settings(app, request.settings);
+    add_settings(app, drift_settings(), request.settings);
     app.add_option("-o,--output", request.output,
                    "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
                    "standard output")
         ->type_name("FILE");
     app.add_flag("--json", request.json,
                  "The result on standard output, JSON, in place of the summary");
+}
+
+void add_compare_options(CLI::App& app, CompareOptions& options) {
+    add_value(app, "--f-limit", "PPM",
+              "Frequencies count as changed beyond this, ppm: they follow the temperature (default "
+              "30)",
+              [&options](const auto& option, const auto& text) {
+                  options.f_limit_ppm = number_value(option, text);
+                  if (options.f_limit_ppm < 0) {
+                      reject(option, text, "it cannot be negative");
+                  }
+              });
+    add_value(app, "--limit", "NAME=X[,NAME=X]",
+              "Smaller changes count as none, significant or not: in the parameter's unit, or "
+              "relative as in tau=0.5%,f_mean=10ppm",
+              [&options](const auto&, const auto& text) {
+                  options.limits = accepted(read_practical_limits(text));
+              });
 }
 
 void add_batch_options(CLI::App& app, BatchCommand& command) {
@@ -136,7 +153,7 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
                  "Keep the rows of an interrupted run whose files and options are the same");
     app.add_option("--only", request.only, "This set alone")->type_name("NAME");
     add_identify_options(app, request.settings);
-    add_open_options(app, request.open);
+    add_settings(app, open_settings(), request.open);
     add_compare_options(app, request.compare);
     add_timing(app, command.timing);
 }
@@ -146,22 +163,13 @@ void add_identification(CLI::App& app, IdentifyRequest& request) {
                    "The result, JSON; - for standard output (default: a summary there)")
         ->type_name("RESULT.json");
     add_identify_options(app, request.settings);
-    add_open_options(app, request.open);
+    add_settings(app, open_settings(), request.open);
     add_timing(app, request.timing);
 }
 
 bool asks_for_json(std::span<char*> words) {
-    return std::ranges::find(words, std::string_view("--json-log"), [](const char* word) {
-               return std::string_view(word);
-           }) != words.end();
-}
-
-// --help and --version, which may be read by something that ends before they do.
-int printed(const CLI::App& app, const CLI::ParseError& asked) {
-    std::ostringstream out;
-    const int status = app.exit(asked, out, out);
-    const Status written = write_text(out.str(), JobControl());
-    return written ? status : Log(false, true).fail(written.error());
+    return std::ranges::any_of(
+        words, [](const char* word) { return std::string_view(word) == "--json-log"; });
 }
 
 int run(int argc, char** argv) {
@@ -182,7 +190,7 @@ int run(int argc, char** argv) {
     CLI::App* const info_command = app.add_subcommand("info", "What a recording is");
     add_input(*info_command, info.input);
     info_command->add_flag("--json", info.json, "As JSON");
-    add_open_options(*info_command, info.open);
+    add_settings(*info_command, open_settings(), info.open);
     add_timing(*info_command, info.timing);
     add_log_options(*info_command, log_options);
 
@@ -197,8 +205,8 @@ int run(int argc, char** argv) {
         ->type_name("TRACK")
         ->required();
     add_analysis_options(*analyze_command, analyze.settings);
-    add_open_options(*analyze_command, analyze.open);
-    add_log_choice(*analyze_command, analyze.log);
+    add_settings(*analyze_command, open_settings(), analyze.open);
+    add_settings(*analyze_command, log_settings(), analyze.log);
     add_log_options(*analyze_command, log_options);
     add_timing(*analyze_command, analyze.timing);
 
@@ -253,7 +261,8 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help, --version
-            return printed(app, error);
+            const Status written = write_answer(app, error);
+            return written ? 0 : Log(false, true).fail(written.error());
         }
         // The parse has failed, and with it perhaps its knowledge of --json-log.
         return Log(asks_for_json(words), false).fail_usage(parse_fault(app, error, words));

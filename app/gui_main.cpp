@@ -1,16 +1,18 @@
-#include "app/analysis_options.h"
-#include "app/cli_interrupt.h"
 #include "app/cli_support.h"
+#include "app/command_line.h"
 #include "app/gui_analysis.h"
-#include "app/gui_figure.h"
 #include "app/gui_report.h"
-#include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/setting_table.h"
+#include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
+#include "core/base/result.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/open_table.h"
 #include "ui/document/document.h"
+#include "ui/plots/figure.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
@@ -23,15 +25,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <stop_token>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -49,6 +53,54 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
         windows.push_back(static_cast<std::int64_t>(value));
     }
     return windows;
+}
+
+// `vybeg FILE... --figure FIGURE [--windows 6,60]`: the stacked plots, one column per recording and
+// window length. Needs a QApplication, shows no window. Warnings go to standard error.
+struct FigureRequest {
+    std::vector<std::string> inputs;
+    std::string figure;                 // its ending chooses SVG, PDF or PNG
+    std::vector<std::int64_t> windows;  // empty: the window of the settings
+    OpenOptions open;
+    Settings settings;
+};
+
+// The settings of the columns of one recording.
+std::vector<Settings> columns_of(const FigureRequest& request) {
+    if (request.windows.empty()) {
+        return {request.settings};
+    }
+    std::vector<Settings> wanted;
+    for (const std::int64_t window : request.windows) {
+        Settings settings = request.settings;
+        settings.window = window;
+        settings.periods.reset();
+        wanted.push_back(settings);
+    }
+    return wanted;
+}
+
+Status draw_figure(const FigureRequest& request, std::stop_token stop) {
+    TRY(check_request("--figure", request.figure, request.inputs, request.settings));
+    const JobControl job(stop);
+    std::vector<ui::FigureColumn> columns;
+    for (const std::string& input : request.inputs) {
+        const auto recording = TRY(open_warned(input, request.open, job));
+        for (const Settings& settings : columns_of(request)) {
+            auto analysis = TRY(analyse_warned(recording, settings, job));
+            ui::ShownAnalysis shown =
+                shown_analysis(recording, std::move(analysis), static_cast<int>(columns.size()));
+            const QString title = request.inputs.size() > 1
+                                      ? QStringLiteral("%1, %2").arg(shown.recording, shown.name)
+                                      : shown.name;
+            columns.push_back({title, std::move(shown)});
+        }
+    }
+    if (stop.stop_requested()) {
+        return Error{ErrorCode::interrupted, {}, {}};
+    }
+    return ui::writeDrawing(ui::figureDrawing(columns), {ui::figureSize(columns.size(), {})},
+                            QString::fromStdString(request.figure));
 }
 
 // What the command line asks for.
@@ -97,8 +149,8 @@ void describe(CLI::App& app, Requested& requested) {
     app.add_option("FILE", request.inputs, "Recordings, measurement lists or sessions to open")
         ->type_name("");
     add_analysis_options(app, request.settings);
-    add_tolerance_option(app, requested.identify);
-    add_open_options(app, request.open);
+    add_setting(app, *row_named(identify_settings(), "tolerance"), requested.identify);
+    add_settings(app, open_settings(), request.open);
     app.add_option("--figure", request.figure,
                    "Draw the stacked plots into this file, without a window: .svg, .pdf or .png")
         ->type_name("FIGURE");
@@ -225,13 +277,6 @@ int window_mode(int argc, char** argv, const FigureRequest& request, const Toler
     return QApplication::exec();
 }
 
-int printed(const CLI::App& app, const CLI::ParseError& asked) {
-    std::ostringstream text;
-    const int status = app.exit(asked, text, text);
-    const Status written = write_text(text.str(), JobControl());
-    return written ? status : fail(written.error());
-}
-
 int run(int argc, char** argv) {
     const std::span words(argv, static_cast<std::size_t>(argc));
     Requested requested;
@@ -241,7 +286,7 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return error.get_exit_code() == 0 ? printed(app, error)
+        return error.get_exit_code() == 0 ? ended(write_answer(app, error))
                                           : usage(parse_fault(app, error, words));
     }
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {

@@ -1,74 +1,21 @@
-#include "app/option_values.h"
+#include "app/command_line.h"
 
 #include "core/analysis/list_fields.h"
+#include "core/analysis/setting_table.h"
 #include "core/base/error.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
+#include "core/recording/samples/open_table.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace vybeg::cli {
-
-namespace {
-
-// A value that is refused ends the parse with its sentence.
-template <class T>
-T accepted(Result<T> value) {
-    if (!value) {
-        throw CLI::ValidationError(english(value.error()));
-    }
-    return std::move(*value);
-}
-
-}  // namespace
-
-void reject(const std::string& option, const std::string& text, const std::string& allowed) {
-    throw CLI::ValidationError(english(refused_value(option, text, allowed)));
-}
-
-double number_value(const std::string& option, const std::string& text) {
-    return accepted(read_number(option, text));
-}
-
-std::int64_t whole_value(const std::string& option, const std::string& text) {
-    return accepted(read_whole(option, text));
-}
-
-std::vector<double> list_value(const std::string& option, const std::string& text,
-                               std::size_t count, const std::string& allowed) {
-    return accepted(read_numbers(option, text, count, allowed));
-}
-
-CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& placeholder,
-                       const std::string& help,
-                       std::function<void(const std::string&, const std::string&)> take) {
-    return app
-        .add_option_function<std::string>(
-            name, [name, take = std::move(take)](const std::string& text) { take(name, text); },
-            help)
-        ->type_name(placeholder);
-}
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, double& target,
-                        const std::string& placeholder, const std::string& help) {
-    return add_value(app, name, placeholder, help,
-                     [&target](const std::string& option, const std::string& text) {
-                         target = number_value(option, text);
-                     });
-}
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
-                        const std::string& placeholder, const std::string& help) {
-    return add_value(app, name, placeholder, help,
-                     [&target](const std::string& option, const std::string& text) {
-                         target = number_value(option, text);
-                     });
-}
-
 namespace {
 
 // Positional ones, and those that take every occurrence.
@@ -177,6 +124,37 @@ std::string repeated_or_empty(const CLI::App& app) {
 
 }  // namespace
 
+void refuse(const Error& error) {
+    throw CLI::ValidationError(english(error));
+}
+
+void reject(const std::string& option, const std::string& text, const std::string& allowed) {
+    refuse(refused_value(option, text, allowed));
+}
+
+double number_value(const std::string& option, const std::string& text) {
+    return accepted(read_number(option, text));
+}
+
+std::int64_t whole_value(const std::string& option, const std::string& text) {
+    return accepted(read_whole(option, text));
+}
+
+std::vector<double> list_value(const std::string& option, const std::string& text,
+                               std::size_t count, const std::string& allowed) {
+    return accepted(read_numbers(option, text, count, allowed));
+}
+
+CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& placeholder,
+                       const std::string& help,
+                       std::function<void(const std::string&, const std::string&)> take) {
+    return app
+        .add_option_function<std::string>(
+            name, [name, take = std::move(take)](const std::string& text) { take(name, text); },
+            help)
+        ->type_name(placeholder);
+}
+
 void let_repeated_options_parse(CLI::App& app) {
     for (CLI::Option* option : app.get_options()) {
         if (!may_repeat(*option)) {
@@ -210,6 +188,16 @@ std::string parse_fault(const CLI::App& app, const CLI::ParseError& error, std::
 std::string usage_fault(const CLI::App& app, std::span<char*> words) {
     const std::string fault = unknown_option(app, words);
     return fault.empty() ? repeated_or_empty(app) : fault;
+}
+
+void add_analysis_options(CLI::App& app, Settings& settings) {
+    add_settings(app, analysis_settings(), settings);
+    app.get_option("--periods")->excludes("--window");
+}
+
+void add_identify_options(CLI::App& app, IdentifySettings& settings) {
+    add_settings(app, identify_settings(), settings);
+    app.get_option("--periods")->excludes("--window");
 }
 
 }  // namespace vybeg::cli
