@@ -1,5 +1,4 @@
-#include "core/estimators/algorithms/closed_form_estimator.h"
-
+#include "core/estimators/algorithms/algorithms.h"
 #include "core/estimators/batch/carrier_sums.h"
 #include "core/estimators/batch/closed_forms.h"
 #include "core/estimators/batch/window_estimate.h"

@@ -1,6 +1,4 @@
-#include "core/estimators/algorithms/conjugate_gradient.h"
-
-#include "core/estimators/algorithms/closed_form_estimator.h"
+#include "core/estimators/algorithms/algorithms.h"
 #include "core/estimators/batch/carrier_sums.h"
 #include "core/estimators/batch/descent.h"
 #include "core/estimators/batch/window_estimate.h"
@@ -15,6 +13,11 @@ namespace vybeg {
 namespace {
 
 constexpr int most_steps = 200;
+
+// Whether a sample of the span is missing (NaN).
+bool has_gap(std::span<const double> samples) {
+    return std::any_of(samples.begin(), samples.end(), [](double x) { return !std::isfinite(x); });
+}
 
 // n F and its derivatives by a_A, a_B, 2theta_A, alpha and w.
 WaveFunctional<double> functional_at(const Window& window, const Five<double>& at) {

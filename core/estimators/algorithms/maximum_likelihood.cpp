@@ -1,5 +1,4 @@
-#include "core/estimators/algorithms/maximum_likelihood.h"
-
+#include "core/estimators/algorithms/algorithms.h"
 #include "core/estimators/batch/carrier_sums.h"
 #include "core/estimators/batch/profile.h"
 #include "core/estimators/batch/window_estimate.h"

@@ -34,7 +34,7 @@ constexpr std::int64_t least_probed = 128;
 constexpr std::int64_t least_sparse = 1024;
 
 // Power at x of the pieces of a window; the phase between pieces changes by `by_x` radians per x.
-double power_of_pieces(std::span<const Projections> pieces, double turn, double by_x, double x) {
+double power_of_pieces(std::span<const Phasors> pieces, double turn, double by_x, double x) {
     std::complex<double> c = 0;
     std::complex<double> d = 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -47,7 +47,7 @@ double power_of_pieces(std::span<const Projections> pieces, double turn, double 
 
 // Position of a separate wave in the main lobe while a stronger wave, at x, lies outside. The
 // leakage of the stronger wave into the lobe is below 1/x^2 of its power.
-std::optional<double> wave_in_lobe(std::span<const Projections> pieces, double turn, double by_x,
+std::optional<double> wave_in_lobe(std::span<const Phasors> pieces, double turn, double by_x,
                                    double x) {
     constexpr int points = 12;
     constexpr double step = 0.25;
@@ -102,7 +102,7 @@ std::optional<double> CarrierSums::probe(std::size_t window) const {
     const std::int64_t length = sparse ? 64 : n_ / 4;
     const std::int64_t apart = (n_ - length) / static_cast<std::int64_t>(pieces - 1);
     const Window all = window_of(block_, window);
-    std::array<Projections, 16> sums;
+    std::array<Phasors, 16> sums;
     for (std::size_t k = 0; k < pieces; ++k) {
         const auto at = static_cast<std::size_t>(apart) * k;
         const auto size = static_cast<std::size_t>(length);
@@ -124,7 +124,7 @@ std::optional<double> CarrierSums::probe(std::size_t window) const {
         x += std::remainder(turned - by_x * x, 2 * pi) / by_x;
     }
     if (std::abs(x) > pi) {
-        const auto all_pieces = std::span<const Projections>(sums).first(pieces);
+        const auto all_pieces = std::span<const Phasors>(sums).first(pieces);
         const double turn = w0_ * static_cast<double>(apart);
         const double by_x = 2 * static_cast<double>(apart) / static_cast<double>(n_);
         x = wave_in_lobe(all_pieces, turn, by_x, x).value_or(x);

@@ -224,7 +224,7 @@ using BatchStart = Five<Lanes>;
 // Start values of algorithm 5, (15), (18), at the reference frequency.
 void in_phase_starts(const ProjectionBatch& batch, const TaylorFrame& frame, BatchStart& start);
 
-// Algorithm 5 for eight windows: the conjugate gradient of conjugate_gradient.h with the same
+// Algorithm 5 for eight windows: the conjugate gradient of descend() with the same
 // steps; F and its derivatives come from the series of the projections. Windows whose steps leave
 // the reach of the series or whose step is not the exact one do not arrive: descend() is for them.
 void descend_batch(const ProjectionBatch& batch, const TaylorFrame& frame, const BatchStart& start,

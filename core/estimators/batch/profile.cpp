@@ -51,7 +51,7 @@ ProfileMaximum maximise_profile(const Window& window, const FrequencyBracket& br
         maximum.at_bound = maximum.at_bound && !end.arrived;
     }
     maximum.converged = end.arrived;
-    const Projections sum = window_projections(window, maximum.w);
+    const Phasors sum = window_projections(window, maximum.w);
     const WindowKernel kernel = window_kernel(window.length(), maximum.w);
     const auto phasor = [&kernel](std::complex<double> z) {
         return std::complex<double>{z.real() / kernel.gram_cos, z.imag() / kernel.gram_sin};

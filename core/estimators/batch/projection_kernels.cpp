@@ -41,14 +41,7 @@ VYBEG_INLINED inline void project(Series& sum_a, SampleColumns a, Series& sum_b,
     }
 }
 
-struct Products {
-    double cc = 0;
-    double dd = 0;
-    double cd = 0;
-    double cq = 0;
-};
-
-VYBEG_INLINED inline void add_products(Products& sum, SampleColumns of, std::int64_t length) {
+VYBEG_INLINED inline void add_products(SampleProducts& sum, SampleColumns of, std::int64_t length) {
     Vec8 cc{};
     Vec8 dd{};
     Vec8 cd{};
@@ -278,7 +271,7 @@ void sum_cuts(SampleColumns samples, std::int64_t hop, std::size_t count, const 
         }
     }
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-        Products products;
+        SampleProducts products;
         if (lane < count) {
             add_products(products, at(lane), cut.length);
         } else {

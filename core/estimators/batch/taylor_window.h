@@ -82,6 +82,6 @@ struct ProjectionBatch {
 };
 
 // One window's projections at x.
-Projections lane_projections(const ProjectionBatch& batch, std::size_t lane, double x);
+Phasors lane_projections(const ProjectionBatch& batch, std::size_t lane, double x);
 
 }  // namespace vybeg

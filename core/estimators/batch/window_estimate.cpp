@@ -96,10 +96,6 @@ Window window_of(const WindowBlock& block, std::size_t k) {
     return {block.c.subspan(start, length), block.d.subspan(start, length)};
 }
 
-bool has_gap(std::span<const double> samples) {
-    return std::any_of(samples.begin(), samples.end(), [](double x) { return !std::isfinite(x); });
-}
-
 WaveEstimate no_estimate(Flag flag) {
     const WaveState none{nan, nan, nan, nan};
     WaveEstimate estimate{none, nan, nan, nan, nan, nan, nan, none, nan, nan, {}, nan, nan, 0};
@@ -145,7 +141,7 @@ WaveEstimate complete_estimate(const SeriesFit<double>& fit, double power, const
 WaveEstimate complete_estimate(const Phasors& phasors, double w, Flags flags, const Window& window,
                                const EstimatorOptions& options) {
     const PhasorParts<double> parts = parts_of(phasors);
-    const double residual = residual_sum(window, {phasors.c, phasors.d}, w);
+    const double residual = residual_sum(window, phasors, w);
     const double motion = best_wave(phasors, w, window).motion;
     return complete_estimate(report_wave(sample_products(window), w,
                                          window_kernel(options.length, w), parts, state_of(parts)),

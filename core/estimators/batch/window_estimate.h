@@ -76,9 +76,6 @@ struct SeriesFit {
 // Samples of window k of a block.
 Window window_of(const WindowBlock& block, std::size_t k);
 
-// Whether a sample of the span is missing (NaN).
-bool has_gap(std::span<const double> samples);
-
 // Estimate with NaN values; `flag` is the reason.
 WaveEstimate no_estimate(Flag flag);
 

@@ -102,7 +102,7 @@ inline WindowJets<double> jets_of(const WindowMoments& z, const WindowKernel& ke
 }
 
 // Values alone.
-inline WindowJets<double> jets_of(const Projections& z, const WindowKernel& kernel) {
+inline WindowJets<double> jets_of(const Phasors& z, const WindowKernel& kernel) {
     return jets_of(WindowMoments{{z.c, 0, 0}, {z.d, 0, 0}}, kernel);
 }
 

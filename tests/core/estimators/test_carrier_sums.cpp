@@ -105,8 +105,8 @@ private slots:
                 ++looked_at;
                 const double w = sums.frame().w0() + 2 * maximum.x[lane] / static_cast<double>(n);
                 const Window window = window_of(block, first + lane);
-                const Projections direct = window_projections(window, w);
-                const Projections series = lane_projections(batch, lane, maximum.x[lane]);
+                const Phasors direct = window_projections(window, w);
+                const Phasors series = lane_projections(batch, lane, maximum.x[lane]);
                 // Relative to n samples of amplitude 1: rounding, and what the series of a hop
                 // leaves out where the carrier drifts through its block.
                 const double tolerance =

@@ -1,6 +1,4 @@
-#include "core/estimators/algorithms/closed_form_estimator.h"
-#include "core/estimators/algorithms/conjugate_gradient.h"
-#include "core/estimators/algorithms/maximum_likelihood.h"
+#include "core/estimators/algorithms/algorithms.h"
 
 namespace vybeg {
 
