@@ -41,8 +41,7 @@ struct FinishedRow {
     std::int64_t windows = 0;
 };
 
-// Receivers of the events of a batch, called in its threads, never two at once. An empty one
-// receives nothing.
+// Receivers of the events of a batch, called in its threads, never two at once.
 struct BatchEvents {
     std::function<void(const std::vector<Diagnostic>&)> warned;  // about the list
     // Everything has been checked; the rows come next, those of an earlier batch first.
@@ -50,7 +49,7 @@ struct BatchEvents {
     std::function<void(const FinishedRow&)> finished;
     // The caller's monotonic clock, s (job_control.h); empty: no durations.
     std::function<double()> clock{};
-    // Of a watched folder: why its list does not count now.
+    // Of a watched folder: why its list does not count now; empty: nobody asks.
     std::function<void(const Error&)> failed{};
 };
 

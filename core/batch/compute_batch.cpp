@@ -35,49 +35,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The sets that are asked for.
-Result<MeasurementList> chosen_list(const BatchRequest& request, const BatchEvents& events) {
-    auto list = TRY(wanted_list(request));
-    if (events.warned) {
-        events.warned(list.warnings);
-    }
-    if (!request.only.empty()) {
-        auto set = TRY(set_named(list, "--only", request.only));
-        list.sets = {std::move(set)};
-    }
-    return list;
-}
-
-// Gives each task the key of its row. `database`: its identity, or empty.
-Status set_keys(const BatchRequest& request, const std::string& database,
-                std::vector<SetTask>& tasks) {
-    for (SetTask& task : tasks) {
-        auto key = TRY(row_key(request, task, database));
-        task.key = std::move(key);
-    }
-    return {};
-}
-
-// Opens the database of the request, if it names one; sets its identity.
-Status open_database(const BatchRequest& request, const BatchEvents& events, const JobControl& job,
-                     std::optional<ResultsDatabase>& database, std::string& identity) {
-    if (request.database.empty()) {
-        return {};
-    }
-    constexpr double patience_s = 60;
-    const auto waits = [&events](const Diagnostic& waiting) {
-        if (events.warned) {
-            events.warned({waiting});
-        }
-    };
-    auto opened = TRY(ResultsDatabase::open(request.database, ResultsDatabase::Access::write, job,
-                                            patience_s, waits));
-    auto own = TRY(opened.identity());
-    identity = std::move(own);
-    database.emplace(std::move(opened));
-    return {};
-}
-
 Result<std::vector<std::string>> header_of(const BatchRequest& request, const JobControl& job) {
     const bool folder = is_folder(request.list);
     const fs::path path = fs::path(request.list).lexically_normal();
@@ -113,19 +70,6 @@ Result<std::vector<std::string>> header_of(const BatchRequest& request, const Jo
     return lines;
 }
 
-// The rows of an earlier batch.
-Status tell_kept_rows(const std::vector<SetTask>& tasks, const RowJournal& journal,
-                      const BatchEvents& events) {
-    for (std::size_t k = 0; k < tasks.size() && events.finished; ++k) {
-        if (journal.has(tasks[k].key)) {
-            const auto row = TRY(journal.row(tasks[k].key));
-            events.finished(
-                {.set = k, .text = row, .kept = true, .warnings = {}, .error = {}, .timing = {}});
-        }
-    }
-    return {};
-}
-
 // How many sets do not keep the limits, by the table's column.
 struct LimitCounts {
     std::int64_t failed = 0;
@@ -149,22 +93,6 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
         TRY(output.write((request.excel ? excel_row(row, limits) : row) + "\n"));
     }
     return output.commit();
-}
-
-// The error that ends a batch; one of an interruption that leaves rows names --resume. Removes a
-// journal without rows.
-Error as_left(const Error& error, const OutputFile& output, RowJournal& journal, std::size_t done,
-              std::size_t sets) {
-    if (journal.empty()) {  // rows of other settings may be wanted again
-        journal.remove();
-    }
-    const bool kept = done > 0 && output.seekable();
-    return error.code == ErrorCode::interrupted && kept
-               ? Error{ErrorCode::interrupted_midway,
-                       output.name(),
-                       {count_arg(static_cast<std::int64_t>(done)),
-                        count_arg(static_cast<std::int64_t>(sets))}}
-               : output.as_it_stands(error);
 }
 
 // What has come to a folder so far: the sets of its measurement list, where it has one, whose
@@ -282,11 +210,22 @@ public:
         if (request_.watch) {
             return watch();
         }
-        const auto list = TRY(chosen_list(request_, events_));
+        const auto list = TRY(chosen_list());
         return compute(list);
     }
 
 private:
+    // The sets that are asked for.
+    Result<MeasurementList> chosen_list() const {
+        auto list = TRY(wanted_list(request_));
+        events_.warned(list.warnings);
+        if (!request_.only.empty()) {
+            auto set = TRY(set_named(list, "--only", request_.only));
+            list.sets = {std::move(set)};
+        }
+        return list;
+    }
+
     Status check_request() {
         TRY(validate(request_.settings));
         TRY(check_options(request_.open));
@@ -339,7 +278,7 @@ private:
         }
         const auto is_kept = [this](const SetTask& task) { return journal_->has(task.key); };
         if (journal_) {
-            TRY(set_keys(request_, identity_, tasks));
+            TRY(set_keys(tasks));
             if (std::ranges::all_of(tasks, is_kept)) {
                 return {};
             }
@@ -347,25 +286,53 @@ private:
         auto output = TRY(open_output(request_.output, job_));
         if (!journal_) {
             TRY(open_files(output));
-            TRY(set_keys(request_, identity_, tasks));
+            TRY(set_keys(tasks));
             tell_other_rows(tasks);
         }
-        if (events_.begun) {
-            events_.begun(list);
+        events_.begun(list);
+        for (std::size_t k = 0; k < tasks.size(); ++k) {
+            if (is_kept(tasks[k])) {  // the row of an earlier batch
+                const auto row = TRY(journal_->row(tasks[k].key));
+                events_.finished({.set = k,
+                                  .text = row,
+                                  .kept = true,
+                                  .warnings = {},
+                                  .error = {},
+                                  .timing = {}});
+            }
         }
-        TRY(tell_kept_rows(tasks, *journal_, events_));
         return compute_rows(list, tasks, header, output);
+    }
+
+    // Gives each task the key of its row.
+    Status set_keys(std::vector<SetTask>& tasks) const {
+        for (SetTask& task : tasks) {
+            auto key = TRY(row_key(request_, task, identity_));
+            task.key = std::move(key);
+        }
+        return {};
     }
 
     Status open_files(const OutputFile& output) {
         if (request_.resume && !output.seekable()) {
             return refused_value("-o", request_.output, "--resume needs a file");
         }
-        TRY(open_database(request_, events_, job_, database_, identity_));
+        if (!request_.database.empty()) {
+            constexpr double patience_s = 60;
+            const auto waits = [this](const Diagnostic& waiting) {
+                const std::lock_guard lock(mutex_);
+                events_.warned({waiting});
+            };
+            auto opened = TRY(ResultsDatabase::open(
+                request_.database, ResultsDatabase::Access::write, job_, patience_s, waits));
+            auto identity = TRY(opened.identity());
+            identity_ = std::move(identity);
+            database_.emplace(std::move(opened));
+        }
         auto journal = TRY(RowJournal::open(output.seekable() ? journal_of(request_.output) : "",
                                             request_.resume));
         journal_.emplace(std::move(journal));
-        if (events_.warned && journal_->found() > 0) {
+        if (journal_->found() > 0) {
             events_.warned({{DiagnosticKind::earlier_rows,
                              {journal_of(request_.output),
                               count_arg(static_cast<std::int64_t>(journal_->found()))}}});
@@ -378,7 +345,7 @@ private:
         const auto kept = std::ranges::count_if(
             tasks, [this](const SetTask& task) { return journal_->has(task.key); });
         const auto others = static_cast<std::int64_t>(journal_->size()) - kept;
-        if (events_.warned && request_.only.empty() && others > 0) {
+        if (request_.only.empty() && others > 0) {
             events_.warned(
                 {{DiagnosticKind::other_rows, {journal_of(request_.output), count_arg(others)}}});
         }
@@ -387,8 +354,9 @@ private:
     Status compute_rows(const MeasurementList& list, const std::vector<SetTask>& tasks,
                         const std::vector<std::string>& header, OutputFile& output) {
         const auto last_id = TRY(database_ ? database_->last_id() : Result<std::int64_t>(0));
-        SetWork work({request_, tasks, *journal_, database_ ? &*database_ : nullptr, last_id},
-                     events_, stop_);
+        SetWork work({request_, tasks, *journal_, database_ ? &*database_ : nullptr, last_id,
+                      events_, mutex_},
+                     stop_);
         Status done = work.run();
         LimitCounts counts;
         if (done) {
@@ -397,13 +365,13 @@ private:
                                tasks, *journal_, counts);
         }
         if (!done) {
-            return as_left(done.error(), output, *journal_, work.done(), tasks.size());
+            return as_left(done.error(), output, work.done(), std::ssize(tasks));
         }
         if (request_.watch) {
             return {};
         }
         journal_->remove();
-        if (events_.warned && counts.failed + counts.undecided > 0) {
+        if (counts.failed + counts.undecided > 0) {
             events_.warned({{DiagnosticKind::limits_not_kept,
                              {count_arg(counts.failed), count_arg(counts.undecided),
                               count_arg(std::ssize(tasks))}}});
@@ -411,8 +379,24 @@ private:
         return {};
     }
 
+    // The error that ends the batch; one of an interruption that leaves rows names --resume.
+    // Removes a journal without rows.
+    Error as_left(const Error& error, const OutputFile& output, std::size_t done,
+                  std::int64_t sets) {
+        if (journal_->empty()) {  // rows of other settings may be wanted again
+            journal_->remove();
+        }
+        const bool kept = done > 0 && output.seekable();
+        return error.code == ErrorCode::interrupted && kept
+                   ? Error{ErrorCode::interrupted_midway,
+                           output.name(),
+                           {count_arg(static_cast<std::int64_t>(done)), count_arg(sets)}}
+                   : output.as_it_stands(error);
+    }
+
     const BatchRequest& request_;
     const BatchEvents& events_;
+    std::mutex mutex_;  // of the events, while several threads work
     std::stop_token stop_;
     JobControl job_;
     std::vector<TypedLimit> limits_;

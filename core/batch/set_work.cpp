@@ -31,31 +31,15 @@ std::optional<LimitVerdict> verdict_of(const SetTask& task, const Identification
 
 }  // namespace
 
-SetWork::SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_token stop)
-    : batch_(batch),
-      events_(events),
-      interrupted_(std::move(stop), [this] { halt_.request_stop(); }) {
+SetWork::SetWork(const BatchWork& batch, std::stop_token stop)
+    : batch_(batch), interrupted_(std::move(stop), [this] { halt_.request_stop(); }) {
     for (const SetTask& task : batch_.tasks) {
         if (!batch_.journal.has(task.key)) {
             todo_.push_back(&task);
         }
     }
     done_ = batch_.tasks.size() - todo_.size();
-    if (batch_.database != nullptr) {
-        waits_ = batch_.database->on_waiting([this](const Diagnostic& waiting) {
-            const std::lock_guard lock(mutex_);
-            if (events_.warned) {
-                events_.warned({waiting});
-            }
-        });
-    }
     prepare_sha256();
-}
-
-SetWork::~SetWork() {
-    if (batch_.database != nullptr) {
-        batch_.database->on_waiting(std::move(waits_));
-    }
 }
 
 Status SetWork::run() {
@@ -90,7 +74,7 @@ void SetWork::work() {
 
 void SetWork::finish(const SetTask& task) {
     const MeasurementSet set = with_threads(*task.set);
-    const JobControl job(halt_.get_token(), {}, events_.clock);
+    const JobControl job(halt_.get_token(), {}, batch_.events.clock);
     Result<OpenSet> open = open_set(set, task.passport, halt_.get_token());
     if (!open) {
         add_failure(task, open.error(), {});
@@ -182,7 +166,7 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
 }
 
 void SetWork::add_row(const SetTask& task, FinishedRow row) {
-    const std::unique_lock lock(mutex_);
+    const std::unique_lock lock(batch_.mutex);
     const Status kept = batch_.journal.append(task.key, row.text);
     if (!kept) {
         fault_ = fault_ ? fault_ : kept.error();
@@ -190,16 +174,14 @@ void SetWork::add_row(const SetTask& task, FinishedRow row) {
         return;
     }
     ++done_;
-    if (events_.finished) {
-        row.set = static_cast<std::size_t>(&task - batch_.tasks.data());
-        events_.finished(row);
-    }
+    row.set = static_cast<std::size_t>(&task - batch_.tasks.data());
+    batch_.events.finished(row);
 }
 
 // The first fault counts: the others follow from its stop.
 void SetWork::give_up(const Error& error) {
     {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock(batch_.mutex);
         fault_ = fault_ ? fault_ : error;
     }
     halt_.request_stop();

@@ -11,8 +11,8 @@
 
 namespace vybeg {
 
-// Results as rows of the tables of results_database.cpp. All throw SqliteFailure; the reading ones also
-// DamagedRow.
+// Results as rows of the tables of results_database.cpp. All throw SqliteFailure; the reading ones
+// also DamagedRow.
 
 // A row whose texts are not what was written.
 struct DamagedRow : std::runtime_error {

@@ -221,12 +221,8 @@ Diagnostic same_recordings(const StoredName& kept, const StoredName& lost) {
 }
 
 ResultsDatabase::ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
-                                 double patience_s, WhenWaiting waits)
-    : path_(std::move(path)),
-      access_(access),
-      job_(job),
-      patience_s_(patience_s),
-      waits_(std::make_shared<WhenWaiting>(std::move(waits))) {}
+                                 double patience_s)
+    : path_(std::move(path)), access_(access), job_(job), patience_s_(patience_s) {}
 
 // The exceptions of `work` as errors.
 template <class Work>
@@ -247,15 +243,15 @@ auto ResultsDatabase::guarded(const Work& work) -> Result<decltype(work())> {
 Result<ResultsDatabase> ResultsDatabase::open(const std::filesystem::path& path, Access access,
                                               const JobControl& job, double patience_s,
                                               WhenWaiting waits) {
-    ResultsDatabase database(path, access, job, patience_s, std::move(waits));
-    const Result<bool> connected = database.guarded([&database] {
-        database.connect();
+    ResultsDatabase database(path, access, job, patience_s);
+    const Result<bool> connected = database.guarded([&] {
+        database.connect(std::move(waits));
         return true;
     });
     return connected ? Result(std::move(database)) : connected.error();
 }
 
-void ResultsDatabase::connect() {
+void ResultsDatabase::connect(WhenWaiting waits) {
     if (access_ == Access::write) {
         // With the permissions that the user's mask gives, as every output. O_EXCL and one thread
         // at a time: closing a descriptor drops the locks that this process has on its file.
@@ -281,7 +277,7 @@ void ResultsDatabase::connect() {
     // SQLite gives ":memory:" and an empty name meanings of their own, an absolute path none.
     connection_ = std::make_unique<SqliteConnection>(
         std::filesystem::absolute(path_).string(),
-        [job = job_, patience = patience_s_, waits = waits_, name = path_.string(),
+        [job = job_, patience = patience_s_, waits = std::move(waits), name = path_.string(),
          begun = Clock::time_point(), told = false](int times) mutable {
             begun = times == 0 ? Clock::now() : begun;
             told = told && times > 0;
@@ -289,9 +285,9 @@ void ResultsDatabase::connect() {
             if (job.cancelled() || waited.count() > patience) {
                 return false;
             }
-            if (!told && waited.count() > quiet_s && *waits) {
+            if (!told && waited.count() > quiet_s && waits) {
                 told = true;
-                (*waits)({DiagnosticKind::database_waits, {name, number_arg(patience, 3)}});
+                waits({DiagnosticKind::database_waits, {name, number_arg(patience, 3)}});
             }
             sqlite3_sleep(pause_ms);
             return true;
