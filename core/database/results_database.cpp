@@ -2,7 +2,7 @@
 
 #include "core/analysis/list_fields.h"
 #include "core/base/message_arg.h"
-#include "core/database/result_rows.h"
+#include "core/database/stored_result.h"
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>

@@ -27,8 +27,8 @@ Result<SignalSource> signal_source(const Recording& recording,
                                    std::shared_ptr<const Analysis> analysis, const JobControl& job);
 
 // Samples of consecutive frames with the fitted wave (6) of the window that each belongs to
-// (window_wave.h), recording units. The wave is NaN where no window, or one without a wave, has the
-// sample; its residual is the sample less the wave.
+// (signal_curves.cpp), recording units. The wave is NaN where no window, or one without a wave, has
+// the sample; its residual is the sample less the wave.
 struct SignalExcerpt {
     std::int64_t first = 0;
     double rate_hz = 0;
@@ -60,8 +60,8 @@ struct SignalCurve {
 };
 
 // The wave (6) of the windows at `count` times at equal distances from from_s to to_s, also between
-// samples; each time has the wave of the sample nearest to it (window_wave.h). Preconditions: the
-// track has all rows of its plan; count >= 2.
+// samples; each time has the wave of the sample nearest to it (signal_curves.cpp). Preconditions:
+// the track has all rows of its plan; count >= 2.
 SignalCurve wave_curve(const Analysis& analysis, double rate_hz, double from_s, double to_s,
                        int count);
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/estimators/batch/taylor_window.h"
 #include "core/estimators/batch/window_estimate.h"
-#include "core/estimators/batch/window_jets.h"
 #include "core/estimators/wave/wave_formulas.h"
 
 #include <array>

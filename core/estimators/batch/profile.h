@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/batch/window_jets.h"
+#include "core/estimators/batch/taylor_window.h"
 #include "core/estimators/wave/wave_state.h"
 
 #include <cstdint>

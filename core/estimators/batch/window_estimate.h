@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/batch/window_jets.h"
+#include "core/estimators/batch/taylor_window.h"
 #include "core/estimators/wave/estimator.h"
 #include "core/estimators/wave/precision_bound.h"
 
