@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/plain_text.h"
 #include "core/output/quantity_json.h"
+#include "core/output/quantity_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <numbers>
 #include <sstream>
 #include <unistd.h>
 #include <utility>
@@ -194,6 +196,41 @@ void Log::progress(double fraction) {
         std::fprintf(stderr, "\r%3d %% ", percent);
     }
     percent_ = percent;
+}
+
+std::string text_of(const Estimate& estimate, const std::string& unit) {
+    if (!estimate.given()) {
+        return "- " + english(estimate.reason);
+    }
+    const QuantityText text = quantity_text(estimate.value, estimate.sd, estimate.u);
+    const auto power = [](int exponent) {
+        return exponent != 0 ? "e" + std::to_string(exponent) : std::string();
+    };
+    std::string numbers = text.value;
+    if (!text.sd.empty()) {
+        numbers += " ± " + text.sd;
+    }
+    if (text.exponent != 0) {
+        numbers = "(" + numbers + ")" + power(text.exponent);
+    }
+    if (!unit.empty()) {
+        numbers += " " + unit;
+    }
+    return text.u.empty() ? numbers : numbers + ", u " + text.u + power(text.u_exponent);
+}
+
+std::string text_in_degrees(const Estimate& estimate) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    return text_of(
+        {estimate.value * degrees, estimate.sd * degrees, estimate.reason, estimate.u * degrees},
+        "deg");
+}
+
+std::string line(const std::string& name, const std::string& text) {
+    constexpr std::size_t column = 28;
+    const std::string indented = "  " + name;
+    return indented + std::string(column - std::min(column - 1, indented.size()), ' ') + text +
+           "\n";
 }
 
 }  // namespace vybeg::cli

@@ -1,7 +1,6 @@
 #include "app/cli_support.h"
 #include "app/command_line.h"
-#include "app/gui_analysis.h"
-#include "app/gui_report.h"
+#include "app/gui_drawing.h"
 #include "app/process_guard.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/setting_table.h"
@@ -12,7 +11,6 @@
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/open_table.h"
 #include "ui/document/document.h"
-#include "ui/plots/figure.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
@@ -55,84 +53,28 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
     return windows;
 }
 
-// `vybeg FILE... --figure FIGURE [--windows 6,60]`: the stacked plots, one column per recording and
-// window length. Needs a QApplication, shows no window. Warnings go to standard error.
-struct FigureRequest {
-    std::vector<std::string> inputs;
-    std::string figure;                 // its ending chooses SVG, PDF or PNG
-    std::vector<std::int64_t> windows;  // empty: the window of the settings
-    OpenOptions open;
-    Settings settings;
-};
-
-// The settings of the columns of one recording.
-std::vector<Settings> columns_of(const FigureRequest& request) {
-    if (request.windows.empty()) {
-        return {request.settings};
-    }
-    std::vector<Settings> wanted;
-    for (const std::int64_t window : request.windows) {
-        Settings settings = request.settings;
-        settings.window = window;
-        settings.periods.reset();
-        wanted.push_back(settings);
-    }
-    return wanted;
-}
-
-Status draw_figure(const FigureRequest& request, std::stop_token stop) {
-    TRY(check_request("--figure", request.figure, request.inputs, request.settings));
-    const JobControl job(stop);
-    std::vector<ui::FigureColumn> columns;
-    for (const std::string& input : request.inputs) {
-        const auto recording = TRY(open_warned(input, request.open, job));
-        for (const Settings& settings : columns_of(request)) {
-            auto analysis = TRY(analyse_warned(recording, settings, job));
-            ui::ShownAnalysis shown =
-                shown_analysis(recording, std::move(analysis), static_cast<int>(columns.size()));
-            const QString title = request.inputs.size() > 1
-                                      ? QStringLiteral("%1, %2").arg(shown.recording, shown.name)
-                                      : shown.name;
-            columns.push_back({title, std::move(shown)});
-        }
-    }
-    if (stop.stop_requested()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
-    return ui::writeDrawing(ui::figureDrawing(columns), {ui::figureSize(columns.size(), {})},
-                            QString::fromStdString(request.figure));
-}
-
-// What the command line asks for.
-struct Requested {
-    FigureRequest figure;
-    ReportRequest report;       // its own part
-    IdentifySettings identify;  // its tolerances
-};
-
-void add_report_options(CLI::App& app, Requested& requested) {
+void add_report_options(CLI::App& app, GuiRequest& request) {
     CLI::Option* const report =
         app.add_option(
-               "--report", requested.report.report,
+               "--report", request.report,
                "Write a report of the recordings, as one set, into this file, without a window: "
                ".pdf")
             ->type_name("REPORT")
             ->excludes(app.get_option("--figure"));
     CLI::Option* const list =
-        app.add_option("--list", requested.report.list,
+        app.add_option("--list", request.list,
                        "With --report: of the sets of this measurement list, a chapter each")
             ->type_name("LIST.csv")
             ->needs(report)
             ->excludes(app.get_option("FILE"));
-    app.add_option("--set", requested.report.set, "Of this set of the list alone")
+    app.add_option("--set", request.set, "Of this set of the list alone")
         ->type_name("NAME")
         ->needs(list);
-    app.add_flag("--summary", requested.report.summary,
-                 "With --report: one page a set, to be signed")
+    app.add_flag("--summary", request.summary, "With --report: one page a set, to be signed")
         ->needs(report);
     for (const ui::TitleField& field : ui::title_fields) {
-        const auto take = [&requested, text = field.text](const std::string& told) {
-            requested.report.title.*text = QString::fromStdString(told);
+        const auto take = [&request, text = field.text](const std::string& told) {
+            request.title.*text = QString::fromStdString(told);
         };
         app.add_option_function<std::string>("--" + std::string(field.option), take,
                                              "With --report: " + std::string(field.help))
@@ -142,14 +84,13 @@ void add_report_options(CLI::App& app, Requested& requested) {
 }
 
 // The line is read before anything of Qt exists: --help and a wrong line need no display.
-void describe(CLI::App& app, Requested& requested) {
-    FigureRequest& request = requested.figure;
+void describe(CLI::App& app, GuiRequest& request) {
     app.name("vybeg");
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
     app.add_option("FILE", request.inputs, "Recordings, measurement lists or sessions to open")
         ->type_name("");
     add_analysis_options(app, request.settings);
-    add_setting(app, *row_named(identify_settings(), "tolerance"), requested.identify);
+    add_setting(app, *row_named(identify_settings(), "tolerance"), request.identify);
     add_settings(app, open_settings(), request.open);
     app.add_option("--figure", request.figure,
                    "Draw the stacked plots into this file, without a window: .svg, .pdf or .png")
@@ -161,7 +102,7 @@ void describe(CLI::App& app, Requested& requested) {
               })
         ->excludes(app.get_option("--window"))
         ->excludes(app.get_option("--periods"));
-    add_report_options(app, requested);
+    add_report_options(app, request);
     app.footer(
         "Without --figure and --report the window opens, on the recordings named.\n"
         "Exit status: 0 done, 2 wrong usage, 3 the input cannot be read, 4 the analysis is "
@@ -233,32 +174,25 @@ int drawing_mode(int argc, char** argv, const std::function<int(std::stop_token)
     return work(interrupt.token());
 }
 
-int figure_mode(int argc, char** argv, const Requested& requested) {
-    if (requested.figure.inputs.empty()) {
+int figure_mode(int argc, char** argv, const GuiRequest& request) {
+    if (request.inputs.empty()) {
         return usage("--figure needs a recording to draw.");
     }
-    if (requested.identify.tolerance != Tolerance{}) {
+    if (request.identify.tolerance != Tolerance{}) {
         warn({{DiagnosticKind::option_without_effect,
                {"--tolerance", "a figure shows no resonator"}}});
     }
-    return drawing_mode(argc, argv,
-                        [&](auto stop) { return ended(draw_figure(requested.figure, stop)); });
+    return drawing_mode(argc, argv, [&](auto stop) { return ended(draw_figure(request, stop)); });
 }
 
-int report_mode(int argc, char** argv, const Requested& requested) {
-    const FigureRequest& request = requested.figure;
-    if (request.inputs.empty() && requested.report.list.empty()) {
+int report_mode(int argc, char** argv, const GuiRequest& request) {
+    if (request.inputs.empty() && request.list.empty()) {
         return usage("--report needs a recording, or a --list of them.");
     }
-    ReportRequest report = requested.report;
-    report.inputs = request.inputs;
-    report.open = request.open;
-    report.settings = request.settings;
-    report.tolerance = requested.identify.tolerance;
-    return drawing_mode(argc, argv, [&](auto stop) { return write_report(report, stop); });
+    return drawing_mode(argc, argv, [&](auto stop) { return write_report(request, stop); });
 }
 
-int window_mode(int argc, char** argv, const FigureRequest& request, const Tolerance& tolerance) {
+int window_mode(int argc, char** argv, const GuiRequest& request) {
     std::optional<PlatformSearch> search(std::in_place, true);
     QApplication application(argc, argv);
     search.reset();
@@ -270,7 +204,7 @@ int window_mode(int argc, char** argv, const FigureRequest& request, const Toler
     for (const std::string& input : request.inputs) {
         files << QString::fromStdString(input);
     }
-    document.startWith(request.settings, tolerance);
+    document.startWith(request.settings, request.identify.tolerance);
     window.show();
     window.session().offerAbandoned();
     window.files().open(files, request.open);
@@ -279,9 +213,9 @@ int window_mode(int argc, char** argv, const FigureRequest& request, const Toler
 
 int run(int argc, char** argv) {
     const std::span words(argv, static_cast<std::size_t>(argc));
-    Requested requested;
+    GuiRequest request;
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
-    describe(app, requested);
+    describe(app, request);
     let_repeated_options_parse(app);
     try {
         app.parse(argc, argv);
@@ -292,21 +226,19 @@ int run(int argc, char** argv) {
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return usage(fault);
     }
-    const FigureRequest& request = requested.figure;
     if (const Status valid = validate(request.settings); !valid) {
         return usage(english(valid.error()));
     }
     if (!request.figure.empty()) {
-        return figure_mode(argc, argv, requested);
+        return figure_mode(argc, argv, request);
     }
     if (!request.windows.empty()) {
         return usage("--windows needs --figure.");
     }
-    if (!requested.report.report.empty()) {
-        return report_mode(argc, argv, requested);
+    if (!request.report.empty()) {
+        return report_mode(argc, argv, request);
     }
-    return has_display() ? window_mode(argc, argv, request, requested.identify.tolerance)
-                         : usage(no_display);
+    return has_display() ? window_mode(argc, argv, request) : usage(no_display);
 }
 
 }  // namespace

@@ -1,20 +1,38 @@
-#include "app/gui_report.h"
+#include "app/gui_drawing.h"
 
-#include "app/gui_analysis.h"
+#include "app/process_guard.h"
+#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/idle_options.h"
 #include "core/analysis/inspect.h"
+#include "core/analysis/settings.h"
+#include "core/analysis/tolerance.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
+#include "core/base/finding.h"
+#include "core/base/job_control.h"
 #include "core/base/read_value.h"
+#include "core/base/result.h"
 #include "core/batch/batch_sets.h"
 #include "core/batch/identify_set.h"
 #include "core/output/output_file.h"
 #include "core/output/output_paths.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/file_changes.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/recording.h"
 #include "core/track/events.h"
 #include "ui/document/document.h"
+#include "ui/plots/figure.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
+#include "ui/report/report_content.h"
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_writer.h"
 #include "ui/resonator/conditions_text.h"
 #include "ui/session/session_keeper.h"
+#include "ui/values/shown_analysis.h"
+#include "ui/widgets/theme.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>
@@ -27,11 +45,99 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <stop_token>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace vybeg::cli {
 
+int fail(const Error& error) {
+    std::fprintf(stderr, "vybeg: %s\n", english(error).c_str());
+    return exit_status(error.code);
+}
+
+int ended(const Status& done) {
+    return done ? 0 : fail(done.error());
+}
+
+void warn(const std::vector<Diagnostic>& diagnostics) {
+    const std::vector<Finding> findings = findings_of(diagnostics);
+    const std::size_t count = count_warnings(findings);
+    for (std::size_t k = 0; k < std::min(count, most_shown); ++k) {
+        std::fprintf(stderr, "vybeg: warning: %s\n", english(findings[k]).c_str());
+    }
+    if (count > most_shown) {
+        std::fprintf(stderr, "vybeg: %zu more: vybeg-cli analyze --verbose\n", count - most_shown);
+    }
+}
+
 namespace {
+
+// Checks what can be checked before the first recording is opened, and warns of settings without
+// effect. Errors: setting_invalid, those of check_threads().
+Status check_request(const std::string& option, const std::string& output,
+                     const std::vector<std::string>& inputs, const Settings& settings) {
+    std::vector<InputPath> paths;
+    paths.reserve(inputs.size());
+    for (const std::string& input : inputs) {
+        paths.push_back({input, "it is one of the recordings"});
+    }
+    TRY(check_outputs({{option, output, ""}}, paths));
+    TRY(check_threads(settings.threads));
+    warn(without_effect(settings));
+    return {};
+}
+
+// With its warnings. Errors: those of open_recording().
+Result<Recording> open_warned(const std::string& input, const OpenOptions& options,
+                              const JobControl& job) {
+    Result<Recording> recording = open_recording(input, options, job);
+    if (recording) {
+        warn(without_effect(options, *recording));
+    }
+    return recording;
+}
+
+// Likewise. Errors: those of analyse(), file_changed.
+Result<Analysis> analyse_warned(const Recording& recording, const Settings& settings,
+                                const JobControl& job) {
+    Result<Analysis> analysis = analyse(recording, settings, job);
+    TRY(unchanged(recording));
+    if (analysis) {
+        warn(analysis->diagnostics);
+    }
+    return analysis;
+}
+
+// For display, in the style of that number; its name is the window.
+ui::ShownAnalysis shown_analysis(const Recording& recording, Analysis analysis, int index) {
+    const ui::CurveStyle style = ui::curveStyle(index);
+    ui::ShownAnalysis shown;
+    shown.id = static_cast<ui::AnalysisId>(index + 1);
+    shown.name = QStringLiteral("n = %1").arg(analysis.plan.length);
+    shown.recording = QString::fromStdString(recording.path.filename().string());
+    shown.color = style.color;
+    shown.rate_hz = recording.rate_hz;
+    shown.seconds_taken = analysis.timing.estimate_s;
+    shown.analysis = std::make_shared<const Analysis>(std::move(analysis));
+    return shown;
+}
+
+// The settings of the columns of one recording.
+std::vector<Settings> columns_of(const GuiRequest& request) {
+    if (request.windows.empty()) {
+        return {request.settings};
+    }
+    std::vector<Settings> wanted;
+    for (const std::int64_t window : request.windows) {
+        Settings settings = request.settings;
+        settings.window = window;
+        settings.periods.reset();
+        wanted.push_back(settings);
+    }
+    return wanted;
+}
 
 Status check_pdf(const std::string& path) {
     return file_ending(path) == ".pdf"
@@ -53,10 +159,10 @@ Status check_no_session(const std::vector<std::string>& inputs) {
     return {};
 }
 
-Result<MeasurementList> wanted_sets(const ReportRequest& request) {
+Result<MeasurementList> wanted_sets(const GuiRequest& request) {
     IdentifySettings settings;
     settings.signal = request.settings;
-    settings.tolerance = request.tolerance;
+    settings.tolerance = request.identify.tolerance;
     settings.threads = request.settings.threads;
     if (request.list.empty()) {
         MeasurementSet set{"", {}, settings};
@@ -74,7 +180,7 @@ Result<MeasurementList> wanted_sets(const ReportRequest& request) {
     return list;
 }
 
-std::vector<std::string> files_of(const ReportRequest& request,
+std::vector<std::string> files_of(const GuiRequest& request,
                                   const std::vector<MeasurementSet>& sets) {
     std::vector<std::string> files;
     for (const MeasurementSet& set : sets) {
@@ -172,7 +278,7 @@ Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Setting
     return content;
 }
 
-Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementList& list,
+Result<QByteArray> pdf_of_one(const GuiRequest& request, const MeasurementList& list,
                               const JobControl& job) {
     auto content = TRY(report_of_set(list.sets.front(), request.settings, request.title, job));
     content.summary = request.summary;
@@ -181,7 +287,7 @@ Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementLis
 }
 
 // Set by set: only texts and figures stay in memory.
-Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementList& list,
+Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& list,
                               const JobControl& job) {
     std::vector<ui::ReportChapter> chapters;
     std::vector<ui::ReportPicture> pictures;
@@ -258,7 +364,7 @@ std::optional<ReportSubject> subject_of(const Document& document) {
     return wanted == subjects.end() ? std::nullopt : std::optional(*wanted);
 }
 
-std::vector<std::string> recording_files(const ReportRequest& request, const Document& document) {
+std::vector<std::string> recording_files(const GuiRequest& request, const Document& document) {
     std::vector<std::string> files = request.inputs;
     for (const RecordingEntry& entry : document.recordings()) {
         files.push_back(entry.path.toStdString());
@@ -269,7 +375,7 @@ std::vector<std::string> recording_files(const ReportRequest& request, const Doc
 // The session is opened and computed without a window; its set, or all of its sets, are the report,
 // without a set its current recording. What the request's title does not tell is that of the
 // session's gyro.
-int write_session_report(const ReportRequest& request, std::stop_token stop) {
+int write_session_report(const GuiRequest& request, std::stop_token stop) {
     Document document;
     TrackView tracks;
     SessionKeeper session(document, tracks);
@@ -321,7 +427,7 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
     return ended(*written);
 }
 
-Status write_report_of_files(const ReportRequest& request, std::stop_token stop) {
+Status write_report_of_files(const GuiRequest& request, std::stop_token stop) {
     TRY(check_no_session(request.inputs));
     const auto list = TRY(wanted_sets(request));
     TRY(check_request("--report", request.report, files_of(request, list.sets), request.settings));
@@ -333,7 +439,30 @@ Status write_report_of_files(const ReportRequest& request, std::stop_token stop)
 
 }  // namespace
 
-int write_report(const ReportRequest& request, std::stop_token stop) {
+Status draw_figure(const GuiRequest& request, std::stop_token stop) {
+    TRY(check_request("--figure", request.figure, request.inputs, request.settings));
+    const JobControl job(stop);
+    std::vector<ui::FigureColumn> columns;
+    for (const std::string& input : request.inputs) {
+        const auto recording = TRY(open_warned(input, request.open, job));
+        for (const Settings& settings : columns_of(request)) {
+            auto analysis = TRY(analyse_warned(recording, settings, job));
+            ui::ShownAnalysis shown =
+                shown_analysis(recording, std::move(analysis), static_cast<int>(columns.size()));
+            const QString title = request.inputs.size() > 1
+                                      ? QStringLiteral("%1, %2").arg(shown.recording, shown.name)
+                                      : shown.name;
+            columns.push_back({title, std::move(shown)});
+        }
+    }
+    if (stop.stop_requested()) {
+        return Error{ErrorCode::interrupted, {}, {}};
+    }
+    return ui::writeDrawing(ui::figureDrawing(columns), {ui::figureSize(columns.size(), {})},
+                            QString::fromStdString(request.figure));
+}
+
+int write_report(const GuiRequest& request, std::stop_token stop) {
     if (const Status is_pdf = check_pdf(request.report); !is_pdf) {
         return fail(is_pdf.error());
     }
