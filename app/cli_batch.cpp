@@ -1,6 +1,6 @@
 #include "app/cli_commands.h"
 #include "app/cli_support.h"
-#include "core/batch/compute_batch.h"
+#include "core/batch/batch_request.h"
 
 #include <nlohmann/json.hpp>
 

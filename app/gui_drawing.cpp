@@ -322,8 +322,8 @@ using namespace vybeg::ui;
 
 constexpr int tick_ms = 20;
 
-// Lets the session work until `done`; false after an interruption.
-bool wait_until(const std::function<bool()>& done, const std::stop_token& stop) {
+// Lets the session work until `done`. Errors: interrupted.
+Status wait_until(const std::function<bool()>& done, const std::stop_token& stop) {
     QEventLoop loop;
     QTimer tick;
     QObject::connect(&tick, &QTimer::timeout, &loop, [&] {
@@ -333,7 +333,7 @@ bool wait_until(const std::function<bool()>& done, const std::stop_token& stop) 
     });
     tick.start(tick_ms);
     loop.exec();
-    return !stop.stop_requested();
+    return stop.stop_requested() ? Status(Error{ErrorCode::interrupted, {}, {}}) : Status();
 }
 
 // Whether every recording has its hash and its check, and no analysis and no drift is under way.
@@ -375,7 +375,7 @@ std::vector<std::string> recording_files(const GuiRequest& request, const Docume
 // The session is opened and computed without a window; its set, or all of its sets, are the report,
 // without a set its current recording. What the request's title does not tell is that of the
 // session's gyro.
-int write_session_report(const GuiRequest& request, std::stop_token stop) {
+Result<int> write_session_report(const GuiRequest& request, std::stop_token stop) {
     Document document;
     TrackView tracks;
     SessionKeeper session(document, tracks);
@@ -386,28 +386,20 @@ int write_session_report(const GuiRequest& request, std::stop_token stop) {
     QObject::connect(&document, &Document::reported, [](const Message& message) {
         std::fprintf(stderr, "vybeg: %s\n", qUtf8Printable(message.text()));
     });
-    const Error interrupted{ErrorCode::interrupted, {}, {}};
     if (!session.openSession(QString::fromStdString(request.inputs.front()))) {
         return exit_status(ErrorCode::format_damaged);  // the message has told why
     }
     const auto ready = [&] { return !session.isOpening() && is_whole(document); };
-    if (!wait_until(ready, stop)) {
-        return fail(interrupted);
-    }
-    if (const Status possible = check_request("--report", request.report,
-                                              recording_files(request, document), request.settings);
-        !possible) {
-        return fail(possible.error());
-    }
+    TRY(wait_until(ready, stop));
+    TRY(check_request("--report", request.report, recording_files(request, document),
+                      request.settings));
     identify_the_rest(document);
-    if (!wait_until(ready, stop)) {
-        return fail(interrupted);
-    }
+    TRY(wait_until(ready, stop));
     const std::optional<ReportSubject> subject = subject_of(document);
     if (!subject) {
-        return fail(refused_value(
+        return refused_value(
             "--report", request.inputs.front(),
-            "none of the session's recordings is there and analysed, and no log has a drift"));
+            "none of the session's recordings is there and analysed, and no log has a drift");
     }
     const ReportTitle otherwise =
         completed(request.title, titleOf(document.dossier().dossier().gyro));
@@ -421,9 +413,7 @@ int write_session_report(const GuiRequest& request, std::stop_token stop) {
     std::optional<Status> written;
     writer.write(contents, subject->name, QString::fromStdString(request.report),
                  [&written](const Status& status) { written = status; });
-    if (!wait_until([&written] { return written.has_value(); }, stop)) {
-        return fail(interrupted);
-    }
+    TRY(wait_until([&written] { return written.has_value(); }, stop));
     return ended(*written);
 }
 
@@ -435,6 +425,16 @@ Status write_report_of_files(const GuiRequest& request, std::stop_token stop) {
     const auto pdf = TRY(list.sets.size() == 1 ? pdf_of_one(request, list, job)
                                                : pdf_of_all(request, list, job));
     return write_file(request.report, {pdf.constData(), static_cast<std::size_t>(pdf.size())}, job);
+}
+
+// The exit status.
+Result<int> report_status(const GuiRequest& request, std::stop_token stop) {
+    TRY(check_pdf(request.report));
+    if (request.inputs.size() == 1 && request.list.empty() && is_session(request.inputs.front())) {
+        return write_session_report(request, std::move(stop));
+    }
+    TRY(write_report_of_files(request, std::move(stop)));
+    return 0;
 }
 
 }  // namespace
@@ -463,13 +463,8 @@ Status draw_figure(const GuiRequest& request, std::stop_token stop) {
 }
 
 int write_report(const GuiRequest& request, std::stop_token stop) {
-    if (const Status is_pdf = check_pdf(request.report); !is_pdf) {
-        return fail(is_pdf.error());
-    }
-    if (request.inputs.size() == 1 && request.list.empty() && is_session(request.inputs.front())) {
-        return write_session_report(request, std::move(stop));
-    }
-    return ended(write_report_of_files(request, std::move(stop)));
+    const Result<int> status = report_status(request, std::move(stop));
+    return status ? *status : fail(status.error());
 }
 
 }  // namespace vybeg::cli

@@ -1,5 +1,3 @@
-#include "core/batch/compute_batch.h"
-
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"

@@ -66,9 +66,9 @@ public:
                 } else if (fits.arrived[lane] > 0) {
                     out[k] = complete_estimate(lane_of(fits, lane), power, window, options_);
                 } else {
-                    out[k] =
-                        estimate_window(window, start_values(window, centre_of(block, k, centre_s)))
-                            .estimate;
+                    const WaveParameters begin =
+                        start_values(window, centre_of(block, k, centre_s));
+                    out[k] = estimate_of(descend(window, bracket_, begin), window);
                 }
             }
         }
@@ -114,20 +114,13 @@ private:
         }
     }
 
-    struct Estimated {
-        WaveEstimate estimate;
-        Descent descent;
-    };
-
-    Estimated estimate_window(const Window& window, const WaveParameters& start) const {
-        const Descent descent = descend(window, bracket_, start);
-        const WaveParameters& found = descent.parameters;
+    WaveEstimate estimate_of(const Descent& descent, const Window& window) const {
         Flags flags = 0;
         if (!descent.converged) {
             set(flags, Flag::not_converged);
         }
-        return {complete_estimate(to_phasors(found.state), found.w, flags, window, options_),
-                descent};
+        const WaveParameters& found = descent.parameters;
+        return complete_estimate(to_phasors(found.state), found.w, flags, window, options_);
     }
 
     // Starts from the window before if that one converged.
@@ -136,13 +129,14 @@ private:
             previous_.reset();
             return no_estimate(Flag::gap);
         }
-        const Estimated found = estimate_window(
-            window, previous_ ? carried(previous_->parameters, previous_->centre_s, centre_s)
+        const Descent found =
+            descend(window, bracket_,
+                    previous_ ? carried(previous_->parameters, previous_->centre_s, centre_s)
                               : start_values(window, centre_s));
-        if (found.descent.converged) {
-            previous_ = Previous{found.descent.parameters, centre_s};
+        if (found.converged) {
+            previous_ = Previous{found.parameters, centre_s};
         }
-        return found.estimate;
+        return estimate_of(found, window);
     }
 
     EstimatorOptions options_;
