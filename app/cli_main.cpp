@@ -90,7 +90,7 @@ void add_compare_options(CLI::App& app, CompareOptions& options) {
               "Frequencies count as changed beyond this, ppm: they follow the temperature (default "
               "30)",
               [&options](const auto& option, const auto& text) {
-                  options.f_limit_ppm = number_value(option, text);
+                  options.f_limit_ppm = accepted(read_number(option, text));
                   if (options.f_limit_ppm < 0) {
                       reject(option, text, "it cannot be negative");
                   }
@@ -143,7 +143,7 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
     add_value(app, "--jobs", "N", "Sets computed at once (default 1)",
               [&request](const auto& option, const auto& text) {
                   constexpr int most_jobs = 1024;
-                  const std::int64_t jobs = whole_value(option, text);
+                  const std::int64_t jobs = accepted(read_whole(option, text));
                   if (jobs < 1 || jobs > most_jobs) {
                       reject(option, text, "it must be 1 to 1024");
                   }

@@ -116,8 +116,8 @@ std::vector<LostSamples> lost_value(const std::string& option, const std::string
         if (colon == std::string::npos) {
             reject(option, text, "it is FRAME:COUNT, several with commas");
         }
-        lost.push_back({whole_value(option, fault.substr(0, colon)),
-                        whole_value(option, fault.substr(colon + 1))});
+        lost.push_back({accepted(read_whole(option, fault.substr(0, colon))),
+                        accepted(read_whole(option, fault.substr(colon + 1)))});
     }
     return lost;
 }
@@ -132,14 +132,15 @@ void add_number(CLI::App& app, const std::string& name, double& target,
                 const std::string& placeholder, const std::string& help) {
     add_value(app, name, placeholder, help,
               [&target](const std::string& option, const std::string& text) {
-                  target = number_value(option, text);
+                  target = accepted(read_number(option, text));
               });
 }
 
 void add_hum_and_faults(CLI::App& app, FreeDecay& decay) {
     add_value(app, "--hum", "X,HZ,RAD", "Mains in both channels: amplitude, frequency, phase",
               [&decay](const auto& option, const auto& text) {
-                  const auto hum = list_value(option, text, 3, "it is three numbers X,HZ,RAD");
+                  const auto hum =
+                      accepted(read_numbers(option, text, 3, "it is three numbers X,HZ,RAD"));
                   decay.hum = hum[0];
                   decay.hum_hz = hum[1];
                   decay.hum_phase = hum[2];
@@ -148,8 +149,9 @@ void add_hum_and_faults(CLI::App& app, FreeDecay& decay) {
            "--mode-beside",
            [&decay](const std::vector<std::string>& modes) {
                for (const std::string& mode : modes) {
-                   const auto x = list_value("--mode-beside", mode, 6,
-                                             "it is six numbers HZ,A_C,A_D,PHASE_C,PHASE_D,TAU");
+                   const auto x =
+                       accepted(read_numbers("--mode-beside", mode, 6,
+                                             "it is six numbers HZ,A_C,A_D,PHASE_C,PHASE_D,TAU"));
                    decay.modes_beside.push_back({x[0], x[1], x[2], x[3], x[4], x[5]});
                }
            },
@@ -252,7 +254,7 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
               [&request](const auto&, const auto& text) { request.truth = text; });
     add_value(app, "--window", "N", "Window of the truth, samples (default 60)",
               [&request](const auto& option, const auto& text) {
-                  request.window = whole_value(option, text);
+                  request.window = accepted(read_whole(option, text));
               });
     add_value(
         app, "--lock-in", "ORDER,BW,RATE",
@@ -272,14 +274,15 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
     }
     add_value(app, "--offset", "C,D", with_default("Offsets of the channels", offset_text(decay)),
               [&decay](const auto& option, const auto& text) {
-                  const auto offsets = list_value(option, text, 2, "it is two numbers C,D");
+                  const auto offsets =
+                      accepted(read_numbers(option, text, 2, "it is two numbers C,D"));
                   decay.offset_c = offsets[0];
                   decay.offset_d = offsets[1];
               });
     add_hum_and_faults(app, decay);
     add_value(app, "--bits", "B", "Quantise to B bits, 2 to 32 (default: do not)",
               [&decay](const auto& option, const auto& text) {
-                  const std::int64_t bits = whole_value(option, text);
+                  const std::int64_t bits = accepted(read_whole(option, text));
                   if (bits < 2 || bits > 32) {
                       reject(option, text, "it is 2 to 32");
                   }

@@ -132,19 +132,6 @@ void reject(const std::string& option, const std::string& text, const std::strin
     refuse(refused_value(option, text, allowed));
 }
 
-double number_value(const std::string& option, const std::string& text) {
-    return accepted(read_number(option, text));
-}
-
-std::int64_t whole_value(const std::string& option, const std::string& text) {
-    return accepted(read_whole(option, text));
-}
-
-std::vector<double> list_value(const std::string& option, const std::string& text,
-                               std::size_t count, const std::string& allowed) {
-    return accepted(read_numbers(option, text, count, allowed));
-}
-
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& placeholder,
                        const std::string& help,
                        std::function<void(const std::string&, const std::string&)> take) {

@@ -2,11 +2,11 @@
 
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
+#include "core/base/read_value.h"
 #include "core/base/setting_rows.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -29,12 +29,6 @@ T accepted(Result<T> value) {
     }
     return std::move(*value);
 }
-
-double number_value(const std::string& option, const std::string& text);
-std::int64_t whole_value(const std::string& option, const std::string& text);
-// Exactly `count` numbers with commas between them.
-std::vector<double> list_value(const std::string& option, const std::string& text,
-                               std::size_t count, const std::string& allowed);
 
 // Adds an option of one value. `placeholder` stands for the value in the help, e.g. "HZ"; `take`
 // gets the option's name and the text.

@@ -44,7 +44,7 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
     constexpr const char* allowed = "whole numbers of samples from 5, with commas between them";
     const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
     std::vector<std::int64_t> windows;
-    for (const double value : list_value(option, text, count, allowed)) {
+    for (const double value : accepted(read_numbers(option, text, count, allowed))) {
         if (!within(bounds_of("window"), option, value) || value != std::floor(value)) {
             reject(option, text, allowed);
         }

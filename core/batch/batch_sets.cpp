@@ -3,6 +3,7 @@
 #include "core/analysis/set_conditions.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/message_arg.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/batch/limits.h"
 #include "core/output/batch_csv.h"
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <span>
 #include <sys/stat.h>
 #include <system_error>
 #include <tuple>
@@ -92,10 +94,8 @@ Result<MeasurementSet> set_named(const MeasurementList& list, const std::string&
     if (found != list.sets.end()) {
         return *found;
     }
-    std::string names;
-    for (std::size_t k = 0; k < std::min(list.sets.size(), most_names); ++k) {
-        names += (k == 0 ? "" : ", ") + list.sets[k].name;
-    }
+    std::string names = joined(std::span(list.sets).first(std::min(list.sets.size(), most_names)),
+                               ", ", &MeasurementSet::name);
     names += list.sets.size() > most_names ? ", ..." : "";
     return name.empty() ? Error{ErrorCode::set_not_chosen, "", {option, names}}
                         : refused_value(option, name, "the sets of the list are " + names);

@@ -88,31 +88,9 @@ void SetWork::finish(const SetTask& task) {
     }
     std::vector<NamedWarnings> warnings = warnings_of(*open, *result);
     const double identified = job.now();
-    // Before the row: a row in the journal means that its files and its result in the database are
-    // there.
-    if (!task.new_passport.empty()) {
-        if (Status written =
-                write_file(task.new_passport, passport_json(passport_of(*result)), job);
-            !written) {
-            give_up(written.error());
-            return;
-        }
-    }
-    if (!task.json.empty() || batch_.database != nullptr) {
-        const std::string json = identify_json(*result);
-        Status written = task.json.empty() ? Status() : write_file(task.json, json, job);
-        if (!written) {
-            give_up(written.error());
-            return;
-        }
-        Result<std::vector<Diagnostic>> stored = store(task, *result, json);
-        if (!stored) {
-            give_up(stored.error());
-            return;
-        }
-        if (!stored->empty()) {
-            warnings.emplace_back("", std::move(*stored));
-        }
+    if (const Status kept = keep(task, *result, job, warnings); !kept) {
+        give_up(kept.error());
+        return;
     }
     const std::optional<LimitVerdict> limits = verdict_of(task, &result->identification);
     FinishedRow row{.text = batch_row(*result, limits ? &*limits : nullptr),
@@ -126,12 +104,27 @@ void SetWork::finish(const SetTask& task) {
     add_row(task, std::move(row));
 }
 
+Status SetWork::keep(const SetTask& task, const SetResult& result, const JobControl& job,
+                     std::vector<NamedWarnings>& warnings) {
+    if (!task.new_passport.empty()) {
+        TRY(write_file(task.new_passport, passport_json(passport_of(result)), job));
+    }
+    if (!task.json.empty() || batch_.database != nullptr) {
+        const std::string json = identify_json(result);
+        TRY(task.json.empty() ? Status() : write_file(task.json, json, job));
+        if (batch_.database != nullptr) {
+            auto stored = TRY(store(task, result, json));
+            if (!stored.empty()) {
+                warnings.emplace_back("", std::move(stored));
+            }
+        }
+    }
+    return {};
+}
+
 Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const SetResult& result,
                                                const std::string& json) {
     std::vector<Diagnostic> warnings;
-    if (batch_.database == nullptr) {
-        return warnings;
-    }
     const auto stored = TRY(stored_result(result, json));
     const std::lock_guard lock(database_mutex_);
     const auto holder = TRY(batch_.database->holder(stored.key));

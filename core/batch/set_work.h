@@ -45,7 +45,12 @@ public:
 private:
     void work();
     void finish(const SetTask& task);
-    // Returns the warning that the database keeps one result for this set and another one.
+    // Writes what goes beside the row, before it: a row in the journal means that its files and its
+    // result in the database are there.
+    Status keep(const SetTask& task, const SetResult& result, const JobControl& job,
+                std::vector<NamedWarnings>& warnings);
+    // Precondition: there is a database. Returns the warning that it keeps one result for this set
+    // and another one.
     Result<std::vector<Diagnostic>> store(const SetTask& task, const SetResult& result,
                                           const std::string& json);
     void add_failure(const SetTask& task, const Error& error,

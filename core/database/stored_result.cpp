@@ -17,6 +17,7 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -115,22 +116,15 @@ std::vector<std::string> texts_in(const std::string& text) {
     return texts;
 }
 
-constexpr std::array date_sources{std::pair{DateSource::none, ""},
-                                  std::pair{DateSource::list, "list"},
-                                  std::pair{DateSource::recording, "recording"}};
-
-const char* source_name(DateSource source) {
-    return std::ranges::find(date_sources, source, &std::pair<DateSource, const char*>::first)
-        ->second;
-}
+// As DateSource.
+constexpr std::array<std::string_view, 3> date_sources{"", "list", "recording"};
 
 DateSource source_of(const std::string& name) {
-    for (const auto& [source, known] : date_sources) {
-        if (name == known) {
-            return source;
-        }
+    const auto* const found = std::ranges::find(date_sources, name);
+    if (found == date_sources.end()) {
+        throw DamagedRow("a date is from \"" + name + "\"");
     }
-    throw DamagedRow("a date is from \"" + name + "\"");
+    return static_cast<DateSource>(found - date_sources.begin());
 }
 
 // Columns value, sd, u, reason, reason_args from `column` on.
@@ -186,7 +180,9 @@ std::int64_t write_head(const SqliteConnection& connection, const StoredResult& 
         RETURNING id)sql");
     head.bind(wanted.value_or(0));
     head.bind(result.key).bind(result.set).bind(result.gyro).bind(result.date.text);
-    head.bind(source_name(result.date.source)).bind(result.program).bind(result.model);
+    head.bind(date_sources[static_cast<std::size_t>(result.date.source)])
+        .bind(result.program)
+        .bind(result.model);
     head.bind(result.warnings);
     head.step();
     const std::int64_t id = head.whole(0);

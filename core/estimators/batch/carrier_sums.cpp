@@ -72,7 +72,7 @@ CarrierSums::CarrierSums(std::int64_t n, double w0) : n_(n), w0_(w0) {
 }
 
 double CarrierSums::x_at(double window) const {
-    return x_ + slope_ * (window - from_);
+    return line_.x + line_.slope * (window - line_.from);
 }
 
 CarrierSums::Reference& CarrierSums::reference(double x) {
@@ -166,14 +166,14 @@ void CarrierSums::take(const WindowBlock& block, std::size_t count,
     block_ = block;
     count_ = count;
     delayed_ = delayed;
-    x_ = slope_ = from_ = 0;
+    line_ = {};
     left_to_follow_ = most_followed;
     if (n_ >= least_probed && count > 0) {
         const double first = probe(0).value_or(0);
         const double last = count > 1 ? probe(count - 1).value_or(first) : first;
         if (std::abs(first) > near || std::abs(last) > near) {
-            x_ = first;
-            slope_ = count > 1 ? (last - first) / static_cast<double>(count - 1) : 0;
+            line_.x = first;
+            line_.slope = count > 1 ? (last - first) / static_cast<double>(count - 1) : 0;
         }
     }
     use(x_at(0.5 * static_cast<double>(count - 1)));
@@ -181,7 +181,7 @@ void CarrierSums::take(const WindowBlock& block, std::size_t count,
 
 // Sums of windows from `first` on at the frequency of the line. Returns their number.
 std::size_t CarrierSums::sum_up(std::size_t first, ProjectionBatch& batch) {
-    const double steep = std::abs(slope_);
+    const double steep = std::abs(line_.slope);
     const auto on_line = [steep](std::size_t most, double width) {
         const double windows = 1 + std::floor(steep > 0 ? width / steep : 1e9);
         return std::min(most, static_cast<std::size_t>(std::min(windows, 1e9)));
@@ -218,9 +218,7 @@ std::size_t CarrierSums::sum_up(std::size_t first, ProjectionBatch& batch) {
 // converge.
 bool CarrierSums::follow(std::size_t first, std::size_t lane, ProjectionBatch& batch,
                          BatchMaximum& maximum, std::size_t& count) {
-    const double before_x = x_;
-    const double before_slope = slope_;
-    const double before_from = from_;
+    const Line before = line_;
     const std::size_t window = first + lane;
     const double rough = rough_maximum(batch, lane);
     const double probed = n_ >= least_probed ? probe(window).value_or(rough) : rough;
@@ -229,8 +227,8 @@ bool CarrierSums::follow(std::size_t first, std::size_t lane, ProjectionBatch& b
         if (std::abs(x - here) < 0.5 * near) {
             continue;
         }
-        x_ = x;
-        from_ = static_cast<double>(window);
+        line_.x = x;
+        line_.from = static_cast<double>(window);
         use(at_->sums.overlapping() ? x_at(0.5 * static_cast<double>(first + count_)) : x);
         count = sum_up(first, batch);
         maximise_batch(batch, frame(), maximum);
@@ -238,9 +236,7 @@ bool CarrierSums::follow(std::size_t first, std::size_t lane, ProjectionBatch& b
             return true;
         }
     }
-    x_ = before_x;
-    slope_ = before_slope;
-    from_ = before_from;
+    line_ = before;
     use(x_at(0.5 * static_cast<double>(count_ - 1)));
     count = sum_up(first, batch);
     maximise_batch(batch, frame(), maximum);
