@@ -45,23 +45,6 @@ void add_input(CLI::App& app, std::string& input) {
         ->required();
 }
 
-CLI::Option* add_inputs(CLI::App& app, std::vector<std::string>& inputs) {
-    return app
-        .add_option("FILE", inputs, "The recordings of one resonator, started at different angles")
-        ->type_name("");
-}
-
-void add_list(CLI::App& app, IdentifyRequest& request) {
-    CLI::Option* const list =
-        app.add_option("--list", request.list,
-                       "Measurement list, CSV: a row for each recording, with its options")
-            ->type_name("LIST.csv")
-            ->excludes("FILE");
-    app.add_option("--set", request.set, "The set of the list (default: its only one)")
-        ->type_name("NAME")
-        ->needs(list);
-}
-
 void add_timing(CLI::App& app, bool& timing) {
     app.add_flag("--timing", timing, "Last line of standard error: where the time went, JSON, s");
 }
@@ -158,7 +141,19 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
     add_timing(app, command.timing);
 }
 
+// What identify and compare share.
 void add_identification(CLI::App& app, IdentifyRequest& request) {
+    app.add_option("FILE", request.inputs,
+                   "The recordings of one resonator, started at different angles")
+        ->type_name("");
+    CLI::Option* const list =
+        app.add_option("--list", request.list,
+                       "Measurement list, CSV: a row for each recording, with its options")
+            ->type_name("LIST.csv")
+            ->excludes("FILE");
+    app.add_option("--set", request.set, "The set of the list (default: its only one)")
+        ->type_name("NAME")
+        ->needs(list);
     app.add_option("-o,--output", request.output,
                    "The result, JSON; - for standard output (default: a summary there)")
         ->type_name("RESULT.json");
@@ -210,11 +205,9 @@ int run(int argc, char** argv) {
     add_log_options(*analyze_command, log_options);
     add_timing(*analyze_command, analyze.timing);
 
-    IdentifyRequest identification;
+    IdentifyRequest identification;  // of the one or the other
     CLI::App* const identify_command = app.add_subcommand(
         "identify", "The resonator behind one or several recordings of its free decay");
-    add_inputs(*identify_command, identification.inputs);
-    add_list(*identify_command, identification);
     add_identification(*identify_command, identification);
     identify_command
         ->add_option("--passport", identification.new_passport,
@@ -223,17 +216,15 @@ int run(int argc, char** argv) {
     add_database(*identify_command, identification.database);
     add_log_options(*identify_command, log_options);
 
-    IdentifyRequest comparison;
     CLI::App* const compare_command =
         app.add_subcommand("compare", "Identify the resonator and compare it with its passport");
     compare_command
-        ->add_option("PASSPORT", comparison.old_passport, "A passport that identify has written")
+        ->add_option("PASSPORT", identification.old_passport,
+                     "A passport that identify has written")
         ->type_name("")
         ->required();
-    add_inputs(*compare_command, comparison.inputs);
-    add_list(*compare_command, comparison);
-    add_identification(*compare_command, comparison);
-    add_compare_options(*compare_command, comparison.compare);
+    add_identification(*compare_command, identification);
+    add_compare_options(*compare_command, identification.compare);
     add_log_options(*compare_command, log_options);
 
     DriftRequest drift;
@@ -278,16 +269,15 @@ int run(int argc, char** argv) {
         return log.fail(enough.error());
     }
     const auto ended = [&log](const Status& done) { return done ? 0 : log.fail(done.error()); };
-    const IdentifyRequest& asked = compare_command->parsed() ? comparison : identification;
-    if ((identify_command->parsed() || compare_command->parsed()) && asked.inputs.empty() &&
-        asked.list.empty()) {
+    const bool identifies = identify_command->parsed() || compare_command->parsed();
+    if (identifies && identification.inputs.empty() && identification.list.empty()) {
         return log.fail_usage("FILE or --list is required.");
     }
     if (simulate_command->parsed()) {
         return ended(run_simulate(simulation, log, interrupt.token()));
     }
-    const int threads = std::max({analyze.settings.threads, identification.settings.threads,
-                                  comparison.settings.threads, batch.batch.settings.threads});
+    const int threads = std::max(
+        {analyze.settings.threads, identification.settings.threads, batch.batch.settings.threads});
     if (const Status enough = check_threads(threads); !enough) {
         return log.fail(enough.error());
     }
@@ -296,9 +286,6 @@ int run(int argc, char** argv) {
     }
     if (analyze_command->parsed()) {
         return ended(run_analyze(analyze, log, interrupt.token()));
-    }
-    if (identify_command->parsed()) {
-        return ended(run_identify(identification, log, interrupt.token()));
     }
     if (drift_command->parsed()) {
         return ended(run_drift(drift, log, interrupt.token()));
@@ -315,7 +302,7 @@ int run(int argc, char** argv) {
         }
         return ended(run_batch(batch, log, interrupt.token()));
     }
-    return ended(run_identify(comparison, log, interrupt.token()));
+    return ended(run_identify(identification, log, interrupt.token()));
 }
 
 }  // namespace
