@@ -4,6 +4,7 @@
 #include "core/base/finding.h"
 #include "core/base/job_control.h"
 #include "core/output/output_file.h"
+#include "core/resonator/model/reason.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
