@@ -5,7 +5,6 @@
 #include "core/base/error.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
-#include "core/recording/samples/open_table.h"
 
 #include <algorithm>
 #include <filesystem>
