@@ -1,6 +1,6 @@
 #include "app/cli_commands.h"
 #include "app/cli_support.h"
-#include "core/batch/compute_batch.h"
+#include "core/batch/batch_request.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,18 +25,17 @@ public:
                 seconds_now, [this](const auto& error) { log_.fail(error); }};
     }
 
-    std::string timing_line(double batch_s, int jobs) const {
-        const nlohmann::ordered_json line{{"read_s", spent_.read_s},
-                                          {"carrier_s", spent_.carrier_s},
-                                          {"estimate_s", spent_.estimate_s},
-                                          {"fit_s", spent_.fit_s},
-                                          {"write_s", write_s_},
-                                          {"batch_s", batch_s},
-                                          {"sets", computed_},
-                                          {"windows", windows_},
-                                          {"threads", spent_.threads},
-                                          {"jobs", jobs}};
-        return line.dump() + "\n";
+    void tell_timing(double batch_s, int jobs) const {
+        say_timing({{"read_s", spent_.read_s},
+                    {"carrier_s", spent_.carrier_s},
+                    {"estimate_s", spent_.estimate_s},
+                    {"fit_s", spent_.fit_s},
+                    {"write_s", write_s_},
+                    {"batch_s", batch_s},
+                    {"sets", computed_},
+                    {"windows", windows_},
+                    {"threads", spent_.threads},
+                    {"jobs", jobs}});
     }
 
 private:
@@ -89,7 +88,7 @@ Status run_batch(const BatchCommand& request, Log& log, std::stop_token stop) {
     const double begun = seconds_now();
     const Status done = compute_batch(request.batch, told.events(), std::move(stop));
     if (done && request.timing) {
-        std::fputs(told.timing_line(seconds_now() - begun, request.batch.jobs).c_str(), stderr);
+        told.tell_timing(seconds_now() - begun, request.batch.jobs);
     }
     return done;
 }

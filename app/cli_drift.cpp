@@ -1,5 +1,4 @@
 #include "app/cli_commands.h"
-#include "app/cli_identify_text.h"
 #include "app/cli_support.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"

@@ -1,23 +1,242 @@
 #include "app/cli_commands.h"
-#include "app/cli_identify_text.h"
 #include "app/cli_support.h"
 #include "core/analysis/setting_table.h"
+#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
+#include "core/batch/batch_sets.h"
 #include "core/batch/identify_set.h"
-#include "core/batch/list_sets.h"
 #include "core/database/results_database.h"
 #include "core/output/identify_json.h"
 #include "core/output/output_paths.h"
 #include "core/output/passport_json.h"
 #include "core/recording/samples/open_table.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace vybeg::cli {
 namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+constexpr double negligible = 0.01;  // of a standard deviation
+
+// Parameters for people have the names of the JSON without their units.
+std::string label_of(std::string name) {
+    for (const std::string_view unit : {"_hz_per_s", "_rad_s", "_per_s", "_rad", "_hz", "_s"}) {
+        if (name.ends_with(unit)) {
+            name.resize(name.size() - unit.size());
+            break;
+        }
+    }
+    return name;
+}
+
+std::string parameter_text(const ResonatorParameter& parameter, const Estimate& estimate) {
+    return parameter.period > 0 ? text_in_degrees(estimate) : text_of(estimate, parameter.unit);
+}
+
+// What the wave of a recording did, whatever the resonator is.
+std::string wave_text(const RecordingRef& recording, const WaveMotion& wave) {
+    std::string text = "wave of " + recording.name() + ", means over the recording\n";
+    for (const WaveParameter& parameter : wave_parameters) {
+        const Estimate& estimate = wave.*parameter.member;
+        text += line(label_of(parameter.name), text_of(estimate, parameter.unit));
+    }
+    return text;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+    return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+// "kappa 0.01 (assumed), skew 0.1 deg (assumed)": what u holds besides sd.
+std::string tolerances_text(const IdentifySettings& settings) {
+    std::string list;
+    for (const ToleranceInUse& each :
+         tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
+        const std::string unit = each.parameter.unit;
+        list += (list.empty() ? "" : ", ") + std::string(each.parameter.name()) + " " +
+                short_text(each.value, 3) + (unit.empty() ? "" : " " + unit) +
+                (each.assumed ? " (assumed)" : "");
+    }
+    std::string text = "± is statistical";
+    if (!list.empty()) {
+        text += "; u holds the tolerances " + list;
+    }
+    return text + "\n" +
+           (settings.tolerance.rate_ppm ? "" : "frequencies by the clock of the recorder\n");
+}
+
+// By how much each parameter is wrong by an error of a usual size.
+std::string sensitivities_text(const ResonatorFit& fit) {
+    std::string rows;
+    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
+        const ResonatorParameter& parameter = resonator_parameters[k];
+        const Estimate& estimate = fit.resonator.*parameter.member;
+        if (!estimate.given()) {
+            continue;
+        }
+        const bool angle = parameter.period > 0;
+        const std::string unit = angle ? "deg" : parameter.unit;
+        std::string row = "  " + label_of(parameter.name) + (unit.empty() ? "" : ", " + unit);
+        row.resize(std::max<std::size_t>(row.size() + 1, 38), ' ');
+        for (const UsualError& error : usual_errors) {
+            const double change = error.size * fit.sensitivities[k][error.source];
+            const bool felt = std::abs(change) > negligible * estimate.sd;
+            row += padded(felt ? short_text(angle ? change * degrees : change, 3) : "~0", 12);
+        }
+        rows += row + "\n";
+    }
+    if (rows.empty()) {
+        return "";
+    }
+    std::string head = "  error of a parameter by";
+    head.resize(38, ' ');
+    std::string names(38, ' ');
+    for (const UsualError& error : usual_errors) {
+        head += padded(error.amount, 12);
+        names += padded(error.name, 12);
+    }
+    return "sensitivity: by how much a value would be wrong by errors of the channels (u holds "
+           "those with a tolerance),\n"
+           "by a cubic spring, a damping or pick-offs that follow the amplitude, by springs unlike "
+           "along the axes\n"
+           "(at the largest amplitude), and by an eighth harmonic of the drift\n" +
+           head + "\n" + names + "\n" + rows;
+}
+
+std::string modes_text(const ResonatorFit& fit) {
+    if (fit.modes.empty()) {
+        return "modes: - " + english(fit.no_modes) + "\n";
+    }
+    std::string text = "modes by falling ";
+    text += fit.mode_order == ModeOrder::decay ? "decay rate" : "frequency";
+    text += "\n";
+    for (std::size_t k = 0; k < fit.modes.size(); ++k) {
+        text += "mode " + std::to_string(k + 1) + "\n";
+        for (const ModeParameter& parameter : mode_parameters) {
+            text += line(label_of(parameter.name),
+                         text_of(fit.modes[k].*parameter.member, parameter.unit));
+        }
+    }
+    return text;
+}
+
+// "1234 ± 5 at the amplitude 0.41 (900 at 0.95, 3000 at 0.1)" where Q depends on the amplitude.
+std::string q_envelope_text(const RunEstimate& run) {
+    const std::string text = text_of(run.q_envelope, "");
+    if (!run.law || !run.q_envelope.given()) {
+        return text;
+    }
+    const QBand band = q_band(*run.law, run.q_envelope.value);
+    return text + " at the amplitude " + short_text(band.amplitude, 3) + " (" +
+           short_text(band.q_at_largest, 3) + " at " + short_text(band.largest, 3) + ", " +
+           short_text(band.q_at_smallest, 3) + " at " + short_text(band.smallest, 3) + ")";
+}
+
+std::string run_text(const RecordingRef& recording, const IdentifiedRun& run,
+                     const RunEstimate& estimate) {
+    return "run " + plain_text(recording.name()) + "\n" +
+           line("windows", integer_text(run.windows_used) + " of " + integer_text(run.windows) +
+                               ", " + integer_text(run.window) + " samples") +
+           line("f_offset", text_of(estimate.f_offset_hz, "Hz")) +
+           line("a_A", text_of(estimate.a_A, "")) + line("a_B", text_of(estimate.a_B, "")) +
+           line("two_theta_A", text_in_degrees(estimate.two_theta_A_rad)) +
+           line("split_sin", text_of(estimate.split_sin_hz, "Hz")) +
+           line("f of this direction", text_of(estimate.direction_f_hz, "Hz")) +
+           line("tau of this direction", text_of(estimate.direction_tau_s, "s")) +
+           line("q of this wave", q_envelope_text(estimate)) +
+           line("drift", text_of(estimate.drift_hz_per_s, "Hz/s"));
+}
+
+std::string drift_text(const Identification& identification) {
+    const DriftFunction& drift = identification.drift;
+    if (drift.order == 0) {
+        return "drift function: - " + english(no_drift_function(identification)) + "\n";
+    }
+    constexpr std::array<const char*, 5> names{"mean", "cos 4 theta", "sin 4 theta", "cos 8 theta",
+                                               "sin 8 theta"};
+    std::string text = "drift function, d theta_A/dt\n";
+    for (Eigen::Index k = 0; k < drift.coefficients.size(); ++k) {
+        text += line(names[static_cast<std::size_t>(k)], text_of(drift.coefficient(k), "rad/s"));
+    }
+    return text;
+}
+
+// "+2.1 %", or ppm where there is less; with a comma before it, empty where it says nothing.
+std::string relative_text(double relative) {
+    if (std::isnan(relative)) {
+        return "";
+    }
+    const bool small = std::abs(relative) < 1e-4;
+    const std::string text = short_text(relative * (small ? 1e6 : 1e2), 3);
+    return std::string(" (") + (relative > 0 ? "+" : "") + text + (small ? " ppm)" : " %)");
+}
+
+std::string difference_text(const Difference& difference) {
+    const std::string verdict = std::string(verdict_name(difference.verdict)) + ": ";
+    if (difference.verdict == Verdict::not_comparable) {
+        return line(label_of(difference.name), verdict + incomparable_text(difference));
+    }
+    const Estimate change{difference.change, difference.u, {}};
+    const bool angle = std::string_view(difference.unit) == "rad";
+    std::string text =
+        verdict + "by " + (angle ? text_in_degrees(change) : text_of(change, difference.unit)) +
+        relative_text(difference.relative) + ", " + short_text(difference.deviations(), 3) + " u";
+    if (difference.limit > 0 && std::abs(difference.change) <= difference.limit) {
+        text += ", within the limit of " + short_text(difference.limit, 3) + " " + difference.unit;
+    }
+    return line(label_of(difference.name), text);
+}
+
+// The summary of an identification for people: what each wave did, resonator, modes, runs, drift
+// function and, where there is one, the comparison; every number with its standard deviation, and u
+// where it differs, or its reason.
+std::string identify_text(const SetResult& result) {
+    const std::vector<RecordingRef>& recordings = result.set.recordings;
+    const Identification& identification = result.identification;
+    const ResonatorFit& fit = identification.fit;
+    std::string text;
+    for (std::size_t k = 0; k < recordings.size(); ++k) {
+        text += wave_text(recordings[k], identification.runs[k].wave);
+    }
+    text += tolerances_text(identification.settings);
+    if (fit.model == ResonatorModel::structured) {
+        text += "resonator, structured model\n";
+        for (const ResonatorParameter& parameter : resonator_parameters) {
+            text += line(label_of(parameter.name),
+                         parameter_text(parameter, fit.resonator.*parameter.member));
+        }
+        text += sensitivities_text(fit);
+    } else {
+        text += "resonator, free model: " + english(Reason{ReasonCode::free_model, {}}) + "\n";
+    }
+    text += modes_text(fit);
+    for (std::size_t k = 0; k < recordings.size(); ++k) {
+        text += run_text(recordings[k], identification.runs[k], fit.runs[k]);
+    }
+    text += drift_text(identification);
+    text += "residual rms " + short_text(fit.residual_rms, 4) + ", " +
+            (fit.noise.white() ? "white" : "coloured") + ", chi^2 per degree of freedom " +
+            short_text(fit.chi2_per_dof, 4) + "\n";
+    if (const auto& comparison = result.comparison) {
+        text += "compared with " + plain_text(comparison->file) + ", changed from " +
+                short_text(changed_from(count_compared(comparison->differences)), 3) +
+                " u of the difference on\n";
+        for (const Difference& difference : comparison->differences) {
+            text += difference_text(difference);
+        }
+    }
+    return text;
+}
 
 // The recordings of the command line as one set, or that of the list.
 Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
@@ -85,23 +304,21 @@ Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
     return {};
 }
 
-std::string identify_timing_line(const Identification& identification, double open_s,
-                                 double write_s) {
+void tell_timing(const Identification& identification, double open_s, double write_s) {
     const IdentifyTiming& timing = identification.timing;
     std::int64_t windows = 0;
     for (const IdentifiedRun& run : identification.runs) {
         windows += run.windows;
     }
-    const nlohmann::ordered_json line{{"open_s", open_s},
-                                      {"read_s", timing.read_s},
-                                      {"carrier_s", timing.carrier_s},
-                                      {"estimate_s", timing.estimate_s},
-                                      {"windows_s", timing.windows_s},
-                                      {"fit_s", timing.fit_s},
-                                      {"write_s", write_s},
-                                      {"windows", windows},
-                                      {"threads", timing.threads}};
-    return line.dump() + "\n";
+    say_timing({{"open_s", open_s},
+                {"read_s", timing.read_s},
+                {"carrier_s", timing.carrier_s},
+                {"estimate_s", timing.estimate_s},
+                {"windows_s", timing.windows_s},
+                {"fit_s", timing.fit_s},
+                {"write_s", write_s},
+                {"windows", windows},
+                {"threads", timing.threads}});
 }
 
 }  // namespace
@@ -143,10 +360,7 @@ Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token st
     }
     TRY(OutputFile::commit_together(files));
     if (request.timing) {
-        std::fputs(
-            identify_timing_line(result->identification, opened - begun, seconds_now() - identified)
-                .c_str(),
-            stderr);
+        tell_timing(result->identification, opened - begun, seconds_now() - identified);
     }
     return {};
 }

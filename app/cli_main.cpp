@@ -1,12 +1,12 @@
-#include "app/analysis_options.h"
 #include "app/cli_commands.h"
-#include "app/cli_interrupt.h"
-#include "app/cli_log.h"
-#include "app/cli_simulate_options.h"
 #include "app/cli_support.h"
-#include "app/option_values.h"
+#include "app/command_line.h"
 #include "app/process_guard.h"
-#include "core/base/caught_error.h"
+#include "core/analysis/setting_table.h"
+#include "core/base/error.h"
+#include "core/batch/limits.h"
+#include "core/drift/drift_settings.h"
+#include "core/recording/samples/open_table.h"
 #include "core/simulation/simulate.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <exception>
 #include <span>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -46,23 +45,6 @@ void add_input(CLI::App& app, std::string& input) {
         ->required();
 }
 
-CLI::Option* add_inputs(CLI::App& app, std::vector<std::string>& inputs) {
-    return app
-        .add_option("FILE", inputs, "The recordings of one resonator, started at different angles")
-        ->type_name("");
-}
-
-void add_list(CLI::App& app, IdentifyRequest& request) {
-    CLI::Option* const list =
-        app.add_option("--list", request.list,
-                       "Measurement list, CSV: a row for each recording, with its options")
-            ->type_name("LIST.csv")
-            ->excludes("FILE");
-    app.add_option("--set", request.set, "The set of the list (default: its only one)")
-        ->type_name("NAME")
-        ->needs(list);
-}
-
 void add_timing(CLI::App& app, bool& timing) {
     app.add_flag("--timing", timing, "Last line of standard error: where the time went, JSON, s");
 }
@@ -77,13 +59,31 @@ void add_drift_options(CLI::App& app, DriftRequest& request) {
     app.add_option("LOG", request.inputs, "Whole-angle logs of one gyro: text, NPZ, MAT or HDF5")
         ->type_name("")
         ->required();
-    add_drift_settings(app, request.settings);
+    add_settings(app, drift_settings(), request.settings);
     app.add_option("-o,--output", request.output,
                    "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
                    "standard output")
         ->type_name("FILE");
     app.add_flag("--json", request.json,
                  "The result on standard output, JSON, in place of the summary");
+}
+
+void add_compare_options(CLI::App& app, CompareOptions& options) {
+    add_value(app, "--f-limit", "PPM",
+              "Frequencies count as changed beyond this, ppm: they follow the temperature (default "
+              "30)",
+              [&options](const auto& option, const auto& text) {
+                  options.f_limit_ppm = accepted(read_number(option, text));
+                  if (options.f_limit_ppm < 0) {
+                      reject(option, text, "it cannot be negative");
+                  }
+              });
+    add_value(app, "--limit", "NAME=X[,NAME=X]",
+              "Smaller changes count as none, significant or not: in the parameter's unit, or "
+              "relative as in tau=0.5%,f_mean=10ppm",
+              [&options](const auto&, const auto& text) {
+                  options.limits = accepted(read_practical_limits(text));
+              });
 }
 
 void add_batch_options(CLI::App& app, BatchCommand& command) {
@@ -126,7 +126,7 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
     add_value(app, "--jobs", "N", "Sets computed at once (default 1)",
               [&request](const auto& option, const auto& text) {
                   constexpr int most_jobs = 1024;
-                  const std::int64_t jobs = whole_value(option, text);
+                  const std::int64_t jobs = accepted(read_whole(option, text));
                   if (jobs < 1 || jobs > most_jobs) {
                       reject(option, text, "it must be 1 to 1024");
                   }
@@ -136,32 +136,35 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
                  "Keep the rows of an interrupted run whose files and options are the same");
     app.add_option("--only", request.only, "This set alone")->type_name("NAME");
     add_identify_options(app, request.settings);
-    add_open_options(app, request.open);
+    add_settings(app, open_settings(), request.open);
     add_compare_options(app, request.compare);
     add_timing(app, command.timing);
 }
 
+// What identify and compare share.
 void add_identification(CLI::App& app, IdentifyRequest& request) {
+    app.add_option("FILE", request.inputs,
+                   "The recordings of one resonator, started at different angles")
+        ->type_name("");
+    CLI::Option* const list =
+        app.add_option("--list", request.list,
+                       "Measurement list, CSV: a row for each recording, with its options")
+            ->type_name("LIST.csv")
+            ->excludes("FILE");
+    app.add_option("--set", request.set, "The set of the list (default: its only one)")
+        ->type_name("NAME")
+        ->needs(list);
     app.add_option("-o,--output", request.output,
                    "The result, JSON; - for standard output (default: a summary there)")
         ->type_name("RESULT.json");
     add_identify_options(app, request.settings);
-    add_open_options(app, request.open);
+    add_settings(app, open_settings(), request.open);
     add_timing(app, request.timing);
 }
 
 bool asks_for_json(std::span<char*> words) {
-    return std::ranges::find(words, std::string_view("--json-log"), [](const char* word) {
-               return std::string_view(word);
-           }) != words.end();
-}
-
-// --help and --version, which may be read by something that ends before they do.
-int printed(const CLI::App& app, const CLI::ParseError& asked) {
-    std::ostringstream out;
-    const int status = app.exit(asked, out, out);
-    const Status written = write_text(out.str(), JobControl());
-    return written ? status : Log(false, true).fail(written.error());
+    return std::ranges::any_of(
+        words, [](const char* word) { return std::string_view(word) == "--json-log"; });
 }
 
 int run(int argc, char** argv) {
@@ -182,7 +185,7 @@ int run(int argc, char** argv) {
     CLI::App* const info_command = app.add_subcommand("info", "What a recording is");
     add_input(*info_command, info.input);
     info_command->add_flag("--json", info.json, "As JSON");
-    add_open_options(*info_command, info.open);
+    add_settings(*info_command, open_settings(), info.open);
     add_timing(*info_command, info.timing);
     add_log_options(*info_command, log_options);
 
@@ -197,16 +200,14 @@ int run(int argc, char** argv) {
         ->type_name("TRACK")
         ->required();
     add_analysis_options(*analyze_command, analyze.settings);
-    add_open_options(*analyze_command, analyze.open);
-    add_log_choice(*analyze_command, analyze.log);
+    add_settings(*analyze_command, open_settings(), analyze.open);
+    add_settings(*analyze_command, log_settings(), analyze.log);
     add_log_options(*analyze_command, log_options);
     add_timing(*analyze_command, analyze.timing);
 
-    IdentifyRequest identification;
+    IdentifyRequest identification;  // of the one or the other
     CLI::App* const identify_command = app.add_subcommand(
         "identify", "The resonator behind one or several recordings of its free decay");
-    add_inputs(*identify_command, identification.inputs);
-    add_list(*identify_command, identification);
     add_identification(*identify_command, identification);
     identify_command
         ->add_option("--passport", identification.new_passport,
@@ -215,17 +216,15 @@ int run(int argc, char** argv) {
     add_database(*identify_command, identification.database);
     add_log_options(*identify_command, log_options);
 
-    IdentifyRequest comparison;
     CLI::App* const compare_command =
         app.add_subcommand("compare", "Identify the resonator and compare it with its passport");
     compare_command
-        ->add_option("PASSPORT", comparison.old_passport, "A passport that identify has written")
+        ->add_option("PASSPORT", identification.old_passport,
+                     "A passport that identify has written")
         ->type_name("")
         ->required();
-    add_inputs(*compare_command, comparison.inputs);
-    add_list(*compare_command, comparison);
-    add_identification(*compare_command, comparison);
-    add_compare_options(*compare_command, comparison.compare);
+    add_identification(*compare_command, identification);
+    add_compare_options(*compare_command, identification.compare);
     add_log_options(*compare_command, log_options);
 
     DriftRequest drift;
@@ -253,7 +252,8 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help, --version
-            return printed(app, error);
+            const Status written = write_answer(app, error);
+            return written ? 0 : Log(false, true).fail(written.error());
         }
         // The parse has failed, and with it perhaps its knowledge of --json-log.
         return Log(asks_for_json(words), false).fail_usage(parse_fault(app, error, words));
@@ -269,16 +269,15 @@ int run(int argc, char** argv) {
         return log.fail(enough.error());
     }
     const auto ended = [&log](const Status& done) { return done ? 0 : log.fail(done.error()); };
-    const IdentifyRequest& asked = compare_command->parsed() ? comparison : identification;
-    if ((identify_command->parsed() || compare_command->parsed()) && asked.inputs.empty() &&
-        asked.list.empty()) {
+    const bool identifies = identify_command->parsed() || compare_command->parsed();
+    if (identifies && identification.inputs.empty() && identification.list.empty()) {
         return log.fail_usage("FILE or --list is required.");
     }
     if (simulate_command->parsed()) {
         return ended(run_simulate(simulation, log, interrupt.token()));
     }
-    const int threads = std::max({analyze.settings.threads, identification.settings.threads,
-                                  comparison.settings.threads, batch.batch.settings.threads});
+    const int threads = std::max(
+        {analyze.settings.threads, identification.settings.threads, batch.batch.settings.threads});
     if (const Status enough = check_threads(threads); !enough) {
         return log.fail(enough.error());
     }
@@ -287,9 +286,6 @@ int run(int argc, char** argv) {
     }
     if (analyze_command->parsed()) {
         return ended(run_analyze(analyze, log, interrupt.token()));
-    }
-    if (identify_command->parsed()) {
-        return ended(run_identify(identification, log, interrupt.token()));
     }
     if (drift_command->parsed()) {
         return ended(run_drift(drift, log, interrupt.token()));
@@ -306,7 +302,7 @@ int run(int argc, char** argv) {
         }
         return ended(run_batch(batch, log, interrupt.token()));
     }
-    return ended(run_identify(comparison, log, interrupt.token()));
+    return ended(run_identify(identification, log, interrupt.token()));
 }
 
 }  // namespace

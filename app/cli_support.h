@@ -1,16 +1,55 @@
 #pragma once
 
-#include "app/cli_log.h"
+#include "core/base/error.h"
+#include "core/base/finding.h"
 #include "core/base/job_control.h"
 #include "core/output/output_file.h"
+#include "core/resonator/model/reason.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace vybeg::cli {
 
 // What the subcommands share.
+
+// What goes to standard error: sentences for people, or with --json-log one JSON object per line,
+// {"level": "warning"|"error"|"progress", "code": .., "text": .., ..}.
+class Log {
+public:
+    // `quiet` leaves only errors; `verbose` shows people all warnings, and notes. Progress for
+    // people is shown on a terminal alone.
+    Log(bool json, bool quiet, bool verbose = false);
+    ~Log();
+
+    // The worst of them, each kind once. `set`: which they concern, where there are several.
+    void warnings(std::span<const NamedWarnings> all, const std::string& set = {});
+    void warnings(const std::vector<Diagnostic>& diagnostics);
+    // Returns the exit status of the error. `about`: the set without a result, where others follow.
+    int fail(const Error& error, const std::string& about = {});
+    // A wrong command line: exit status 2.
+    int fail_usage(const std::string& sentence);
+    // Never called from two threads at once; fraction 0..1.
+    void progress(double fraction);
+
+private:
+    void line(const std::string& text);
+    void each_warning(std::span<const NamedWarnings> all, const std::string& set);
+    void worst_warnings(std::span<const NamedWarnings> all, const std::string& set);
+    void clear_progress();
+
+    bool json_;
+    bool quiet_;
+    bool verbose_;
+    bool terminal_;
+    int percent_ = -1;  // on the screen
+};
 
 // A monotonic clock, seconds.
 double seconds_now();
@@ -23,7 +62,20 @@ JobControl silent_job(std::stop_token stop);
 // The file of an option; none where it is not given.
 Result<std::optional<OutputFile>> open_named(const std::string& name, const JobControl& job);
 
+// The last line of --timing on standard error.
+void say_timing(const nlohmann::ordered_json& times);
+
 // Text to standard output.
 Status write_text(const std::string& text, const JobControl& job);
+
+// --help and --version there, which may be read by something that ends before they do.
+Status write_answer(const CLI::App& app, const CLI::ParseError& asked);
+
+// "1.00034 ± 0.00005 Hz, u 0.0003", "(1.03 ± 0.03)e-6 Hz", or the reason.
+std::string text_of(const Estimate& estimate, const std::string& unit);
+// The same of an angle in rad: angles for people are in degrees.
+std::string text_in_degrees(const Estimate& estimate);
+// A line of a summary.
+std::string line(const std::string& name, const std::string& text);
 
 }  // namespace vybeg::cli

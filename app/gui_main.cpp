@@ -1,15 +1,15 @@
-#include "app/analysis_options.h"
-#include "app/cli_interrupt.h"
 #include "app/cli_support.h"
-#include "app/gui_analysis.h"
-#include "app/gui_figure.h"
-#include "app/gui_report.h"
-#include "app/option_values.h"
+#include "app/command_line.h"
+#include "app/gui_drawing.h"
 #include "app/process_guard.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/caught_error.h"
-#include "core/base/messages.h"
+#include "core/analysis/settings.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
+#include "core/base/result.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/open_table.h"
 #include "ui/document/document.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/file_commands.h"
@@ -23,15 +23,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <stop_token>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -42,7 +44,7 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
     constexpr const char* allowed = "whole numbers of samples from 5, with commas between them";
     const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
     std::vector<std::int64_t> windows;
-    for (const double value : list_value(option, text, count, allowed)) {
+    for (const double value : accepted(read_numbers(option, text, count, allowed))) {
         if (!within(bounds_of("window"), option, value) || value != std::floor(value)) {
             reject(option, text, allowed);
         }
@@ -51,36 +53,28 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
     return windows;
 }
 
-// What the command line asks for.
-struct Requested {
-    FigureRequest figure;
-    ReportRequest report;       // its own part
-    IdentifySettings identify;  // its tolerances
-};
-
-void add_report_options(CLI::App& app, Requested& requested) {
+void add_report_options(CLI::App& app, GuiRequest& request) {
     CLI::Option* const report =
         app.add_option(
-               "--report", requested.report.report,
+               "--report", request.report,
                "Write a report of the recordings, as one set, into this file, without a window: "
                ".pdf")
             ->type_name("REPORT")
             ->excludes(app.get_option("--figure"));
     CLI::Option* const list =
-        app.add_option("--list", requested.report.list,
+        app.add_option("--list", request.list,
                        "With --report: of the sets of this measurement list, a chapter each")
             ->type_name("LIST.csv")
             ->needs(report)
             ->excludes(app.get_option("FILE"));
-    app.add_option("--set", requested.report.set, "Of this set of the list alone")
+    app.add_option("--set", request.set, "Of this set of the list alone")
         ->type_name("NAME")
         ->needs(list);
-    app.add_flag("--summary", requested.report.summary,
-                 "With --report: one page a set, to be signed")
+    app.add_flag("--summary", request.summary, "With --report: one page a set, to be signed")
         ->needs(report);
     for (const ui::TitleField& field : ui::title_fields) {
-        const auto take = [&requested, text = field.text](const std::string& told) {
-            requested.report.title.*text = QString::fromStdString(told);
+        const auto take = [&request, text = field.text](const std::string& told) {
+            request.title.*text = QString::fromStdString(told);
         };
         app.add_option_function<std::string>("--" + std::string(field.option), take,
                                              "With --report: " + std::string(field.help))
@@ -90,15 +84,14 @@ void add_report_options(CLI::App& app, Requested& requested) {
 }
 
 // The line is read before anything of Qt exists: --help and a wrong line need no display.
-void describe(CLI::App& app, Requested& requested) {
-    FigureRequest& request = requested.figure;
+void describe(CLI::App& app, GuiRequest& request) {
     app.name("vybeg");
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
     app.add_option("FILE", request.inputs, "Recordings, measurement lists or sessions to open")
         ->type_name("");
     add_analysis_options(app, request.settings);
-    add_tolerance_option(app, requested.identify);
-    add_open_options(app, request.open);
+    add_setting(app, *row_named(identify_settings(), "tolerance"), request.identify);
+    add_settings(app, open_settings(), request.open);
     app.add_option("--figure", request.figure,
                    "Draw the stacked plots into this file, without a window: .svg, .pdf or .png")
         ->type_name("FIGURE");
@@ -109,7 +102,7 @@ void describe(CLI::App& app, Requested& requested) {
               })
         ->excludes(app.get_option("--window"))
         ->excludes(app.get_option("--periods"));
-    add_report_options(app, requested);
+    add_report_options(app, request);
     app.footer(
         "Without --figure and --report the window opens, on the recordings named.\n"
         "Exit status: 0 done, 2 wrong usage, 3 the input cannot be read, 4 the analysis is "
@@ -181,32 +174,25 @@ int drawing_mode(int argc, char** argv, const std::function<int(std::stop_token)
     return work(interrupt.token());
 }
 
-int figure_mode(int argc, char** argv, const Requested& requested) {
-    if (requested.figure.inputs.empty()) {
+int figure_mode(int argc, char** argv, const GuiRequest& request) {
+    if (request.inputs.empty()) {
         return usage("--figure needs a recording to draw.");
     }
-    if (requested.identify.tolerance != Tolerance{}) {
+    if (request.identify.tolerance != Tolerance{}) {
         warn({{DiagnosticKind::option_without_effect,
                {"--tolerance", "a figure shows no resonator"}}});
     }
-    return drawing_mode(argc, argv,
-                        [&](auto stop) { return ended(draw_figure(requested.figure, stop)); });
+    return drawing_mode(argc, argv, [&](auto stop) { return ended(draw_figure(request, stop)); });
 }
 
-int report_mode(int argc, char** argv, const Requested& requested) {
-    const FigureRequest& request = requested.figure;
-    if (request.inputs.empty() && requested.report.list.empty()) {
+int report_mode(int argc, char** argv, const GuiRequest& request) {
+    if (request.inputs.empty() && request.list.empty()) {
         return usage("--report needs a recording, or a --list of them.");
     }
-    ReportRequest report = requested.report;
-    report.inputs = request.inputs;
-    report.open = request.open;
-    report.settings = request.settings;
-    report.tolerance = requested.identify.tolerance;
-    return drawing_mode(argc, argv, [&](auto stop) { return write_report(report, stop); });
+    return drawing_mode(argc, argv, [&](auto stop) { return write_report(request, stop); });
 }
 
-int window_mode(int argc, char** argv, const FigureRequest& request, const Tolerance& tolerance) {
+int window_mode(int argc, char** argv, const GuiRequest& request) {
     std::optional<PlatformSearch> search(std::in_place, true);
     QApplication application(argc, argv);
     search.reset();
@@ -218,50 +204,41 @@ int window_mode(int argc, char** argv, const FigureRequest& request, const Toler
     for (const std::string& input : request.inputs) {
         files << QString::fromStdString(input);
     }
-    document.startWith(request.settings, tolerance);
+    document.startWith(request.settings, request.identify.tolerance);
     window.show();
     window.session().offerAbandoned();
     window.files().open(files, request.open);
     return QApplication::exec();
 }
 
-int printed(const CLI::App& app, const CLI::ParseError& asked) {
-    std::ostringstream text;
-    const int status = app.exit(asked, text, text);
-    const Status written = write_text(text.str(), JobControl());
-    return written ? status : fail(written.error());
-}
-
 int run(int argc, char** argv) {
     const std::span words(argv, static_cast<std::size_t>(argc));
-    Requested requested;
+    GuiRequest request;
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
-    describe(app, requested);
+    describe(app, request);
     let_repeated_options_parse(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return error.get_exit_code() == 0 ? printed(app, error)
+        return error.get_exit_code() == 0 ? ended(write_answer(app, error))
                                           : usage(parse_fault(app, error, words));
     }
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return usage(fault);
     }
-    const FigureRequest& request = requested.figure;
     if (const Status valid = validate(request.settings); !valid) {
         return usage(english(valid.error()));
     }
     if (!request.figure.empty()) {
-        return figure_mode(argc, argv, requested);
+        return figure_mode(argc, argv, request);
     }
     if (!request.windows.empty()) {
         return usage("--windows needs --figure.");
     }
-    if (!requested.report.report.empty()) {
-        return report_mode(argc, argv, requested);
+    if (!request.report.empty()) {
+        return report_mode(argc, argv, request);
     }
-    return has_display() ? window_mode(argc, argv, request, requested.identify.tolerance)
-                         : usage(no_display);
+    return has_display() ? window_mode(argc, argv, request) : usage(no_display);
 }
 
 }  // namespace

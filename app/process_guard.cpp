@@ -1,7 +1,6 @@
 #include "app/process_guard.h"
 
-#include "core/base/caught_error.h"
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/base/read_value.h"
 
 #include <tbb/info.h>
@@ -17,6 +16,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <mutex>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <system_error>
 #include <thread>
@@ -44,6 +44,22 @@ void say(const char* text) {
     say(message_row(code).sentence);
     say("\n");
     std::_Exit(exit_status(code));
+}
+
+constexpr int end_of_waiting = SIGUSR1;
+
+sigset_t awaited_signals() {
+    sigset_t awaited;
+    sigemptyset(&awaited);
+    for (const int signal : {SIGINT, SIGTERM, end_of_waiting}) {
+        sigaddset(&awaited, signal);
+    }
+    struct sigaction hang_up {};
+    sigaction(SIGHUP, nullptr, &hang_up);
+    if (hang_up.sa_handler != SIG_IGN) {  // nohup asks to outlive the terminal
+        sigaddset(&awaited, SIGHUP);
+    }
+    return awaited;
 }
 
 }  // namespace
@@ -107,6 +123,25 @@ Status check_stack() {
 
 void end_with_a_sentence() {
     std::set_terminate(last_words);
+}
+
+InterruptGuard::InterruptGuard() {
+    make_write_signals_errors();
+    const sigset_t awaited = awaited_signals();
+    pthread_sigmask(SIG_BLOCK, &awaited, nullptr);
+    waiter_ = std::thread([this, awaited] {
+        int signal = 0;
+        sigwait(&awaited, &signal);
+        if (signal != end_of_waiting) {
+            source_.request_stop();
+        }
+    });
+}
+
+InterruptGuard::~InterruptGuard() {
+    // Where the waiter has ended already, its thread still waits to be joined and takes the signal.
+    pthread_kill(waiter_.native_handle(), end_of_waiting);
+    waiter_.join();
 }
 
 }  // namespace vybeg::cli

@@ -1,13 +1,24 @@
 #include "app/reader_service.h"
 
-#include "app/reader_confinement.h"
 #include "core/recording/mat_hdf5/hdf5_file.h"
 #include "core/recording/sndfile/audio_file.h"
 #include "core/recording/variables/reader_protocol.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 #include <vector>
 
 namespace vybeg {
@@ -53,6 +64,173 @@ void serve(HelperFile& file) {
             return;
         }
     }
+}
+
+void limit(__rlimit_resource resource, rlim_t most) {
+    const rlimit both{most, most};
+    ::setrlimit(resource, &both);
+}
+
+// Beyond what the process has already: the file's size and 64 MB; at most what the largest pieces
+// need as well.
+void limit_memory() {
+#ifndef __SANITIZE_ADDRESS__  // whose shadow takes the whole address space
+    constexpr rlim_t allowance = rlim_t{64} << 20;
+    rlim_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    struct stat file {};
+    if (pages > 0 && ::fstat(reader_file, &file) == 0) {
+        const rlim_t usual = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) +
+                             static_cast<rlim_t>(file.st_size) + allowance;
+        const rlimit both{usual, usual + packed_pieces_held * most_packed_bytes};
+        ::setrlimit(RLIMIT_AS, &both);
+    }
+#endif
+}
+
+#if defined(__x86_64__)
+constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
+#else
+constexpr std::uint32_t architecture = 0;
+#endif
+
+// A list of what is allowed, as the kernel's filter runs it for each system call.
+class CallFilter {
+public:
+    CallFilter() {
+        load(offsetof(seccomp_data, arch));
+        unless_equal(architecture, kill);
+        load(offsetof(seccomp_data, nr));
+    }
+
+    void allow(int call) {
+        unless_equal(static_cast<std::uint32_t>(call), next);
+        add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+    }
+
+    // Where the low half of an argument has none of `bits`, or equals `value`.
+    void allow_without(int call, int argument, std::uint32_t bits) {
+        allow_where(call, argument, BPF_JSET, bits, false);
+    }
+    void allow_with(int call, int argument, std::uint32_t value) {
+        allow_where(call, argument, BPF_JEQ, value, true);
+    }
+
+    bool install() {
+        add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
+        const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
+        return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+    }
+
+private:
+    enum Otherwise { next, kill };
+
+    void add(std::uint16_t operation, std::uint32_t value, std::uint8_t if_so = 0,
+             std::uint8_t if_not = 0) {
+        code_.push_back({operation, if_so, if_not, value});
+    }
+    void load(std::size_t offset) {
+        add(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset));
+    }
+    void unless_equal(std::uint32_t value, Otherwise otherwise) {
+        add(BPF_JMP | BPF_JEQ | BPF_K, value, otherwise == kill ? 1 : 0, otherwise == kill ? 0 : 1);
+        if (otherwise == kill) {
+            add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
+        }
+    }
+    void allow_where(int call, int argument, std::uint16_t test, std::uint32_t value, bool so) {
+        // Passes over the four instructions that follow where it is another call.
+        add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 4);
+        load(offsetof(seccomp_data, args) + static_cast<std::size_t>(argument) * 8);
+        add(static_cast<std::uint16_t>(BPF_JMP | test | BPF_K), value, so ? 0 : 1, so ? 1 : 0);
+        add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+        add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
+    }
+
+    std::vector<sock_filter> code_;
+};
+
+// What vybeg-reader gives up before it looks at a file: new privileges, memory beyond the file's
+// size and 64 MB (until allow_memory()) and 6 pieces of most_packed_bytes at all, writing to files,
+// more than 8 descriptors, other processes and threads, core dumps, and more than ten hours of
+// processor time in all.
+void give_up_resources() {
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    limit_memory();
+    constexpr rlim_t ten_hours = 36000;
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_FSIZE, 0);
+    limit(RLIMIT_NPROC, 0);
+    limit(RLIMIT_CPU, ten_hours);
+#ifndef __SANITIZE_ADDRESS__  // which looks at /proc with descriptors of its own
+    limit(RLIMIT_NOFILE, 8);
+#endif
+}
+
+// So many bytes more, for the pieces that the file says it is packed in.
+void allow_memory(std::int64_t bytes) {
+    rlimit memory{};
+    ::getrlimit(RLIMIT_AS, &memory);
+    if (memory.rlim_cur != RLIM_INFINITY) {
+        memory.rlim_cur = std::min(memory.rlim_cur + static_cast<rlim_t>(bytes), memory.rlim_max);
+        ::setrlimit(RLIMIT_AS, &memory);
+    }
+}
+
+// From here on, a system call that reading from open files, memory and the socket does not need
+// ends the process (SIGSYS). False where the system has no seccomp, or on another processor than
+// x86-64 and ARM64. With AddressSanitizer, which itself opens files, it forbids nothing and returns
+// true: such a build is for tests.
+bool forbid_system_calls() {
+#ifdef __SANITIZE_ADDRESS__
+    return true;
+#else
+    if (architecture == 0) {
+        return false;
+    }
+    CallFilter filter;
+    for (const int call : {SYS_read,
+                           SYS_readv,
+                           SYS_pread64,
+                           SYS_preadv,
+                           SYS_lseek,
+                           SYS_close,
+                           SYS_fstat,
+                           SYS_recvfrom,
+                           SYS_sendto,
+                           SYS_brk,
+                           SYS_munmap,
+                           SYS_mremap,
+                           SYS_madvise,
+                           SYS_futex,
+                           SYS_clock_gettime,
+                           SYS_gettimeofday,
+                           SYS_getrusage,
+                           SYS_getrandom,
+                           SYS_sysinfo,
+                           SYS_getpid,
+                           SYS_gettid,
+                           SYS_rt_sigaction,
+                           SYS_rt_sigprocmask,
+                           SYS_rt_sigreturn,
+                           SYS_restart_syscall,
+                           SYS_sched_yield,
+                           SYS_exit,
+                           SYS_exit_group}) {
+        filter.allow(call);
+    }
+    filter.allow_without(SYS_mmap, 2, PROT_EXEC);
+    filter.allow_without(SYS_mprotect, 2, PROT_EXEC);
+    filter.allow_with(SYS_newfstatat, 3, AT_EMPTY_PATH);  // fstat() of the C library
+    filter.allow_with(SYS_prlimit64, 0, 0);               // its own limits, downwards
+    // What abort() does: a sentence to /dev/null, and a signal to itself.
+    filter.allow_with(SYS_write, 0, STDERR_FILENO);
+    filter.allow_with(SYS_writev, 0, STDERR_FILENO);
+    filter.allow_with(SYS_tgkill, 0, static_cast<std::uint32_t>(::getpid()));
+    return filter.install();
+#endif
 }
 
 }  // namespace

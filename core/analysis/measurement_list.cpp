@@ -2,11 +2,12 @@
 
 #include "core/analysis/list_fields.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
+#include "core/base/message_arg.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
-#include "core/base/system_reason.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/text/csv_rows.h"
 

@@ -89,7 +89,7 @@ struct CompareOptions {
     std::vector<PracticalLimit> limits{};  // of a frequency, in place of f_limit_ppm
 };
 
-// English sentence of the last two, translated like those of messages.h; empty for the others.
+// English sentence of the last two, translated like those of error.h; empty for the others.
 const char* incomparable_sentence(Incomparable why);
 
 // The whole English sentence of a difference that is not comparable.

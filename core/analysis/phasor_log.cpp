@@ -3,7 +3,8 @@
 #include "core/analysis/power_log.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
+#include "core/recording/open/log_columns.h"
 #include "core/recording/samples/channel_pair.h"
 
 #include <Eigen/Dense>

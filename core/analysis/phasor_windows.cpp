@@ -7,7 +7,7 @@
 #include "core/estimators/wave/window_moments.h"
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/kaiser.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/conditioning/filtered_source.h"
 

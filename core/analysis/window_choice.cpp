@@ -3,7 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/checks/start_check.h"
 #include "core/windows/carrier_search.h"

@@ -2,7 +2,7 @@
 
 #include "core/estimators/batch/window_estimate.h"
 #include "core/numerics/fft.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/track/track_summary.h"
 #include "core/windows/window_plan.h"
 

@@ -123,4 +123,9 @@ Severity severity(DiagnosticKind kind);
 // Its name in JSON: "note", "warning" or "serious".
 std::string severity_name(Severity severity);
 
+MessageRow message_row(DiagnosticKind kind);
+
+// The whole English sentence.
+std::string english(const Diagnostic& diagnostic);
+
 }  // namespace vybeg

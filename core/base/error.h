@@ -2,13 +2,13 @@
 
 #include "core/base/message_arg.h"
 
+#include <exception>
 #include <string>
 #include <vector>
 
 namespace vybeg {
 
-// Everything that can go wrong. The English sentence of each stands in error_messages.cpp, in this
-// order.
+// Everything that can go wrong. The English sentence of each stands in error.cpp, in this order.
 enum class ErrorCode {
     // The call itself is wrong: exit status 2.
     setting_invalid,  // args: name of the setting, its value, what is allowed
@@ -104,5 +104,17 @@ std::string code_name(ErrorCode code);
 
 // Exit status of the command line for an error (help, files.html): 2, 3, 4, 5 or 130.
 int exit_status(ErrorCode code);
+
+MessageRow message_row(ErrorCode code);
+
+// All that a sentence is filled with, in the order of its numbers.
+std::vector<MessageArg> message_args(const Error& error);
+
+// The whole English sentence: what, where, why, what to do.
+std::string english(const Error& error);
+
+// The error behind an exception that no part of the program expects: out_of_memory, out_of_threads,
+// or program_fault for a defect.
+Error error_of(const std::exception_ptr& exception);
 
 }  // namespace vybeg

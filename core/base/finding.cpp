@@ -1,6 +1,6 @@
 #include "core/base/finding.h"
 
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 #include "core/base/plain_text.h"
 
 #include <algorithm>
@@ -74,11 +74,9 @@ std::string warning_kinds(std::span<const Finding> findings) {
 }
 
 std::string about_text(const Finding& finding) {
-    std::string text;
-    for (std::size_t k = 0; k < std::min(finding.about.size(), most_shown); ++k) {
-        text += k > 0 ? ", " : "";
-        text += plain_text(finding.about[k]);
-    }
+    const std::string text =
+        joined(std::span(finding.about).first(std::min(finding.about.size(), most_shown)), ", ",
+               plain_text);
     return finding.about.size() > most_shown
                ? text + ", +" + std::to_string(finding.about.size() - most_shown)
                : text;

@@ -3,6 +3,8 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 
+#include <array>
+#include <cstring>
 #include <utility>
 
 namespace vybeg {
@@ -19,6 +21,22 @@ MessageArg number(std::string digits, const std::string& unit = {}) {
     arg.unit = unit;
     return arg;
 }
+
+// The texts of glibc that the window has translations for.
+[[maybe_unused]] constexpr std::array translated{
+    VYBEG_MESSAGE("Words", "Disk quota exceeded"),
+    VYBEG_MESSAGE("Words", "File name too long"),
+    VYBEG_MESSAGE("Words", "File too large"),
+    VYBEG_MESSAGE("Words", "Input/output error"),
+    VYBEG_MESSAGE("Words", "Is a directory"),
+    VYBEG_MESSAGE("Words", "No space left on device"),
+    VYBEG_MESSAGE("Words", "No such file or directory"),
+    VYBEG_MESSAGE("Words", "Not a directory"),
+    VYBEG_MESSAGE("Words", "Operation not permitted"),
+    VYBEG_MESSAGE("Words", "Permission denied"),
+    VYBEG_MESSAGE("Words", "Read-only file system"),
+    VYBEG_MESSAGE("Words", "Too many open files"),
+};
 
 }  // namespace
 
@@ -64,6 +82,11 @@ MessageArg words(const char* text, std::vector<MessageArg> args) {
     arg.kind = MessageArg::Kind::words;
     arg.args = std::move(args);
     return arg;
+}
+
+MessageArg system_reason(int error) {
+    const char* reason = strerrordesc_np(error);  // unlike strerror, the same in every locale
+    return words(reason != nullptr ? reason : VYBEG_MESSAGE("Words", "unknown error"));
 }
 
 MessageArg stored_arg(const std::string& text) {

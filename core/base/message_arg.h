@@ -1,13 +1,15 @@
 #pragma once
 
-#include "core/base/translatable.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
+
+// Marks a text for lupdate, as QT_TRANSLATE_NOOP does (ui/CMakeLists.txt names this alias); core
+// itself has no translations.
+#define VYBEG_MESSAGE(context, text) text
 
 namespace vybeg {
 
@@ -46,6 +48,9 @@ MessageArg unit_arg(const std::string& unit);
 // E.g. words(VYBEG_MESSAGE("Words", "a line is longer than %1 MiB"), {count_arg(1)}).
 MessageArg words(const char* text, std::vector<MessageArg> args = {});
 
+// Why a call of the system failed, by its errno: English on the command line in every locale.
+MessageArg system_reason(int error);
+
 // A text that was an argument before it went into a file: a number where it reads as one.
 MessageArg stored_arg(const std::string& text);
 
@@ -55,5 +60,38 @@ std::string fill_template(const std::string& text, const std::vector<std::string
 // As the command line prints it. Texts that may come from a file: as plain_text().
 std::string english(const MessageArg& arg);
 std::string english(const std::string& text, const std::vector<MessageArg>& args);
+
+// One code of errors or diagnostics: its name in JSON, its grade, its English sentence, and the
+// window's sentence where that of the command line names options. %1 stands for `where` and %2, %3,
+// ... for the arguments of an error; %1, %2, ... for the arguments of a diagnostic. The desktop
+// program translates a sentence (context "Message") before it fills it.
+struct MessageRow {
+    const char* name;
+    int grade;  // of an error the exit status of the command line, of a diagnostic its Severity
+    const char* sentence;
+    const char* in_window = nullptr;
+};
+
+// A row of the table of all codes.
+template <class Code>
+struct CodedRow {
+    constexpr CodedRow(Code of, const char* name, int grade, const char* sentence,
+                       const char* in_window = nullptr)
+        : code(of), row{name, grade, sentence, in_window} {}
+
+    Code code;
+    MessageRow row;
+};
+
+// Empty where there is none.
+template <class Rows, class Code>
+MessageRow row_of(const Rows& rows, Code code) {
+    for (const CodedRow<Code>& each : rows) {
+        if (each.code == code) {
+            return each.row;
+        }
+    }
+    return {"", 0, ""};
+}
 
 }  // namespace vybeg

@@ -97,17 +97,16 @@ Result<std::vector<double>> read_numbers(const std::string& option, const std::s
                                          std::size_t count, const std::string& allowed,
                                          const std::string& unit) {
     std::vector<double> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
+    bool valid = true;
+    for (std::size_t begin = 0; valid && begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::optional<double> number =
             number_with_unit(text.substr(begin, end - begin), unit);
-        if (!number || !std::isfinite(*number)) {
-            return refused_value(option, text, allowed);
-        }
-        numbers.push_back(*number);
+        valid = number && std::isfinite(*number);
+        numbers.push_back(number.value_or(0));
         begin = end + 1;
     }
-    if (numbers.size() != count) {
+    if (!valid || numbers.size() != count) {
         return refused_value(option, text, allowed);
     }
     return numbers;

@@ -6,6 +6,7 @@
 #include "core/analysis/passport.h"
 #include "core/base/error.h"
 #include "core/base/finding.h"
+#include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
 #include "core/resonator/results/parameter_limit.h"
 
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -41,8 +43,7 @@ struct FinishedRow {
     std::int64_t windows = 0;
 };
 
-// Receivers of the events of a batch, called in its threads, never two at once. An empty one
-// receives nothing.
+// Receivers of the events of a batch, called in its threads, never two at once.
 struct BatchEvents {
     std::function<void(const std::vector<Diagnostic>&)> warned;  // about the list
     // Everything has been checked; the rows come next, those of an earlier batch first.
@@ -50,7 +51,7 @@ struct BatchEvents {
     std::function<void(const FinishedRow&)> finished;
     // The caller's monotonic clock, s (job_control.h); empty: no durations.
     std::function<double()> clock{};
-    // Of a watched folder: why its list does not count now.
+    // Of a watched folder: why its list does not count now; empty: nobody asks.
     std::function<void(const Error&)> failed{};
 };
 
@@ -73,5 +74,12 @@ struct BatchRequest {
     IdentifySettings settings;
     CompareOptions compare;
 };
+
+// The resonators of all sets of a list, as the table RESULTS.csv of the help, which appears
+// when its last row is there. The rows until then are in a journal beside it, and each is on the
+// disk when its event comes. A set without a result has a row, too. Errors: those of a list and
+// of settings; output_failed; out_of_memory and out_of_threads; interrupted, interrupted_midway
+// where the journal holds rows, which `resume` of a later batch keeps.
+Status compute_batch(const BatchRequest& request, const BatchEvents& events, std::stop_token stop);
 
 }  // namespace vybeg

@@ -1,12 +1,11 @@
-#include "core/batch/compute_batch.h"
-
+#include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
-#include "core/batch/batch_paths.h"
-#include "core/batch/folder_watch.h"
+#include "core/base/result.h"
+#include "core/batch/batch_request.h"
+#include "core/batch/batch_sets.h"
 #include "core/batch/limits.h"
-#include "core/batch/list_sets.h"
 #include "core/batch/set_work.h"
 #include "core/database/results_database.h"
 #include "core/output/batch_csv.h"
@@ -16,59 +15,23 @@
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
 #include <utility>
 
 namespace vybeg {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The sets that are asked for.
-Result<MeasurementList> chosen_list(const BatchRequest& request, const BatchEvents& events) {
-    auto list = TRY(wanted_list(request));
-    if (events.warned) {
-        events.warned(list.warnings);
-    }
-    if (!request.only.empty()) {
-        auto set = TRY(set_named(list, "--only", request.only));
-        list.sets = {std::move(set)};
-    }
-    return list;
-}
-
-// Gives each task the key of its row. `database`: its identity, or empty.
-Status set_keys(const BatchRequest& request, const std::string& database,
-                std::vector<SetTask>& tasks) {
-    for (SetTask& task : tasks) {
-        auto key = TRY(row_key(request, task, database));
-        task.key = std::move(key);
-    }
-    return {};
-}
-
-// Opens the database of the request, if it names one; sets its identity.
-Status open_database(const BatchRequest& request, const BatchEvents& events, const JobControl& job,
-                     std::optional<ResultsDatabase>& database, std::string& identity) {
-    if (request.database.empty()) {
-        return {};
-    }
-    constexpr double patience_s = 60;
-    const auto waits = [&events](const Diagnostic& waiting) {
-        if (events.warned) {
-            events.warned({waiting});
-        }
-    };
-    auto opened = TRY(ResultsDatabase::open(request.database, ResultsDatabase::Access::write, job,
-                                            patience_s, waits));
-    auto own = TRY(opened.identity());
-    identity = std::move(own);
-    database.emplace(std::move(opened));
-    return {};
-}
 
 Result<std::vector<std::string>> header_of(const BatchRequest& request, const JobControl& job) {
     const bool folder = is_folder(request.list);
@@ -105,19 +68,6 @@ Result<std::vector<std::string>> header_of(const BatchRequest& request, const Jo
     return lines;
 }
 
-// The rows of an earlier batch.
-Status tell_kept_rows(const std::vector<SetTask>& tasks, const RowJournal& journal,
-                      const BatchEvents& events) {
-    for (std::size_t k = 0; k < tasks.size() && events.finished; ++k) {
-        if (journal.has(tasks[k].key)) {
-            const auto row = TRY(journal.row(tasks[k].key));
-            events.finished(
-                {.set = k, .text = row, .kept = true, .warnings = {}, .error = {}, .timing = {}});
-        }
-    }
-    return {};
-}
-
 // How many sets do not keep the limits, by the table's column.
 struct LimitCounts {
     std::int64_t failed = 0;
@@ -143,20 +93,108 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
     return output.commit();
 }
 
-// The error that ends a batch; one of an interruption that leaves rows names --resume. Removes a
-// journal without rows.
-Error as_left(const Error& error, const OutputFile& output, RowJournal& journal, std::size_t done,
-              std::size_t sets) {
-    if (journal.empty()) {  // rows of other settings may be wanted again
-        journal.remove();
+// What has come to a folder so far: the sets of its measurement list, where it has one, whose
+// recordings are all there, and every other file as a set of its own. A file counts when its size
+// and times are those of the look before: nothing writes it any more.
+class FolderWatch {
+public:
+    static constexpr double pause_s = 1;  // between two looks
+
+    // `request` must outlive this object.
+    explicit FolderWatch(const BatchRequest& request) : request_(request) {}
+
+    // Nothing while the folder's list has a fault or is being written. Errors: those of
+    // list_of_folder().
+    Result<MeasurementList> look();
+
+    // Why the folder's list does not count at the last look: those of read_measurement_list(), and
+    // list_invalid for a second list.
+    const std::optional<Error>& fault() const { return fault_; }
+
+private:
+    bool is_settled(const fs::path& path);
+
+    const BatchRequest& request_;
+    std::optional<Error> fault_;
+    std::map<fs::path, std::string> stamps_;  // of the look before, and of this one
+};
+
+Result<MeasurementList> FolderWatch::look() {
+    auto files = TRY(wanted_list(request_));
+    fault_.reset();
+    MeasurementList come;
+    std::set<fs::path> listed;
+    std::optional<fs::path> list_path;
+    std::vector<MeasurementSet> single;
+    bool list_in_writing = false;
+    for (MeasurementSet& file : files.sets) {
+        const fs::path& path = file.recordings.front().path;
+        const bool settled = is_settled(path);
+        const bool is_list = is_measurement_list(path);
+        list_in_writing = list_in_writing || (is_list && !settled);
+        if (!settled) {
+            continue;
+        }
+        if (!is_list) {
+            single.push_back(std::move(file));
+            continue;
+        }
+        if (list_path) {
+            fault_ = Error{ErrorCode::list_invalid,
+                           path.string(),
+                           {count_arg(1), "file",
+                            words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
+                                  {list_path->filename().string()})}};
+            continue;
+        }
+        list_path = path;
+        Result<MeasurementList> list =
+            read_measurement_list(path, {request_.open, request_.settings});
+        if (!list) {
+            fault_ = list.error();
+            continue;
+        }
+        come = std::move(*list);
     }
-    const bool kept = done > 0 && output.seekable();
-    return error.code == ErrorCode::interrupted && kept
-               ? Error{ErrorCode::interrupted_midway,
-                       output.name(),
-                       {count_arg(static_cast<std::int64_t>(done)),
-                        count_arg(static_cast<std::int64_t>(sets))}}
-               : output.as_it_stands(error);
+    if (fault_ || list_in_writing) {  // which files are of its sets is unknown
+        return MeasurementList{};
+    }
+    for (const MeasurementSet& set : come.sets) {
+        for (const RecordingRef& recording : set.recordings) {
+            listed.insert(recording.path.lexically_normal());
+        }
+    }
+    std::erase_if(come.sets, [this](const MeasurementSet& set) {
+        return !std::ranges::all_of(set.recordings, [this](const RecordingRef& recording) {
+            return is_settled(recording.path.lexically_normal());
+        });
+    });
+    for (MeasurementSet& file : single) {
+        RecordingRef& recording = file.recordings.front();
+        if (!listed.contains(recording.path.lexically_normal())) {
+            for (const std::string& column : come.other_columns) {
+                recording.others.emplace_back(column, "");
+            }
+            come.sets.push_back(std::move(file));
+        }
+    }
+    return come;
+}
+
+bool FolderWatch::is_settled(const fs::path& path) {
+    const std::string now = file_stamp(path);
+    std::string& before = stamps_[path.lexically_normal()];
+    const bool same = before == now && now != no_file;
+    before = now;
+    return same;
+}
+
+// Waits, or until the token stops it.
+void pause(const std::stop_token& stop, double seconds) {
+    std::mutex mutex;
+    std::condition_variable_any never;
+    std::unique_lock lock(mutex);
+    never.wait_for(lock, stop, std::chrono::duration<double>(seconds), [] { return false; });
 }
 
 // A batch, of one list or of all that come to a folder.
@@ -170,11 +208,22 @@ public:
         if (request_.watch) {
             return watch();
         }
-        const auto list = TRY(chosen_list(request_, events_));
+        const auto list = TRY(chosen_list());
         return compute(list);
     }
 
 private:
+    // The sets that are asked for.
+    Result<MeasurementList> chosen_list() const {
+        auto list = TRY(wanted_list(request_));
+        events_.warned(list.warnings);
+        if (!request_.only.empty()) {
+            auto set = TRY(set_named(list, "--only", request_.only));
+            list.sets = {std::move(set)};
+        }
+        return list;
+    }
+
     Status check_request() {
         TRY(validate(request_.settings));
         TRY(check_options(request_.open));
@@ -227,7 +276,7 @@ private:
         }
         const auto is_kept = [this](const SetTask& task) { return journal_->has(task.key); };
         if (journal_) {
-            TRY(set_keys(request_, identity_, tasks));
+            TRY(set_keys(tasks));
             if (std::ranges::all_of(tasks, is_kept)) {
                 return {};
             }
@@ -235,25 +284,53 @@ private:
         auto output = TRY(open_output(request_.output, job_));
         if (!journal_) {
             TRY(open_files(output));
-            TRY(set_keys(request_, identity_, tasks));
+            TRY(set_keys(tasks));
             tell_other_rows(tasks);
         }
-        if (events_.begun) {
-            events_.begun(list);
+        events_.begun(list);
+        for (std::size_t k = 0; k < tasks.size(); ++k) {
+            if (is_kept(tasks[k])) {  // the row of an earlier batch
+                const auto row = TRY(journal_->row(tasks[k].key));
+                events_.finished({.set = k,
+                                  .text = row,
+                                  .kept = true,
+                                  .warnings = {},
+                                  .error = {},
+                                  .timing = {}});
+            }
         }
-        TRY(tell_kept_rows(tasks, *journal_, events_));
         return compute_rows(list, tasks, header, output);
+    }
+
+    // Gives each task the key of its row.
+    Status set_keys(std::vector<SetTask>& tasks) const {
+        for (SetTask& task : tasks) {
+            auto key = TRY(row_key(request_, task, identity_));
+            task.key = std::move(key);
+        }
+        return {};
     }
 
     Status open_files(const OutputFile& output) {
         if (request_.resume && !output.seekable()) {
             return refused_value("-o", request_.output, "--resume needs a file");
         }
-        TRY(open_database(request_, events_, job_, database_, identity_));
+        if (!request_.database.empty()) {
+            constexpr double patience_s = 60;
+            const auto waits = [this](const Diagnostic& waiting) {
+                const std::lock_guard lock(mutex_);
+                events_.warned({waiting});
+            };
+            auto opened = TRY(ResultsDatabase::open(
+                request_.database, ResultsDatabase::Access::write, job_, patience_s, waits));
+            auto identity = TRY(opened.identity());
+            identity_ = std::move(identity);
+            database_.emplace(std::move(opened));
+        }
         auto journal = TRY(RowJournal::open(output.seekable() ? journal_of(request_.output) : "",
                                             request_.resume));
         journal_.emplace(std::move(journal));
-        if (events_.warned && journal_->found() > 0) {
+        if (journal_->found() > 0) {
             events_.warned({{DiagnosticKind::earlier_rows,
                              {journal_of(request_.output),
                               count_arg(static_cast<std::int64_t>(journal_->found()))}}});
@@ -266,7 +343,7 @@ private:
         const auto kept = std::ranges::count_if(
             tasks, [this](const SetTask& task) { return journal_->has(task.key); });
         const auto others = static_cast<std::int64_t>(journal_->size()) - kept;
-        if (events_.warned && request_.only.empty() && others > 0) {
+        if (request_.only.empty() && others > 0) {
             events_.warned(
                 {{DiagnosticKind::other_rows, {journal_of(request_.output), count_arg(others)}}});
         }
@@ -275,8 +352,9 @@ private:
     Status compute_rows(const MeasurementList& list, const std::vector<SetTask>& tasks,
                         const std::vector<std::string>& header, OutputFile& output) {
         const auto last_id = TRY(database_ ? database_->last_id() : Result<std::int64_t>(0));
-        SetWork work({request_, tasks, *journal_, database_ ? &*database_ : nullptr, last_id},
-                     events_, stop_);
+        SetWork work({request_, tasks, *journal_, database_ ? &*database_ : nullptr, last_id,
+                      events_, mutex_},
+                     stop_);
         Status done = work.run();
         LimitCounts counts;
         if (done) {
@@ -285,13 +363,13 @@ private:
                                tasks, *journal_, counts);
         }
         if (!done) {
-            return as_left(done.error(), output, *journal_, work.done(), tasks.size());
+            return as_left(done.error(), output, work.done(), std::ssize(tasks));
         }
         if (request_.watch) {
             return {};
         }
         journal_->remove();
-        if (events_.warned && counts.failed + counts.undecided > 0) {
+        if (counts.failed + counts.undecided > 0) {
             events_.warned({{DiagnosticKind::limits_not_kept,
                              {count_arg(counts.failed), count_arg(counts.undecided),
                               count_arg(std::ssize(tasks))}}});
@@ -299,8 +377,24 @@ private:
         return {};
     }
 
+    // The error that ends the batch; one of an interruption that leaves rows names --resume.
+    // Removes a journal without rows.
+    Error as_left(const Error& error, const OutputFile& output, std::size_t done,
+                  std::int64_t sets) {
+        if (journal_->empty()) {  // rows of other settings may be wanted again
+            journal_->remove();
+        }
+        const bool kept = done > 0 && output.seekable();
+        return error.code == ErrorCode::interrupted && kept
+                   ? Error{ErrorCode::interrupted_midway,
+                           output.name(),
+                           {count_arg(static_cast<std::int64_t>(done)), count_arg(sets)}}
+                   : output.as_it_stands(error);
+    }
+
     const BatchRequest& request_;
     const BatchEvents& events_;
+    std::mutex mutex_;  // of the events, while several threads work
     std::stop_token stop_;
     JobControl job_;
     std::vector<TypedLimit> limits_;

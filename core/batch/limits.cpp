@@ -59,7 +59,7 @@ public:
             const std::string name = field(row, "parameter");
             const ResonatorParameter* const parameter = parameter_named(parameters_, name);
             if (parameter == nullptr) {
-                return invalid(row, "parameter", no_parameter(parameters_, name));
+                return invalid(row.line, "parameter", no_parameter(parameters_, name));
             }
             TypedLimit read{field(row, "gyro_type"), {parameter->name, {}, {}}};
             for (const auto& [column, end] :
@@ -67,16 +67,16 @@ public:
                 const std::string text = usual_option(field(row, column), false);
                 *end = number_with_unit(text, parameter->unit);
                 if (!text.empty() && !(*end && std::isfinite(**end))) {
-                    return invalid(row, column,
+                    return invalid(row.line, column,
                                    words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {text}));
                 }
             }
             if (!read.limit.lower && !read.limit.upper) {
-                return invalid(row, "least",
+                return invalid(row.line, "least",
                                words(VYBEG_MESSAGE("Words", "neither end of the limit is told")));
             }
             if (read.limit.lower && read.limit.upper && *read.limit.lower > *read.limit.upper) {
-                return invalid(row, "least",
+                return invalid(row.line, "least",
                                words(VYBEG_MESSAGE("Words", "it is above the greatest value")));
             }
             const bool twice = std::ranges::any_of(limits_, [&read](const TypedLimit& each) {
@@ -84,7 +84,7 @@ public:
                        each.limit.parameter == read.limit.parameter;
             });
             if (twice) {
-                return invalid(row, "parameter",
+                return invalid(row.line, "parameter",
                                words(VYBEG_MESSAGE("Words", "%1 has a limit above already"),
                                      {read.limit.parameter}));
             }
@@ -104,19 +104,15 @@ private:
         for (const std::string& name : table_.names) {
             const auto is_it = [&name](const char* column) { return name == column; };
             if (!name.empty() && std::ranges::none_of(columns, is_it)) {
-                return Error{ErrorCode::list_invalid,
-                             path_.string(),
-                             {"1", name,
+                return invalid(1, name,
                               words(VYBEG_MESSAGE("Words",
                                                   "the columns are parameter, least, "
-                                                  "greatest, gyro_type and comment"))}};
+                                                   "greatest, gyro_type and comment")));
             }
         }
         if (!has("least") && !has("greatest")) {
-            return Error{ErrorCode::list_invalid,
-                         path_.string(),
-                         {"1", "least",
-                          words(VYBEG_MESSAGE("Words", "neither least nor greatest is there"))}};
+            return invalid(1, "least",
+                           words(VYBEG_MESSAGE("Words", "neither least nor greatest is there")));
         }
         return {};
     }
@@ -128,10 +124,9 @@ private:
                    : row.fields[static_cast<std::size_t>(found - table_.names.begin())];
     }
 
-    Error invalid(const CsvRow& row, const std::string& column, MessageArg reason) const {
-        return {ErrorCode::list_invalid,
-                path_.string(),
-                {count_arg(row.line), column, std::move(reason)}};
+    Error invalid(std::int64_t line, const std::string& column, MessageArg reason) const {
+        return {
+            ErrorCode::list_invalid, path_.string(), {count_arg(line), column, std::move(reason)}};
     }
 
     const std::filesystem::path& path_;

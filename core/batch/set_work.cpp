@@ -1,6 +1,6 @@
 #include "core/batch/set_work.h"
 
-#include "core/base/caught_error.h"
+#include "core/base/error.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
 #include "core/output/passport_json.h"
@@ -31,31 +31,15 @@ std::optional<LimitVerdict> verdict_of(const SetTask& task, const Identification
 
 }  // namespace
 
-SetWork::SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_token stop)
-    : batch_(batch),
-      events_(events),
-      interrupted_(std::move(stop), [this] { halt_.request_stop(); }) {
+SetWork::SetWork(const BatchWork& batch, std::stop_token stop)
+    : batch_(batch), interrupted_(std::move(stop), [this] { halt_.request_stop(); }) {
     for (const SetTask& task : batch_.tasks) {
         if (!batch_.journal.has(task.key)) {
             todo_.push_back(&task);
         }
     }
     done_ = batch_.tasks.size() - todo_.size();
-    if (batch_.database != nullptr) {
-        waits_ = batch_.database->on_waiting([this](const Diagnostic& waiting) {
-            const std::lock_guard lock(mutex_);
-            if (events_.warned) {
-                events_.warned({waiting});
-            }
-        });
-    }
     prepare_sha256();
-}
-
-SetWork::~SetWork() {
-    if (batch_.database != nullptr) {
-        batch_.database->on_waiting(std::move(waits_));
-    }
 }
 
 Status SetWork::run() {
@@ -90,7 +74,7 @@ void SetWork::work() {
 
 void SetWork::finish(const SetTask& task) {
     const MeasurementSet set = with_threads(*task.set);
-    const JobControl job(halt_.get_token(), {}, events_.clock);
+    const JobControl job(halt_.get_token(), {}, batch_.events.clock);
     Result<OpenSet> open = open_set(set, task.passport, halt_.get_token());
     if (!open) {
         add_failure(task, open.error(), {});
@@ -104,31 +88,9 @@ void SetWork::finish(const SetTask& task) {
     }
     std::vector<NamedWarnings> warnings = warnings_of(*open, *result);
     const double identified = job.now();
-    // Before the row: a row in the journal means that its files and its result in the database are
-    // there.
-    if (!task.new_passport.empty()) {
-        if (Status written =
-                write_file(task.new_passport, passport_json(passport_of(*result)), job);
-            !written) {
-            give_up(written.error());
-            return;
-        }
-    }
-    if (!task.json.empty() || batch_.database != nullptr) {
-        const std::string json = identify_json(*result);
-        Status written = task.json.empty() ? Status() : write_file(task.json, json, job);
-        if (!written) {
-            give_up(written.error());
-            return;
-        }
-        Result<std::vector<Diagnostic>> stored = store(task, *result, json);
-        if (!stored) {
-            give_up(stored.error());
-            return;
-        }
-        if (!stored->empty()) {
-            warnings.emplace_back("", std::move(*stored));
-        }
+    if (const Status kept = keep(task, *result, job, warnings); !kept) {
+        give_up(kept.error());
+        return;
     }
     const std::optional<LimitVerdict> limits = verdict_of(task, &result->identification);
     FinishedRow row{.text = batch_row(*result, limits ? &*limits : nullptr),
@@ -142,12 +104,27 @@ void SetWork::finish(const SetTask& task) {
     add_row(task, std::move(row));
 }
 
+Status SetWork::keep(const SetTask& task, const SetResult& result, const JobControl& job,
+                     std::vector<NamedWarnings>& warnings) {
+    if (!task.new_passport.empty()) {
+        TRY(write_file(task.new_passport, passport_json(passport_of(result)), job));
+    }
+    if (!task.json.empty() || batch_.database != nullptr) {
+        const std::string json = identify_json(result);
+        TRY(task.json.empty() ? Status() : write_file(task.json, json, job));
+        if (batch_.database != nullptr) {
+            auto stored = TRY(store(task, result, json));
+            if (!stored.empty()) {
+                warnings.emplace_back("", std::move(stored));
+            }
+        }
+    }
+    return {};
+}
+
 Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const SetResult& result,
                                                const std::string& json) {
     std::vector<Diagnostic> warnings;
-    if (batch_.database == nullptr) {
-        return warnings;
-    }
     const auto stored = TRY(stored_result(result, json));
     const std::lock_guard lock(database_mutex_);
     const auto holder = TRY(batch_.database->holder(stored.key));
@@ -182,7 +159,7 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
 }
 
 void SetWork::add_row(const SetTask& task, FinishedRow row) {
-    const std::unique_lock lock(mutex_);
+    const std::unique_lock lock(batch_.mutex);
     const Status kept = batch_.journal.append(task.key, row.text);
     if (!kept) {
         fault_ = fault_ ? fault_ : kept.error();
@@ -190,16 +167,14 @@ void SetWork::add_row(const SetTask& task, FinishedRow row) {
         return;
     }
     ++done_;
-    if (events_.finished) {
-        row.set = static_cast<std::size_t>(&task - batch_.tasks.data());
-        events_.finished(row);
-    }
+    row.set = static_cast<std::size_t>(&task - batch_.tasks.data());
+    batch_.events.finished(row);
 }
 
 // The first fault counts: the others follow from its stop.
 void SetWork::give_up(const Error& error) {
     {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock(batch_.mutex);
         fault_ = fault_ ? fault_ : error;
     }
     halt_.request_stop();

@@ -26,18 +26,15 @@ struct BatchWork {
     RowJournal& journal;
     ResultsDatabase* database = nullptr;  // null: there is none
     std::int64_t last_id = 0;             // of the results in it
+    const BatchEvents& events;
+    std::mutex& mutex;  // of the events and the journal
 };
 
 // Computes the rows that a journal lacks, several sets at once. A set without a result has a row,
 // too; a fault of the machine (memory, threads, disk) or an interruption ends the work.
 class SetWork {
 public:
-    // `events` must outlive the work, too.
-    SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_token stop);
-
-    ~SetWork();
-    SetWork(const SetWork&) = delete;
-    SetWork& operator=(const SetWork&) = delete;
+    SetWork(const BatchWork& batch, std::stop_token stop);
 
     // Errors: out_of_memory, out_of_threads, interrupted, those of writing a file.
     Status run();
@@ -48,7 +45,12 @@ public:
 private:
     void work();
     void finish(const SetTask& task);
-    // Returns the warning that the database keeps one result for this set and another one.
+    // Writes what goes beside the row, before it: a row in the journal means that its files and its
+    // result in the database are there.
+    Status keep(const SetTask& task, const SetResult& result, const JobControl& job,
+                std::vector<NamedWarnings>& warnings);
+    // Precondition: there is a database. Returns the warning that it keeps one result for this set
+    // and another one.
     Result<std::vector<Diagnostic>> store(const SetTask& task, const SetResult& result,
                                           const std::string& json);
     void add_failure(const SetTask& task, const Error& error,
@@ -58,15 +60,13 @@ private:
     MeasurementSet with_threads(const MeasurementSet& set) const;
 
     const BatchWork batch_;
-    const BatchEvents& events_;
     std::vector<const SetTask*> todo_;
-    ResultsDatabase::WhenWaiting waits_;            // of the database before and after this work
     std::mutex database_mutex_;                     // a wait for other writers holds up no rows
     std::map<std::string, const SetTask*> stored_;  // by the key of the result
     std::stop_source halt_;
     std::stop_callback<std::function<void()>> interrupted_;
     std::atomic<std::size_t> next_{0};
-    std::mutex mutex_;  // of all below, the journal and the events
+    // Under the mutex of the batch:
     std::optional<Error> fault_;
     std::size_t done_ = 0;
 };

@@ -1,9 +1,8 @@
 #include "core/database/results_database.h"
 
 #include "core/analysis/list_fields.h"
-#include "core/base/system_reason.h"
-#include "core/database/result_rows.h"
-#include "core/database/schema.h"
+#include "core/base/message_arg.h"
+#include "core/database/stored_result.h"
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
@@ -24,6 +23,82 @@ namespace vybeg {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// The tables of a database of results, `PRAGMA user_version` 4. README.md has the columns.
+constexpr int results_schema = 4;
+// `PRAGMA application_id`: "VybR".
+constexpr int results_application = 0x56796252;
+
+constexpr const char* results_tables = R"sql(
+CREATE TABLE about (identity TEXT NOT NULL);
+INSERT INTO about VALUES (lower(hex(randomblob(16))));
+
+CREATE TABLE result (
+    id INTEGER PRIMARY KEY,
+    key TEXT NOT NULL UNIQUE,
+    set_name TEXT NOT NULL,
+    gyro TEXT NOT NULL,
+    date TEXT NOT NULL,
+    date_from TEXT NOT NULL CHECK (date_from IN ('', 'list', 'recording')),
+    program TEXT NOT NULL,
+    model TEXT NOT NULL,
+    warnings TEXT NOT NULL DEFAULT ''
+);
+CREATE INDEX result_gyro ON result (gyro);
+
+CREATE TABLE recording (
+    result INTEGER NOT NULL REFERENCES result ON DELETE CASCADE,
+    position INTEGER NOT NULL,
+    file TEXT NOT NULL,
+    path TEXT NOT NULL,
+    name TEXT NOT NULL,
+    sha256 TEXT NOT NULL,
+    start TEXT NOT NULL,
+    seconds REAL,
+    rate_hz REAL,
+    f0_hz REAL,
+    channel_c INTEGER NOT NULL,
+    channel_d INTEGER NOT NULL,
+    gyro TEXT NOT NULL,
+    date TEXT NOT NULL,
+    bias_v REAL,
+    temperature_c REAL,
+    exchanged INTEGER NOT NULL,
+    operator TEXT NOT NULL,
+    comment TEXT NOT NULL,
+    others TEXT NOT NULL,
+    opening TEXT NOT NULL DEFAULT '[]',
+    PRIMARY KEY (result, position)
+) WITHOUT ROWID;
+
+CREATE TABLE parameter (
+    name TEXT NOT NULL,
+    result INTEGER NOT NULL REFERENCES result ON DELETE CASCADE,
+    position INTEGER NOT NULL,
+    value REAL,
+    sd REAL,
+    u REAL,
+    reason TEXT NOT NULL,
+    reason_args TEXT NOT NULL,
+    PRIMARY KEY (name, result)
+) WITHOUT ROWID;
+CREATE INDEX parameter_result ON parameter (result);
+
+CREATE TABLE document (
+    result INTEGER PRIMARY KEY REFERENCES result ON DELETE CASCADE,
+    raw_names TEXT NOT NULL,
+    raw_values TEXT NOT NULL,
+    raw_covariance TEXT NOT NULL,
+    json TEXT NOT NULL
+);
+)sql";
+
+// What a database of schema 1 lacks, and what one of schema 2 does, besides the view. One of schema
+// 3 has the long texts of its documents as they are.
+constexpr const char* opening_column =
+    "ALTER TABLE recording ADD COLUMN opening TEXT NOT NULL DEFAULT '[]'";
+constexpr const char* warnings_column =
+    "ALTER TABLE result ADD COLUMN warnings TEXT NOT NULL DEFAULT ''";
 
 // A pause between two attempts to get the lock, ms.
 constexpr int pause_ms = 10;
@@ -146,12 +221,8 @@ Diagnostic same_recordings(const StoredName& kept, const StoredName& lost) {
 }
 
 ResultsDatabase::ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
-                                 double patience_s, WhenWaiting waits)
-    : path_(std::move(path)),
-      access_(access),
-      job_(job),
-      patience_s_(patience_s),
-      waits_(std::make_shared<WhenWaiting>(std::move(waits))) {}
+                                 double patience_s)
+    : path_(std::move(path)), access_(access), job_(job), patience_s_(patience_s) {}
 
 // The exceptions of `work` as errors.
 template <class Work>
@@ -172,15 +243,15 @@ auto ResultsDatabase::guarded(const Work& work) -> Result<decltype(work())> {
 Result<ResultsDatabase> ResultsDatabase::open(const std::filesystem::path& path, Access access,
                                               const JobControl& job, double patience_s,
                                               WhenWaiting waits) {
-    ResultsDatabase database(path, access, job, patience_s, std::move(waits));
-    const Result<bool> connected = database.guarded([&database] {
-        database.connect();
+    ResultsDatabase database(path, access, job, patience_s);
+    const Result<bool> connected = database.guarded([&] {
+        database.connect(std::move(waits));
         return true;
     });
     return connected ? Result(std::move(database)) : connected.error();
 }
 
-void ResultsDatabase::connect() {
+void ResultsDatabase::connect(WhenWaiting waits) {
     if (access_ == Access::write) {
         // With the permissions that the user's mask gives, as every output. O_EXCL and one thread
         // at a time: closing a descriptor drops the locks that this process has on its file.
@@ -206,7 +277,7 @@ void ResultsDatabase::connect() {
     // SQLite gives ":memory:" and an empty name meanings of their own, an absolute path none.
     connection_ = std::make_unique<SqliteConnection>(
         std::filesystem::absolute(path_).string(),
-        [job = job_, patience = patience_s_, waits = waits_, name = path_.string(),
+        [job = job_, patience = patience_s_, waits = std::move(waits), name = path_.string(),
          begun = Clock::time_point(), told = false](int times) mutable {
             begun = times == 0 ? Clock::now() : begun;
             told = told && times > 0;
@@ -214,9 +285,9 @@ void ResultsDatabase::connect() {
             if (job.cancelled() || waited.count() > patience) {
                 return false;
             }
-            if (!told && waited.count() > quiet_s && *waits) {
+            if (!told && waited.count() > quiet_s && waits) {
                 told = true;
-                (*waits)({DiagnosticKind::database_waits, {name, number_arg(patience, 3)}});
+                waits({DiagnosticKind::database_waits, {name, number_arg(patience, 3)}});
             }
             sqlite3_sleep(pause_ms);
             return true;

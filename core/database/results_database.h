@@ -12,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -50,9 +49,6 @@ public:
                                         const JobControl& job, double patience_s = 60,
                                         WhenWaiting waits = {});
 
-    // Another receiver for later waits; returns the one before.
-    WhenWaiting on_waiting(WhenWaiting waits) { return std::exchange(*waits_, std::move(waits)); }
-
     // Made at random with the file: another file at this path has another.
     Result<std::string> identity();
 
@@ -79,8 +75,8 @@ public:
 
 private:
     ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
-                    double patience_s, WhenWaiting waits);
-    void connect();
+                    double patience_s);
+    void connect(WhenWaiting waits);
     Error refused(const MessageArg& reason) const;
     Error error_of_failure(const SqliteFailure& failure) const;
     template <class Work>
@@ -90,7 +86,6 @@ private:
     Access access_;
     JobControl job_;
     double patience_s_;
-    std::shared_ptr<WhenWaiting> waits_;  // where the connection finds it after a move, too
     std::unique_ptr<SqliteConnection> connection_;
 };
 

@@ -113,32 +113,29 @@ SqliteStatement::SqliteStatement(const SqliteConnection& connection, const char*
     check(result, connection.get());
 }
 
-SqliteStatement& SqliteStatement::bind(std::int64_t value) {
-    check(sqlite3_bind_int64(statement_.get(), ++bound_, value),
-          sqlite3_db_handle(statement_.get()));
+SqliteStatement& SqliteStatement::bound(int result) {
+    check(result, sqlite3_db_handle(statement_.get()));
     return *this;
 }
 
+SqliteStatement& SqliteStatement::bind(std::int64_t value) {
+    return bound(sqlite3_bind_int64(statement_.get(), ++bound_, value));
+}
+
 SqliteStatement& SqliteStatement::bind(double value) {
-    check(sqlite3_bind_double(statement_.get(), ++bound_, value),
-          sqlite3_db_handle(statement_.get()));
-    return *this;
+    return bound(sqlite3_bind_double(statement_.get(), ++bound_, value));
 }
 
 SqliteStatement& SqliteStatement::bind(std::string_view text) {
     // A null pointer would be NULL.
-    check(sqlite3_bind_text64(statement_.get(), ++bound_, text.empty() ? "" : text.data(),
-                              text.size(), SQLITE_TRANSIENT, SQLITE_UTF8),
-          sqlite3_db_handle(statement_.get()));
-    return *this;
+    return bound(sqlite3_bind_text64(statement_.get(), ++bound_, text.empty() ? "" : text.data(),
+                                     text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
 }
 
 SqliteStatement& SqliteStatement::bind_packed(std::string_view text) {
     const std::string packed = deflated(text);
-    check(sqlite3_bind_blob64(statement_.get(), ++bound_, packed.data(), packed.size(),
-                              SQLITE_TRANSIENT),
-          sqlite3_db_handle(statement_.get()));
-    return *this;
+    return bound(sqlite3_bind_blob64(statement_.get(), ++bound_, packed.data(), packed.size(),
+                                     SQLITE_TRANSIENT));
 }
 
 bool SqliteStatement::step() {

@@ -75,6 +75,8 @@ private:
         void operator()(sqlite3_stmt* statement) const;
     };
 
+    SqliteStatement& bound(int result);
+
     std::unique_ptr<sqlite3_stmt, Finalize> statement_;
     int bound_ = 0;
 };

@@ -5,13 +5,20 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
 #include "core/output/identify_json.h"
+#include "core/output/quantity_json.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
 #include "core/resonator/results/resonator_parameters.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <limits>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -72,6 +79,251 @@ std::vector<StoredParameter> parameters_of(const ResonatorFit& fit) {
     return parameters;
 }
 
+using Json = nlohmann::ordered_json;
+
+Json parsed(const std::string& text) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw DamagedRow("it is no JSON at byte " + std::to_string(error.byte));
+    } catch (const Json::exception&) {
+        throw DamagedRow("it holds a number beyond all ranges");
+    }
+}
+
+// Numbers that are not finite are null.
+std::vector<double> numbers_in(const std::string& text) {
+    std::vector<double> values;
+    for (const Json& number : parsed(text)) {
+        if (!number.is_null() && !number.is_number()) {
+            throw DamagedRow("a text stands in place of a number");
+        }
+        values.push_back(number.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                          : number.get<double>());
+    }
+    return values;
+}
+
+std::vector<std::string> texts_in(const std::string& text) {
+    std::vector<std::string> texts;
+    for (const Json& one : parsed(text)) {
+        if (!one.is_string()) {
+            throw DamagedRow("a number stands in place of a text");
+        }
+        texts.push_back(one.get<std::string>());
+    }
+    return texts;
+}
+
+// As DateSource.
+constexpr std::array<std::string_view, 3> date_sources{"", "list", "recording"};
+
+DateSource source_of(const std::string& name) {
+    const auto* const found = std::ranges::find(date_sources, name);
+    if (found == date_sources.end()) {
+        throw DamagedRow("a date is from \"" + name + "\"");
+    }
+    return static_cast<DateSource>(found - date_sources.begin());
+}
+
+// Columns value, sd, u, reason, reason_args from `column` on.
+Estimate read_estimate(const SqliteStatement& row, int column) {
+    Estimate estimate;
+    estimate.value = row.number(column);
+    estimate.sd = row.number(column + 1);
+    estimate.u = row.number(column + 2);
+    if (const std::string name = row.text(column + 3); !name.empty()) {
+        std::optional<Reason> reason = stored_reason(name, texts_in(row.text(column + 4)));
+        if (!reason) {
+            throw DamagedRow("the reason \"" + name + "\" is not known");
+        }
+        estimate.reason = std::move(*reason);
+    }
+    return estimate;
+}
+
+// Archives of describe(): the values of a statement, and columns of a row one after the other.
+struct Binder {
+    SqliteStatement& row;
+
+    void operator()(const char*, const std::string& text) { row.bind(text); }
+    void operator()(const char*, bool value) { row.bind(std::int64_t{value}); }
+    void operator()(const char*, const std::optional<double>& value) {
+        row.bind(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+};
+
+struct ColumnReader {
+    const SqliteStatement& row;
+    int column;
+
+    void operator()(const char*, std::string& text) { text = row.text(column++); }
+    void operator()(const char*, bool& value) { value = row.whole(column++) != 0; }
+    void operator()(const char*, std::optional<double>& value) {
+        if (!row.is_null(column)) {
+            value = row.number(column);
+        }
+        ++column;
+    }
+};
+
+std::int64_t write_head(const SqliteConnection& connection, const StoredResult& result,
+                        std::optional<std::int64_t> wanted) {
+    SqliteStatement head(connection, R"sql(
+        INSERT INTO result (id, key, set_name, gyro, date, date_from, program, model, warnings)
+        VALUES ((SELECT ?1 WHERE ?1 > 0 AND NOT EXISTS (SELECT 1 FROM result WHERE id = ?1)),
+            ?, ?, ?, ?, ?, ?, ?, ?)
+        ON CONFLICT (key) DO UPDATE SET set_name = excluded.set_name, gyro = excluded.gyro,
+            date = excluded.date, date_from = excluded.date_from, program = excluded.program,
+            model = excluded.model, warnings = excluded.warnings
+        RETURNING id)sql");
+    head.bind(wanted.value_or(0));
+    head.bind(result.key).bind(result.set).bind(result.gyro).bind(result.date.text);
+    head.bind(date_sources[static_cast<std::size_t>(result.date.source)])
+        .bind(result.program)
+        .bind(result.model);
+    head.bind(result.warnings);
+    head.step();
+    const std::int64_t id = head.whole(0);
+    head.run();
+    return id;
+}
+
+// The options of opening that are given, by their names, as the command line has them.
+std::string opening_of(const OpenOptions& options) {
+    Json given = Json::array();
+    for (const SettingRow<OpenOptions>& row : open_settings()) {
+        if (const std::string text = row.text(options); !text.empty()) {
+            given.push_back({row.name, text});
+        }
+    }
+    return json_line(given);
+}
+
+// Pairs of a name and a value.
+std::vector<std::pair<std::string, std::string>> pairs_in(const std::string& text) {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const Json& pair : parsed(text)) {
+        const std::vector<std::string> texts = texts_in(pair.dump());
+        if (texts.size() != 2) {
+            throw DamagedRow("a name has no value");
+        }
+        pairs.emplace_back(texts[0], texts[1]);
+    }
+    return pairs;
+}
+
+void read_opening(const std::string& text, OpenOptions& options) {
+    for (const auto& [name, value] : pairs_in(text)) {
+        const auto* row = row_named(open_settings(), name);
+        if (row == nullptr || !row->read(value, options)) {
+            throw DamagedRow("--" + name + " " + value + " opens no recording");
+        }
+    }
+}
+
+void write_recordings(const SqliteConnection& connection, std::int64_t id,
+                      const StoredResult& result) {
+    SqliteStatement row(connection,
+                        "INSERT INTO recording VALUES "
+                        "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    std::int64_t position = 0;
+    for (const RecordingRef& recording : result.recordings) {
+        Json others = Json::array();
+        for (const auto& [name, value] : recording.others) {
+            others.push_back({name, value});
+        }
+        row.bind(id).bind(position++).bind(recording.file).bind(recording.path.string());
+        row.bind(recording.name()).bind(recording.sha256).bind(recording.start);
+        row.bind(recording.seconds).bind(recording.rate_hz).bind(recording.f0_hz);
+        row.bind(std::int64_t{recording.open.channel_c});
+        row.bind(std::int64_t{recording.open.channel_d});
+        describe(Binder{row}, recording.conditions);
+        row.bind(json_line(others));
+        row.bind(opening_of(recording.open));
+        row.run();
+    }
+}
+
+void write_parameters(const SqliteConnection& connection, std::int64_t id,
+                      const StoredResult& result) {
+    SqliteStatement row(connection, "INSERT INTO parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    std::int64_t position = 0;
+    for (const auto& [name, estimate] : result.parameters) {
+        row.bind(name).bind(id).bind(position++);
+        row.bind(estimate.value).bind(estimate.sd).bind(estimate.u);
+        row.bind(estimate.given() ? std::string() : reason_name(estimate.reason.code));
+        row.bind(json_line(args_json(estimate.reason.args)));
+        row.run();
+    }
+}
+
+// A column, or what stands for it in a database of before.
+std::string column_since(const SqliteConnection& connection, int schema, const char* column,
+                         const char* otherwise) {
+    SqliteStatement version(connection, "PRAGMA user_version");
+    version.step();
+    return version.whole(0) < schema ? otherwise : column;
+}
+
+std::vector<RecordingRef> read_recordings(const SqliteConnection& connection, std::int64_t id) {
+    const std::string opening = column_since(connection, 2, "opening", "'[]'");
+    SqliteStatement row(connection, (R"sql(
+        SELECT file, path, sha256, start, seconds, rate_hz, f0_hz, channel_c, channel_d,
+            gyro, date, bias_v, temperature_c, exchanged, operator, comment, others, )sql" +
+                                     opening + " FROM recording WHERE result = ? ORDER BY position")
+                                        .c_str());
+    row.bind(id);
+    std::vector<RecordingRef> recordings;
+    while (row.step()) {
+        RecordingRef recording;
+        recording.file = row.text(0);
+        recording.path = row.text(1);
+        recording.sha256 = row.text(2);
+        recording.start = row.text(3);
+        recording.seconds = row.number(4);
+        recording.rate_hz = row.number(5);
+        recording.f0_hz = row.number(6);
+        recording.open.channel_c = static_cast<int>(row.whole(7));
+        recording.open.channel_d = static_cast<int>(row.whole(8));
+        describe(ColumnReader{row, 9}, recording.conditions);
+        recording.others = pairs_in(row.text(16));
+        read_opening(row.text(17), recording.open);
+        recordings.push_back(std::move(recording));
+    }
+    return recordings;
+}
+
+// Row by row up to the diagonal: a covariance is symmetric, but for the rounding of its numbers.
+std::vector<double> lower_part(const RawParameters& raw) {
+    const std::size_t count = raw.names.size();
+    std::vector<double> part;
+    for (std::size_t row = 0; row < count; ++row) {
+        for (std::size_t column = 0; column <= row; ++column) {
+            part.push_back(raw.covariance[row * count + column]);
+        }
+    }
+    return part;
+}
+
+// Its inverse. A document of schema 3 has the whole covariance.
+std::vector<double> whole_covariance(const std::vector<double>& part, std::size_t count) {
+    if (part.size() == count * count) {
+        return part;
+    }
+    if (part.size() != count * (count + 1) / 2) {
+        throw DamagedRow("parameters and covariance differ in size");
+    }
+    std::vector<double> whole(count * count);
+    auto next = part.begin();
+    for (std::size_t row = 0; row < count; ++row) {
+        for (std::size_t column = 0; column <= row; ++column) {
+            whole[row * count + column] = whole[column * count + row] = *next++;
+        }
+    }
+    return whole;
+}
+
 }  // namespace
 
 StoredDate date_of(const MeasurementSet& set) {
@@ -107,6 +359,98 @@ Result<StoredResult> stored_result(const SetResult& result, std::string json) {
     stored.raw = found.fit.raw;
     stored.json = std::move(json);
     return stored;
+}
+
+std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
+                          std::optional<std::int64_t> wanted) {
+    const std::int64_t id = write_head(connection, result, wanted);
+    for (const char* sql :
+         {"DELETE FROM recording WHERE result = ?", "DELETE FROM parameter WHERE result = ?",
+          "DELETE FROM document WHERE result = ?"}) {
+        SqliteStatement(connection, sql).bind(id).run();
+    }
+    write_recordings(connection, id, result);
+    write_parameters(connection, id, result);
+    SqliteStatement document(connection, "INSERT INTO document VALUES (?, ?, ?, ?, ?)");
+    document.bind(id).bind(json_line(result.raw.names)).bind(json_line(result.raw.values));
+    document.bind_packed(json_line(lower_part(result.raw))).bind_packed(result.json).run();
+    return id;
+}
+
+std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id) {
+    SqliteStatement head(connection, (R"sql(
+        SELECT key, set_name, gyro, date, date_from, program, model,
+            raw_names, raw_values, raw_covariance, json, )sql" +
+                                      column_since(connection, 3, "warnings", "''") + R"sql(
+        FROM result JOIN document ON document.result = result.id WHERE result.id = ?)sql")
+                                         .c_str());
+    head.bind(id);
+    if (!head.step()) {
+        return std::nullopt;
+    }
+    StoredResult result;
+    result.key = head.text(0);
+    result.set = head.text(1);
+    result.gyro = head.text(2);
+    result.date = {head.text(3), source_of(head.text(4))};
+    result.program = head.text(5);
+    result.model = head.text(6);
+    result.raw = {texts_in(head.text(7)), numbers_in(head.text(8)), {}};
+    result.raw.covariance = whole_covariance(numbers_in(head.text(9)), result.raw.names.size());
+    if (result.raw.values.size() != result.raw.names.size()) {
+        throw DamagedRow("parameters and covariance differ in size");
+    }
+    result.json = head.text(10);
+    result.warnings = head.text(11);
+    result.recordings = read_recordings(connection, id);
+    SqliteStatement row(connection, R"sql(
+        SELECT name, value, sd, u, reason, reason_args
+        FROM parameter WHERE result = ? ORDER BY position)sql");
+    row.bind(id);
+    while (row.step()) {
+        result.parameters.push_back({row.text(0), read_estimate(row, 1)});
+    }
+    return result;
+}
+
+std::vector<HistoryPoint> read_history(SqliteConnection& connection,
+                                       const std::optional<std::string>& gyro,
+                                       const std::string& parameter) {
+    std::string sql = R"sql(
+        SELECT r.id, r.set_name, r.gyro, r.date, r.date_from, r.program,
+            p.value, p.sd, p.u, p.reason, p.reason_args,
+            f.value, f.sd, f.u, f.reason, f.reason_args,
+            (SELECT max(bias_v) FROM recording WHERE result = r.id),
+            (SELECT avg(temperature_c) FROM recording WHERE result = r.id),
+            (SELECT max(exchanged) FROM recording WHERE result = r.id), )sql" +
+                      column_since(connection, 3, "r.warnings", "''") + R"sql(
+        FROM result r
+            JOIN parameter p ON p.name = ? AND p.result = r.id
+            JOIN parameter f ON f.name = 'f_mean_hz' AND f.result = r.id)sql";
+    sql += gyro ? " WHERE r.gyro = ?" : "";
+    SqliteStatement row(connection, sql.c_str());
+    row.bind(parameter);
+    if (gyro) {
+        row.bind(*gyro);
+    }
+    std::vector<HistoryPoint> points;
+    while (row.step()) {
+        HistoryPoint point;
+        point.id = row.whole(0);
+        point.set = row.text(1);
+        point.gyro = row.text(2);
+        point.date = {row.text(3), source_of(row.text(4))};
+        point.time_s = iso_seconds(point.date.text);
+        point.program = row.text(5);
+        point.value = read_estimate(row, 6);
+        point.f_mean_hz = read_estimate(row, 11);
+        point.bias_v = row.number(16);
+        point.temperature_c = row.number(17);
+        point.exchanged = row.whole(18) != 0;
+        point.warnings = row.text(19);
+        points.push_back(std::move(point));
+    }
+    return points;
 }
 
 }  // namespace vybeg

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/analysis/passport.h"
+#include "core/database/sqlite.h"
 
 #include <cstdint>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -66,5 +69,26 @@ StoredDate date_of(const MeasurementSet& set);
 // of the fit, not on names, conditions, threads, the program's version or the order of the
 // recordings. Errors: those of text_sha256().
 Result<StoredResult> stored_result(const SetResult& result, std::string json);
+
+// Results as rows of the tables of results_database.cpp. All throw SqliteFailure; the reading ones
+// also DamagedRow.
+
+// A row whose texts are not what was written.
+struct DamagedRow : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Adds or replaces the result of this key, and returns its id: of a new one `wanted` where that is
+// free. Within a transaction of the caller.
+std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
+                          std::optional<std::int64_t> wanted = {});
+
+// All rows of a result; nothing: there is none.
+std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id);
+
+// The points of a parameter of one gyro, or of all, in no order.
+std::vector<HistoryPoint> read_history(SqliteConnection& connection,
+                                       const std::optional<std::string>& gyro,
+                                       const std::string& parameter);
 
 }  // namespace vybeg

@@ -1,7 +1,7 @@
 #include "core/drift/held_resonator.h"
 
-#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -5,7 +5,7 @@
 #include "core/drift/log_drift.h"
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/harmonic_terms.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>

@@ -1,9 +1,24 @@
 #include "core/numerics/spectral_density.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <utility>
 
 namespace vybeg {
+namespace {
+
+// Four times the powers of x and y in a bin: their spectra are the even and the odd part of that of
+// x + iy.
+std::pair<double, double> four_powers(std::span<const std::complex<double>> spectrum,
+                                      std::size_t k) {
+    const std::complex<double> mirrored = std::conj(spectrum[k == 0 ? 0 : spectrum.size() - k]);
+    return {std::norm(spectrum[k] + mirrored), std::norm(spectrum[k] - mirrored)};
+}
+
+}  // namespace
 
 SpectralDensity::SpectralDensity(std::size_t size, double rate_hz)
     : fft_(size), rate_hz_(rate_hz), window_(size), data_(size) {
@@ -25,13 +40,11 @@ void SpectralDensity::add_to(Densities& sums, std::span<const double> x,
     }
     fft_.forward(data_);
     for (std::size_t k = 0; k < bins(); ++k) {
-        // The spectra of x and y are the even and the odd part of that of x + iy.
-        const std::complex<double> here = data_[k];
-        const std::complex<double> mirrored = std::conj(data_[k == 0 ? 0 : size - k]);
         const double sides = k == 0 || 2 * k == size ? 1 : 2;
         const double scale = 0.25 * sides / (squares_ * rate_hz_);
-        sums[0][k] += scale * std::norm(here + mirrored);
-        sums[1][k] += scale * std::norm(here - mirrored);
+        const auto [of_x, of_y] = four_powers(data_, k);
+        sums[0][k] += scale * of_x;
+        sums[1][k] += scale * of_y;
     }
 }
 
@@ -70,6 +83,54 @@ double ratio_exceeded(int segments, double probability) {
         (exceeds(middle) > probability ? low : high) = middle;
     }
     return high / segments;
+}
+
+void LaggedProducts::add(std::span<const double> x, std::span<const double> y) {
+    const std::size_t count = x.size();
+    if (count == 0) {
+        return;
+    }
+    const std::size_t lags = std::min(lags_, count - 1);
+    pairs_.resize(lags_ + 1);
+    for (std::vector<double>& sum : sums_) {
+        sum.resize(lags_ + 1);
+    }
+    // The zeros behind the samples keep the products of both ends apart.
+    const std::size_t size = std::bit_ceil(count + lags);
+    std::vector<std::complex<double>> data(size);
+    for (std::size_t j = 0; j < count; ++j) {
+        data[j] = {x[j], y[j]};
+    }
+    if (!fft_ || fft_->size() != size) {
+        fft_ = std::make_unique<const Fft>(size);
+    }
+    fft_->forward(data);
+    std::vector<std::complex<double>> powers(size);
+    for (std::size_t k = 0; k < size; ++k) {
+        // Both powers are even, so that their transforms are real and share one complex transform.
+        const auto [of_x, of_y] = four_powers(data, k);
+        powers[k] = {0.25 * of_x, 0.25 * of_y};
+    }
+    fft_->inverse(powers);
+    for (std::size_t lag = 0; lag <= lags; ++lag) {
+        sums_[0][lag] += powers[lag].real() / static_cast<double>(size);
+        sums_[1][lag] += powers[lag].imag() / static_cast<double>(size);
+        pairs_[lag] += static_cast<double>(count - lag);
+    }
+}
+
+std::array<std::vector<double>, 2> LaggedProducts::correlations() const {
+    std::array<std::vector<double>, 2> found;
+    for (std::size_t channel = 0; channel < found.size(); ++channel) {
+        const std::vector<double>& sums = sums_[channel];
+        if (sums.empty() || !(sums[0] > 0)) {
+            continue;
+        }
+        for (std::size_t lag = 0; lag < sums.size() && pairs_[lag] > 0; ++lag) {
+            found[channel].push_back(sums[lag] / pairs_[lag] * pairs_[0] / sums[0]);
+        }
+    }
+    return found;
 }
 
 }  // namespace vybeg

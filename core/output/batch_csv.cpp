@@ -1,7 +1,9 @@
 #include "core/output/batch_csv.h"
 
+#include "core/analysis/measurement_list.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
 #include "core/base/finding.h"
-#include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/recording/samples/text_fields.h"

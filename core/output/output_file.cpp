@@ -1,7 +1,8 @@
 #include "core/output/output_file.h"
 
+#include "core/base/error.h"
+#include "core/base/message_arg.h"
 #include "core/base/number_text.h"
-#include "core/base/system_reason.h"
 #include "core/output/output_paths.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "core/output/quantity_json.h"
 
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 
 #include <algorithm>
 #include <cmath>

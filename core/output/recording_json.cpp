@@ -1,6 +1,6 @@
 #include "core/output/recording_json.h"
 
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 #include "core/output/quantity_json.h"
 
 namespace vybeg {

@@ -1,6 +1,6 @@
 #include "core/output/row_journal.h"
 
-#include "core/base/system_reason.h"
+#include "core/base/message_arg.h"
 #include "core/recording/bytes/sha256.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/output/track_header.h"
 
 #include "core/analysis/setting_table.h"
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 

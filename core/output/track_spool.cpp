@@ -1,6 +1,6 @@
 #include "core/output/track_spool.h"
 
-#include "core/base/system_reason.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,12 +1,14 @@
 #include "core/residuals/find_residuals.h"
 
-#include "core/numerics/autocorrelation.h"
+#include "core/numerics/spectral_density.h"
 #include "core/residuals/residual_lines.h"
-#include "core/residuals/residual_samples.h"
+#include "core/residuals/signal_curves.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -95,6 +97,25 @@ ResidualChannel channel_of(const std::vector<double>& samples, bool white, doubl
     return channel;
 }
 
+constexpr std::int64_t most_frames = std::int64_t{1} << 20;
+constexpr std::int64_t block_frames = std::int64_t{1} << 16;
+
+// First frame and end.
+std::pair<std::int64_t, std::int64_t> frames_of(const ResidualRange& range, const WindowPlan& plan,
+                                                double rate_hz) {
+    if (range.window) {
+        return {plan.start(*range.window), plan.start(*range.window) + plan.length};
+    }
+    const std::int64_t end = plan.start(plan.count - 1) + plan.length;
+    const auto frame_at = [&](double seconds) {
+        return std::clamp(seconds * rate_hz, static_cast<double>(plan.first),
+                          static_cast<double>(end));
+    };
+    const auto last = static_cast<std::int64_t>(std::floor(frame_at(range.time.to_s) + 1e-6));
+    return {static_cast<std::int64_t>(std::ceil(frame_at(range.time.from_s) - 1e-6)),
+            std::min(last + 1, end)};
+}
+
 }  // namespace
 
 Result<Residuals> find_residuals(const Recording& recording, const Analysis& analysis,
@@ -134,6 +155,51 @@ Result<Residuals> find_residuals(const Recording& recording, const Analysis& ana
     auto correlations = products.correlations();
     found.c.autocorrelation = std::move(correlations[0]);
     found.d.autocorrelation = std::move(correlations[1]);
+    return found;
+}
+
+Result<ResidualSamples> residual_samples(const Recording& recording, const Analysis& analysis,
+                                         const ResidualRange& range, const JobControl& job) {
+    // Of an analysis that outlives this function.
+    const auto source =
+        TRY(signal_source(recording, {std::shared_ptr<const Analysis>(), &analysis}, job));
+    const auto [begin, end] = frames_of(range, analysis.plan, recording.rate_hz);
+    const std::int64_t count = std::max<std::int64_t>(end - begin, 0);
+    ResidualSamples found;
+    found.frames = count;
+    const auto expected = static_cast<std::size_t>(std::min(count, most_frames));
+    found.c.reserve(expected);
+    found.d.reserve(expected);
+    const bool whole = count <= most_frames;
+    const std::int64_t blocks =
+        whole ? (count + block_frames - 1) / block_frames : most_frames / block_frames;
+    bool in_part = false;
+    std::int64_t next = begin;  // frame that continues the part
+    for (std::int64_t b = 0; b < blocks; ++b) {
+        const std::int64_t first =
+            begin + (whole ? b * block_frames : (count - block_frames) / (blocks - 1) * b);
+        const auto block = TRY(
+            signal_excerpt(source, first, std::min(block_frames, end - first), job, range.window));
+        in_part = in_part && first == next;
+        next = first + static_cast<std::int64_t>(block.size());
+        found.examined += next - first;
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            const double c = block.residual_c(k);
+            const double d = block.residual_d(k);
+            if (!std::isfinite(c) || !std::isfinite(d)) {
+                ++found.without;
+                in_part = false;
+                continue;
+            }
+            if (!in_part) {
+                found.part_begins.push_back(found.c.size());
+                in_part = true;
+            }
+            found.c.push_back(c);
+            found.d.push_back(d);
+        }
+        job.report(static_cast<double>(b + 1) / static_cast<double>(blocks));
+    }
     return found;
 }
 

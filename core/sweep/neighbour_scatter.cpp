@@ -1,7 +1,7 @@
 #include "core/sweep/neighbour_scatter.h"
 
 #include "core/estimators/wave/precision_bound.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <cmath>

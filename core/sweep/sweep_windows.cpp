@@ -6,7 +6,7 @@
 #include "core/analysis/window_faults.h"
 #include "core/analysis/window_noise.h"
 #include "core/estimators/wave/wave_state.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/sweep/neighbour_scatter.h"
 
 #include <algorithm>

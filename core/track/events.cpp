@@ -1,6 +1,6 @@
 #include "core/track/events.h"
 
-#include "core/numerics/line_fit.h"
+#include "core/numerics/statistics.h"
 #include "core/track/motion.h"
 
 #include <algorithm>

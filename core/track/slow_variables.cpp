@@ -1,6 +1,6 @@
 #include "core/track/slow_variables.h"
 
-#include "core/base/translatable.h"
+#include "core/base/message_arg.h"
 
 namespace vybeg {
 

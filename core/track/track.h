@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/estimators/wave/flags.h"
+#include "core/estimators/wave/estimator.h"
 #include "core/track/slow_variables.h"
 
 #include <array>

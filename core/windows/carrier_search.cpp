@@ -2,7 +2,7 @@
 
 #include "core/base/dispatch.h"
 #include "core/numerics/fft.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <array>
 #include <bit>

@@ -1,8 +1,8 @@
 // A database of 10,000 results of five gyros: its size, and what a first chart takes from opening
 // the file.
 #include "core/base/number_text.h"
-#include "core/database/result_rows.h"
 #include "core/database/results_database.h"
+#include "core/database/stored_result.h"
 #include "core/numerics/control_chart.h"
 #include "tests/core/database/made_result.h"
 

@@ -6,7 +6,7 @@
 // solved anew for each window; and as ceres::TinySolver, its smallest solver, which has no overhead
 // of a problem's description and does little but evaluate the errors. The required ratios are
 // against the former.
-#include "core/estimators/algorithms/closed_form_estimator.h"
+#include "core/estimators/algorithms/algorithms.h"
 #include "core/estimators/wave/estimator.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"

@@ -1,5 +1,5 @@
 // How fast recordings are read from the page cache, against the least that reading takes.
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/recording.h"
 #include "tests/benchmarks/ratio_table.h"

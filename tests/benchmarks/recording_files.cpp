@@ -1,6 +1,6 @@
 #include "tests/benchmarks/recording_files.h"
 
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"

@@ -1,4 +1,5 @@
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

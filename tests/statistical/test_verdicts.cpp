@@ -3,7 +3,7 @@
 // samples, and none on faultless sets.
 #include "core/analysis/identify.h"
 #include "core/analysis/inspect.h"
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 #include "core/recording/open/open_recording.h"
 #include "core/resonator/results/free_decay.h"
 #include "core/resonator/runs/sum_of_modes.h"

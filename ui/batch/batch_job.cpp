@@ -1,6 +1,6 @@
 #include "ui/batch/batch_job.h"
 
-#include "core/batch/compute_batch.h"
+#include "core/batch/batch_request.h"
 
 #include <QCoreApplication>
 #include <QLocale>

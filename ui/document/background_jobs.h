@@ -3,7 +3,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
-#include "core/base/caught_error.h"
+#include "core/base/error.h"
 #include "core/batch/identify_set.h"
 #include "core/recording/envelope/envelope_builder.h"
 #include "core/recording/open/preview.h"

@@ -4,7 +4,7 @@
 #include "core/database/results_database.h"
 #include "core/database/stored_result.h"
 #include "core/numerics/control_chart.h"
-#include "core/numerics/distribution.h"
+#include "core/numerics/statistics.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "core/analysis/list_fields.h"
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/translatable.h"
+#include "core/base/error.h"
 #include "core/output/identify_json.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/widgets/page_parts.h"

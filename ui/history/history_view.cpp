@@ -1,6 +1,6 @@
 #include "ui/history/history_view.h"
 
-#include "core/numerics/ewma_limit.h"
+#include "core/numerics/control_chart.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"
 

@@ -1,6 +1,6 @@
 #include "ui/plots/plot_panel.h"
 
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/numerics/distribution.h"
+#include "core/numerics/statistics.h"
 #include "ui/plots/plot_file.h"
 #include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/residuals/residuals.h"
+#include "core/residuals/find_residuals.h"
 #include "ui/document/background_jobs.h"
 #include "ui/plots/measured_page.h"
 #include "ui/plots/xy_plot.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/residuals/residuals.h"
+#include "core/residuals/find_residuals.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/widgets/quantity_table.h"
 

@@ -2,8 +2,7 @@
 
 #include "core/recording/conditioning/corrected_source.h"
 #include "core/recording/envelope/envelope.h"
-#include "core/residuals/fitted_wave.h"
-#include "core/residuals/signal_excerpt.h"
+#include "core/residuals/signal_curves.h"
 #include "ui/values/curve_data.h"
 #include "ui/widgets/theme.h"
 

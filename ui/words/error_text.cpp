@@ -1,6 +1,7 @@
 #include "ui/words/error_text.h"
 
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "ui/words/number_label.h"
 #include "ui/words/unit_text.h"

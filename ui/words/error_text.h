@@ -3,7 +3,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/base/finding.h"
-#include "core/estimators/wave/flags.h"
+#include "core/estimators/wave/estimator.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/model/reason.h"
 #include "core/track/events.h"

@@ -1,7 +1,6 @@
-#include "core/estimators/algorithms/closed_form_estimator.h"
-
-#include "core/estimators/batch/batch_closed_forms.h"
+#include "core/estimators/algorithms/algorithms.h"
 #include "core/estimators/batch/carrier_sums.h"
+#include "core/estimators/batch/closed_forms.h"
 #include "core/estimators/batch/window_estimate.h"
 #include "core/numerics/fractional_delay.h"
 #include "core/numerics/minimise.h"
@@ -57,21 +56,13 @@ public:
                     out[first + lane] =
                         complete(window, power, fit.residual, fit.wave, fit.best, 0);
                 } else {
-                    out[first + lane] = estimate_window({window, batch, lane, sums_.frame()});
+                    out[first + lane] = estimate_window(window, batch, lane);
                 }
             }
         }
     }
 
 private:
-    // Window and its sums.
-    struct SummedWindow {
-        Window window;
-        const ProjectionBatch& batch;
-        std::size_t lane;
-        const TaylorFrame& frame;
-    };
-
     // S_D delayed by a quarter period where the algorithm needs it; NaN where the delay reaches
     // outside.
     std::vector<double> quarter_delayed(const WindowBlock& block) const {
@@ -104,24 +95,24 @@ private:
 
     // Minimum of J by a search over the main lobe, for windows in which Newton's steps on the
     // series do not converge.
-    WaveEstimate estimate_window(const SummedWindow& summed) const {
-        const auto& [window, batch, lane, frame] = summed;
+    WaveEstimate estimate_window(const Window& window, const ProjectionBatch& batch,
+                                 std::size_t lane) const {
+        const TaylorFrame& frame = sums_.frame();
         const std::int64_t n = frame.length();
         const auto count = static_cast<double>(n);
         const SampleProducts sum{batch.cc[lane], batch.dd[lane], batch.cd[lane], batch.cq[lane]};
         const double power = sum.cc + sum.dd;
         const FormFrame form = form_frame(frame, quarter_period_);
-        const auto x_at = [&](double w) { return 0.5 * count * (w - summed.frame.w0()); };
+        const auto x_at = [&](double w) { return 0.5 * count * (w - frame.w0()); };
         // Within the reach of the series the kernel follows from the series.
         const auto kernel_at = [&](double w) {
             return std::abs(x_at(w)) > closed_form_reach ? window_kernel(n, w)
-                                                         : summed.frame.kernel(x_at(w));
+                                                         : frame.kernel(x_at(w));
         };
         const auto jets_at = [&](double w) {
             const double x = x_at(w);
-            return jets_of(std::abs(x) > closed_form_reach
-                               ? window_projections(summed.window, w)
-                               : lane_projections(summed.batch, summed.lane, x),
+            return jets_of(std::abs(x) > closed_form_reach ? window_projections(window, w)
+                                                           : lane_projections(batch, lane, x),
                            kernel_at(w));
         };
         // The minimum of J lies near that of the best wave, within the window's leakage; the search

@@ -1,9 +1,6 @@
-#include "core/estimators/algorithms/conjugate_gradient.h"
-
-#include "core/estimators/algorithms/closed_form_estimator.h"
-#include "core/estimators/batch/batch_descent.h"
+#include "core/estimators/algorithms/algorithms.h"
 #include "core/estimators/batch/carrier_sums.h"
-#include "core/estimators/batch/descent_step.h"
+#include "core/estimators/batch/descent.h"
 #include "core/estimators/batch/window_estimate.h"
 #include "core/numerics/phase.h"
 
@@ -16,6 +13,11 @@ namespace vybeg {
 namespace {
 
 constexpr int most_steps = 200;
+
+// Whether a sample of the span is missing (NaN).
+bool has_gap(std::span<const double> samples) {
+    return std::any_of(samples.begin(), samples.end(), [](double x) { return !std::isfinite(x); });
+}
 
 // n F and its derivatives by a_A, a_B, 2theta_A, alpha and w.
 WaveFunctional<double> functional_at(const Window& window, const Five<double>& at) {
@@ -43,7 +45,7 @@ public:
         ProjectionBatch batch;
         BatchMaximum maximum;
         BatchStart start;
-        DescentFit<Vec8> fits;
+        SeriesFit<Vec8> fits;
         for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
             count = sums_.next(first, batch, maximum);
             const TaylorFrame& frame = sums_.frame();
@@ -62,14 +64,11 @@ public:
                 if (!std::isfinite(power)) {
                     out[k] = no_estimate(Flag::gap);
                 } else if (fits.arrived[lane] > 0) {
-                    const DescentFit<double> fit = lane_of(fits, lane);
-                    const double residual = residual_of(fit.residual, power, window, fit.wave);
-                    out[k] = complete_estimate(
-                        fit.wave, {residual, without_motion(residual, fit.motion)}, options_);
+                    out[k] = complete_estimate(lane_of(fits, lane), power, window, options_);
                 } else {
-                    out[k] =
-                        estimate_window(window, start_values(window, centre_of(block, k, centre_s)))
-                            .estimate;
+                    const WaveParameters begin =
+                        start_values(window, centre_of(block, k, centre_s));
+                    out[k] = estimate_of(descend(window, bracket_, begin), window);
                 }
             }
         }
@@ -107,27 +106,21 @@ private:
 
     void set_start(BatchStart& start, std::size_t lane, const WaveParameters& values,
                    const TaylorFrame& frame) const {
-        start.a_A[lane] = values.state.a_A;
-        start.a_B[lane] = values.state.a_B;
-        start.two_theta_A[lane] = values.state.two_theta_A;
-        start.alpha[lane] = values.state.alpha;
-        start.x[lane] = 0.5 * static_cast<double>(options_.length) * (values.w - frame.w0());
+        const auto& [a_A, a_B, two_theta_A, alpha] = values.state;
+        const double x = 0.5 * static_cast<double>(options_.length) * (values.w - frame.w0());
+        const Five<double> five{a_A, a_B, two_theta_A, alpha, x};
+        for (std::size_t k = 0; k < five.size(); ++k) {
+            start[k][lane] = five[k];
+        }
     }
 
-    struct Estimated {
-        WaveEstimate estimate;
-        Descent descent;
-    };
-
-    Estimated estimate_window(const Window& window, const WaveParameters& start) const {
-        const Descent descent = descend(window, bracket_, start);
-        const WaveParameters& found = descent.parameters;
+    WaveEstimate estimate_of(const Descent& descent, const Window& window) const {
         Flags flags = 0;
         if (!descent.converged) {
             set(flags, Flag::not_converged);
         }
-        return {complete_estimate(to_phasors(found.state), found.w, flags, window, options_),
-                descent};
+        const WaveParameters& found = descent.parameters;
+        return complete_estimate(to_phasors(found.state), found.w, flags, window, options_);
     }
 
     // Starts from the window before if that one converged.
@@ -136,13 +129,14 @@ private:
             previous_.reset();
             return no_estimate(Flag::gap);
         }
-        const Estimated found = estimate_window(
-            window, previous_ ? carried(previous_->parameters, previous_->centre_s, centre_s)
+        const Descent found =
+            descend(window, bracket_,
+                    previous_ ? carried(previous_->parameters, previous_->centre_s, centre_s)
                               : start_values(window, centre_s));
-        if (found.descent.converged) {
-            previous_ = Previous{found.descent.parameters, centre_s};
+        if (found.converged) {
+            previous_ = Previous{found.parameters, centre_s};
         }
-        return found.estimate;
+        return estimate_of(found, window);
     }
 
     EstimatorOptions options_;

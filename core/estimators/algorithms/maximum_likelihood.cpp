@@ -1,5 +1,4 @@
-#include "core/estimators/algorithms/maximum_likelihood.h"
-
+#include "core/estimators/algorithms/algorithms.h"
 #include "core/estimators/batch/carrier_sums.h"
 #include "core/estimators/batch/profile.h"
 #include "core/estimators/batch/window_estimate.h"
@@ -9,23 +8,19 @@
 namespace vybeg {
 namespace {
 
-template <class Real>
-struct LikelyWave {
-    WaveReport<Real> wave;
-    Real motion;
-};
-
 VYBEG_DISPATCHED
 void report_maximum(const ProjectionBatch& __restrict batch, const BatchMaximum& __restrict maximum,
-                    const TaylorFrame& __restrict frame, LikelyWave<Vec8>& __restrict waves) {
+                    const TaylorFrame& __restrict frame, SeriesFit<Vec8>& __restrict fits) {
     const Vec8 x = load(maximum.x);
     const WindowJets<Vec8> s = jets_at(batch, frame, x);
     const Vec8 by_cos = 1 / s.g.value;
     const Vec8 by_sin = 1 / s.h.value;
     const PhasorParts<Vec8> phasors{s.pc.value * by_cos, -s.qc.value * by_sin, s.pd.value * by_cos,
                                     -s.qd.value * by_sin};
-    waves.motion = motion_power(s, spread_by_x(frame));
-    waves.wave = report_batch(batch, frame, x, s.g, phasors, state_of(phasors));
+    fits.residual = load(batch.cc) + load(batch.dd) - load(maximum.power);
+    fits.motion = motion_power(s, spread_by_x(frame));
+    fits.arrived = load(maximum.arrived);
+    fits.wave = report_batch(batch, frame, x, s.g, phasors, state_of(phasors));
 }
 
 class MaximumLikelihood final : public Estimator {
@@ -38,11 +33,11 @@ public:
     void estimate(const WindowBlock& block, double, std::span<WaveEstimate> out) override {
         ProjectionBatch batch;
         BatchMaximum maximum;
-        LikelyWave<Vec8> waves;
+        SeriesFit<Vec8> fits;
         sums_.take(block, out.size());
         for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
             count = sums_.next(first, batch, maximum);
-            report_maximum(batch, maximum, sums_.frame(), waves);
+            report_maximum(batch, maximum, sums_.frame(), fits);
             for (std::size_t lane = 0; lane < count; ++lane) {
                 const Window window = window_of(block, first + lane);
                 const double power = batch.cc[lane] + batch.dd[lane];
@@ -51,11 +46,8 @@ public:
                 } else if (maximum.arrived[lane] == 0) {
                     out[first + lane] = estimate_window(window);
                 } else {
-                    const LikelyWave<double> likely = lane_of(waves, lane);
-                    const double residual =
-                        residual_of(power - maximum.power[lane], power, window, likely.wave);
-                    out[first + lane] = complete_estimate(
-                        likely.wave, {residual, without_motion(residual, likely.motion)}, options_);
+                    out[first + lane] =
+                        complete_estimate(lane_of(fits, lane), power, window, options_);
                 }
             }
         }

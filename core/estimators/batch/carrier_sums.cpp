@@ -34,7 +34,7 @@ constexpr std::int64_t least_probed = 128;
 constexpr std::int64_t least_sparse = 1024;
 
 // Power at x of the pieces of a window; the phase between pieces changes by `by_x` radians per x.
-double power_of_pieces(std::span<const Projections> pieces, double turn, double by_x, double x) {
+double power_of_pieces(std::span<const Phasors> pieces, double turn, double by_x, double x) {
     std::complex<double> c = 0;
     std::complex<double> d = 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -47,7 +47,7 @@ double power_of_pieces(std::span<const Projections> pieces, double turn, double 
 
 // Position of a separate wave in the main lobe while a stronger wave, at x, lies outside. The
 // leakage of the stronger wave into the lobe is below 1/x^2 of its power.
-std::optional<double> wave_in_lobe(std::span<const Projections> pieces, double turn, double by_x,
+std::optional<double> wave_in_lobe(std::span<const Phasors> pieces, double turn, double by_x,
                                    double x) {
     constexpr int points = 12;
     constexpr double step = 0.25;
@@ -72,7 +72,7 @@ CarrierSums::CarrierSums(std::int64_t n, double w0) : n_(n), w0_(w0) {
 }
 
 double CarrierSums::x_at(double window) const {
-    return x_ + slope_ * (window - from_);
+    return line_.x + line_.slope * (window - line_.from);
 }
 
 CarrierSums::Reference& CarrierSums::reference(double x) {
@@ -102,7 +102,7 @@ std::optional<double> CarrierSums::probe(std::size_t window) const {
     const std::int64_t length = sparse ? 64 : n_ / 4;
     const std::int64_t apart = (n_ - length) / static_cast<std::int64_t>(pieces - 1);
     const Window all = window_of(block_, window);
-    std::array<Projections, 16> sums;
+    std::array<Phasors, 16> sums;
     for (std::size_t k = 0; k < pieces; ++k) {
         const auto at = static_cast<std::size_t>(apart) * k;
         const auto size = static_cast<std::size_t>(length);
@@ -124,7 +124,7 @@ std::optional<double> CarrierSums::probe(std::size_t window) const {
         x += std::remainder(turned - by_x * x, 2 * pi) / by_x;
     }
     if (std::abs(x) > pi) {
-        const auto all_pieces = std::span<const Projections>(sums).first(pieces);
+        const auto all_pieces = std::span<const Phasors>(sums).first(pieces);
         const double turn = w0_ * static_cast<double>(apart);
         const double by_x = 2 * static_cast<double>(apart) / static_cast<double>(n_);
         x = wave_in_lobe(all_pieces, turn, by_x, x).value_or(x);
@@ -166,14 +166,14 @@ void CarrierSums::take(const WindowBlock& block, std::size_t count,
     block_ = block;
     count_ = count;
     delayed_ = delayed;
-    x_ = slope_ = from_ = 0;
+    line_ = {};
     left_to_follow_ = most_followed;
     if (n_ >= least_probed && count > 0) {
         const double first = probe(0).value_or(0);
         const double last = count > 1 ? probe(count - 1).value_or(first) : first;
         if (std::abs(first) > near || std::abs(last) > near) {
-            x_ = first;
-            slope_ = count > 1 ? (last - first) / static_cast<double>(count - 1) : 0;
+            line_.x = first;
+            line_.slope = count > 1 ? (last - first) / static_cast<double>(count - 1) : 0;
         }
     }
     use(x_at(0.5 * static_cast<double>(count - 1)));
@@ -181,7 +181,7 @@ void CarrierSums::take(const WindowBlock& block, std::size_t count,
 
 // Sums of windows from `first` on at the frequency of the line. Returns their number.
 std::size_t CarrierSums::sum_up(std::size_t first, ProjectionBatch& batch) {
-    const double steep = std::abs(slope_);
+    const double steep = std::abs(line_.slope);
     const auto on_line = [steep](std::size_t most, double width) {
         const double windows = 1 + std::floor(steep > 0 ? width / steep : 1e9);
         return std::min(most, static_cast<std::size_t>(std::min(windows, 1e9)));
@@ -218,9 +218,7 @@ std::size_t CarrierSums::sum_up(std::size_t first, ProjectionBatch& batch) {
 // converge.
 bool CarrierSums::follow(std::size_t first, std::size_t lane, ProjectionBatch& batch,
                          BatchMaximum& maximum, std::size_t& count) {
-    const double before_x = x_;
-    const double before_slope = slope_;
-    const double before_from = from_;
+    const Line before = line_;
     const std::size_t window = first + lane;
     const double rough = rough_maximum(batch, lane);
     const double probed = n_ >= least_probed ? probe(window).value_or(rough) : rough;
@@ -229,8 +227,8 @@ bool CarrierSums::follow(std::size_t first, std::size_t lane, ProjectionBatch& b
         if (std::abs(x - here) < 0.5 * near) {
             continue;
         }
-        x_ = x;
-        from_ = static_cast<double>(window);
+        line_.x = x;
+        line_.from = static_cast<double>(window);
         use(at_->sums.overlapping() ? x_at(0.5 * static_cast<double>(first + count_)) : x);
         count = sum_up(first, batch);
         maximise_batch(batch, frame(), maximum);
@@ -238,9 +236,7 @@ bool CarrierSums::follow(std::size_t first, std::size_t lane, ProjectionBatch& b
             return true;
         }
     }
-    x_ = before_x;
-    slope_ = before_slope;
-    from_ = before_from;
+    line_ = before;
     use(x_at(0.5 * static_cast<double>(count_ - 1)));
     count = sum_up(first, batch);
     maximise_batch(batch, frame(), maximum);

@@ -66,10 +66,12 @@ private:
     WindowBlock block_;
     std::size_t count_ = 0;
     std::span<const double> delayed_;
-    // The line: x of window `from_`, and its slope per window.
-    double x_ = 0;
-    double slope_ = 0;
-    double from_ = 0;
+    // x of window `from`, and its slope per window.
+    struct Line {
+        double x = 0;
+        double slope = 0;
+        double from = 0;
+    } line_;
     int left_to_follow_ = 0;  // windows of the block that may move the line
     Reference* at_ = nullptr;
     // Frame of windows moved to another frequency than that of at_.

@@ -1,6 +1,9 @@
 #include "core/estimators/batch/profile.h"
 
-#include "core/estimators/wave/newton.h"
+#include "core/estimators/wave/jet.h"
+
+#include <algorithm>
+#include <numbers>
 
 namespace vybeg {
 namespace {
@@ -48,7 +51,7 @@ ProfileMaximum maximise_profile(const Window& window, const FrequencyBracket& br
         maximum.at_bound = maximum.at_bound && !end.arrived;
     }
     maximum.converged = end.arrived;
-    const Projections sum = window_projections(window, maximum.w);
+    const Phasors sum = window_projections(window, maximum.w);
     const WindowKernel kernel = window_kernel(window.length(), maximum.w);
     const auto phasor = [&kernel](std::complex<double> z) {
         return std::complex<double>{z.real() / kernel.gram_cos, z.imag() / kernel.gram_sin};
@@ -66,6 +69,17 @@ void maximise_batch(const ProjectionBatch& batch, const TaylorFrame& frame, Batc
     store(end.x + end.move, maximum.x);
     store(end.value(), maximum.power);
     store(select(end.arrived, Vec8{} + 1, Vec8{}), maximum.arrived);
+}
+
+FrequencyBracket main_lobe(double f0_hz, double rate_hz, std::int64_t n) {
+    constexpr double pi = std::numbers::pi;
+    const double w0 = 2 * pi * f0_hz / rate_hz;
+    const double lobe = 2 * pi / static_cast<double>(n);
+    // Within half a lobe of 0 or of half the rate cos and sin are nearly equal in the window, and
+    // the fit is singular. A carrier in this range keeps half of its distance to the edge.
+    const double edge = lobe / 2;
+    return {std::max(w0 - lobe, std::min(edge, w0 / 2)), w0,
+            std::min(w0 + lobe, std::max(pi - edge, (w0 + pi) / 2))};
 }
 
 }  // namespace vybeg

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/estimators/batch/window_jets.h"
-#include "core/estimators/wave/frequency_bracket.h"
+#include "core/estimators/batch/taylor_window.h"
 #include "core/estimators/wave/wave_state.h"
+
+#include <cstdint>
 
 namespace vybeg {
 
@@ -32,6 +33,18 @@ VYBEG_INLINED inline Jet2<Real> profile_power(const WindowJets<Real>& s) {
     add_component(power, s.qd, s.h, by_h);
     return power;
 }
+
+// Search range of a window's frequency, radians per sample: the main lobe about the carrier, |f -
+// f0| < rate / n, limited to frequencies at which cos and sin are distinct in the window.
+struct FrequencyBracket {
+    double low = 0;
+    double centre = 0;
+    double high = 0;
+
+    bool contains(double w) const { return w > low && w < high; }
+};
+
+FrequencyBracket main_lobe(double f0_hz, double rate_hz, std::int64_t n);
 
 struct ProfileMaximum {
     double w = 0;

@@ -1,6 +1,6 @@
 #include "core/estimators/batch/projection_sums.h"
 
-#include "core/estimators/batch/moved_hops.h"
+#include "core/estimators/batch/projection_kernels.h"
 
 #include <algorithm>
 

@@ -84,7 +84,7 @@ WindowKernel TaylorFrame::kernel(double x) const {
             spread_};
 }
 
-Projections lane_projections(const ProjectionBatch& batch, std::size_t lane, double x) {
+Phasors lane_projections(const ProjectionBatch& batch, std::size_t lane, double x) {
     const auto at = [lane, x](const TaylorSums& sums) {
         return polynomial<taylor_orders>(x, [&](std::size_t k) { return sums[k][lane]; });
     };

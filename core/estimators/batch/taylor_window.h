@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/estimators/wave/jet.h"
 #include "core/estimators/wave/lanes.h"
 #include "core/estimators/wave/window_moments.h"
 
@@ -82,6 +83,106 @@ struct ProjectionBatch {
 };
 
 // One window's projections at x.
-Projections lane_projections(const ProjectionBatch& batch, std::size_t lane, double x);
+Phasors lane_projections(const ProjectionBatch& batch, std::size_t lane, double x);
+
+// A window's projections at one frequency, with their derivatives. Of signal S: p = sum S cos wu
+// and q = sum S sin wu, hence 2<S e^{-iwu}> = 2/n (p - iq). g = sum cos^2 wu and h = sum sin^2 wu.
+template <class Real>
+struct WindowJets {
+    Jet2<Real> pc;
+    Jet2<Real> qc;
+    Jet2<Real> pd;
+    Jet2<Real> qd;
+    Jet2<Real> g;
+    Jet2<Real> h;
+};
+
+// The g of windows at x, with its derivatives by x.
+template <class Real>
+VYBEG_INLINED inline Jet2<Real> gram_jet(const TaylorFrame& frame, Real x) {
+    const auto& gram = frame.gram();
+    return polynomial_jet<TaylorFrame::gram_orders>(
+        x, [&gram](std::size_t k) VYBEG_INLINED { return gram[k] + Real{}; });
+}
+
+// Of eight windows, by x.
+template <class Projection>
+VYBEG_INLINED inline WindowJets<Vec8> batch_jets(const ProjectionBatch& batch, const Jet2<Vec8>& g,
+                                                 double n, Projection at) {
+    return {at(batch.c_cos),
+            at(batch.c_sin),
+            at(batch.d_cos),
+            at(batch.d_sin),
+            g,
+            {n - g.value, -g.slope, -g.bend}};
+}
+
+VYBEG_INLINED inline WindowJets<Vec8> jets_at(const ProjectionBatch& batch,
+                                              const TaylorFrame& frame, Vec8 x) {
+    return batch_jets(batch, gram_jet(frame, x), static_cast<double>(frame.length()),
+                      [x](const TaylorSums& sums) VYBEG_INLINED {
+                          return polynomial_jet<taylor_orders>(
+                              x, [&](std::size_t k) VYBEG_INLINED { return load(sums[k]); });
+                      });
+}
+
+// At x = 0 the value of a series is its first coefficient.
+VYBEG_INLINED inline WindowJets<Vec8> jets_at_reference(const ProjectionBatch& batch,
+                                                        const TaylorFrame& frame) {
+    const auto& gram = frame.gram();
+    return batch_jets(batch, {Vec8{} + gram[0], Vec8{} + gram[1], Vec8{} + 2 * gram[2]},
+                      static_cast<double>(frame.length()),
+                      [](const TaylorSums& sums) VYBEG_INLINED {
+                          return Jet2<Vec8>{load(sums[0]), load(sums[1]), 2 * load(sums[2])};
+                      });
+}
+
+// Power that a linear change of the four phasor components over a window adds to that of the best
+// phasors at one frequency: sum of the squares of the residual's components along u cos wu and u
+// sin wu, made orthogonal to cos and sin. At the best frequency it is the power of three
+// parameters, the fourth being the frequency itself. `spread`: sum u^2, in the units of the jets.
+template <class Real>
+VYBEG_INLINED inline Real motion_power(const WindowJets<Real>& s, double spread) {
+    // sum u sin wu cos wu is minus half the slope of g.
+    const Real by_g = 1 / s.g.value;
+    const Real by_h = 1 / s.h.value;
+    const Real half = 0.5 * s.g.slope;
+    const Real for_cos = half * by_g;
+    const Real for_sin = half * by_h;
+    const Real c_sin = s.pc.slope - s.pc.value * for_cos;
+    const Real d_sin = s.pd.slope - s.pd.value * for_cos;
+    const Real c_cos = s.qc.slope + s.qc.value * for_sin;
+    const Real d_cos = s.qd.slope + s.qd.value * for_sin;
+    const Real with_sin = 0.5 * (spread + 0.5 * s.g.bend) - half * for_cos;
+    const Real with_cos = 0.5 * (spread - 0.5 * s.g.bend) - half * for_sin;
+    return (c_sin * c_sin + d_sin * d_sin) / with_sin + (c_cos * c_cos + d_cos * d_cos) / with_cos;
+}
+
+// sum u^2 in units of x.
+inline double spread_by_x(const TaylorFrame& frame) {
+    const auto n = static_cast<double>(frame.length());
+    return 4 * frame.spread() / (n * n);
+}
+
+// Of one window, by w: d/dw multiplies by -iu.
+inline WindowJets<double> jets_of(const WindowMoments& z, const WindowKernel& kernel) {
+    const auto p = [](const ChannelMoments& of) {
+        return Jet2<double>{of[0].real(), of[1].imag(), -of[2].real()};
+    };
+    const auto q = [](const ChannelMoments& of) {
+        return Jet2<double>{-of[0].imag(), of[1].real(), of[2].imag()};
+    };
+    return {p(z.c),
+            q(z.c),
+            p(z.d),
+            q(z.d),
+            {kernel.gram_cos, kernel.slope, kernel.bend},
+            {kernel.gram_sin, -kernel.slope, -kernel.bend}};
+}
+
+// Values alone.
+inline WindowJets<double> jets_of(const Phasors& z, const WindowKernel& kernel) {
+    return jets_of(WindowMoments{{z.c, 0, 0}, {z.d, 0, 0}}, kernel);
+}
 
 }  // namespace vybeg

@@ -46,26 +46,11 @@ void add_leakage(WaveEstimate& estimate) {
     }
 }
 
-}  // namespace
-
-Window window_of(const WindowBlock& block, std::size_t k) {
-    const auto start =
-        static_cast<std::size_t>(block.first + static_cast<std::int64_t>(k) * block.hop);
-    const auto length = static_cast<std::size_t>(block.length);
-    return {block.c.subspan(start, length), block.d.subspan(start, length)};
-}
-
-bool has_gap(std::span<const double> samples) {
-    return std::any_of(samples.begin(), samples.end(), [](double x) { return !std::isfinite(x); });
-}
-
-WaveEstimate no_estimate(Flag flag) {
-    const WaveState none{nan, nan, nan, nan};
-    WaveEstimate estimate{none, nan, nan, nan, nan, nan, nan, none, nan, nan, {}, nan, nan, 0};
-    set(estimate.flags, flag);
-    return estimate;
-}
-
+// Adds the leakage of a closed form to its deviations: the difference from the best wave of the
+// same samples, due to a window off Snap and to the power of the noise in averages. The best wave
+// is efficient, so that the difference is not correlated with its error (J. A. Hausman, 1978) and
+// variances add: that of the best wave plus the squared difference. Sets Flag::leakage where a
+// difference exceeds its standard deviation.
 void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz) {
     // (2theta_A, alpha) and (2theta_A + pi, alpha + pi) are the same wave.
     estimate.leakage_f_hz = estimate.f_hz - best.w / (2 * pi) * rate_hz;
@@ -79,20 +64,9 @@ void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz) {
     add_leakage(estimate);
 }
 
-void set_noise(WaveEstimate& estimate, double noise) {
-    const double ratio = noise / estimate.steady_noise;
-    if (!(ratio > 0 && std::isfinite(ratio))) {
-        return;  // no estimate, or one without noise
-    }
-    const bool leaks = estimate.leakage_f_hz != 0;
-    for_each_deviation(estimate, [ratio, leaks](double leakage, double& sd) {
-        sd = ratio * (leaks ? std::sqrt(std::max(sd * sd - leakage * leakage, 0.0)) : sd);
-    });
-    if (leaks) {
-        add_leakage(estimate);
-    }
-}
-
+// Sets undefined values to NaN: a_B and dphi_CD of an algorithm without quadrature (flag
+// no_quadrature), otherwise the angles where |a_A - |a_B|| is below three standard deviations (flag
+// circular). `noise`: that of the phasors, sd per sample and channel.
 void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n) {
     if (has(estimate.flags, Flag::no_quadrature)) {
         estimate.state.a_B = estimate.sd.a_B = nan;
@@ -113,6 +87,36 @@ void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n) {
     }
 }
 
+}  // namespace
+
+Window window_of(const WindowBlock& block, std::size_t k) {
+    const auto start =
+        static_cast<std::size_t>(block.first + static_cast<std::int64_t>(k) * block.hop);
+    const auto length = static_cast<std::size_t>(block.length);
+    return {block.c.subspan(start, length), block.d.subspan(start, length)};
+}
+
+WaveEstimate no_estimate(Flag flag) {
+    const WaveState none{nan, nan, nan, nan};
+    WaveEstimate estimate{none, nan, nan, nan, nan, nan, nan, none, nan, nan, {}, nan, nan, 0};
+    set(estimate.flags, flag);
+    return estimate;
+}
+
+void set_noise(WaveEstimate& estimate, double noise) {
+    const double ratio = noise / estimate.steady_noise;
+    if (!(ratio > 0 && std::isfinite(ratio))) {
+        return;  // no estimate, or one without noise
+    }
+    const bool leaks = estimate.leakage_f_hz != 0;
+    for_each_deviation(estimate, [ratio, leaks](double leakage, double& sd) {
+        sd = ratio * (leaks ? std::sqrt(std::max(sd * sd - leakage * leakage, 0.0)) : sd);
+    });
+    if (leaks) {
+        add_leakage(estimate);
+    }
+}
+
 double residual_of(double difference, double power, const Window& window,
                    const PhasorParts<double>& z, double w) {
     constexpr double least_difference = 1e-8;
@@ -128,10 +132,16 @@ BestWave best_wave(const Phasors& phasors, double w, const Window& window) {
             motion_power(jets, window_kernel(window.length(), w).spread)};
 }
 
+WaveEstimate complete_estimate(const SeriesFit<double>& fit, double power, const Window& window,
+                               const EstimatorOptions& options) {
+    const double residual = residual_of(fit.residual, power, window, fit.wave);
+    return complete_estimate(fit.wave, {residual, without_motion(residual, fit.motion)}, options);
+}
+
 WaveEstimate complete_estimate(const Phasors& phasors, double w, Flags flags, const Window& window,
                                const EstimatorOptions& options) {
     const PhasorParts<double> parts = parts_of(phasors);
-    const double residual = residual_sum(window, {phasors.c, phasors.d}, w);
+    const double residual = residual_sum(window, phasors, w);
     const double motion = best_wave(phasors, w, window).motion;
     return complete_estimate(report_wave(sample_products(window), w,
                                          window_kernel(options.length, w), parts, state_of(parts)),

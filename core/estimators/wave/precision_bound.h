@@ -4,6 +4,7 @@
 #include "core/estimators/wave/window_moments.h"
 
 #include <cstdint>
+#include <numbers>
 
 namespace vybeg {
 
@@ -75,7 +76,15 @@ struct Precision {
     double sd_f_hz = 0;
     double sd_delta_phi_CD = 0;
 };
-Precision precision_bound(const Phasors& phasors, double f_hz, double rate_hz, std::int64_t n,
-                          double noise_sd);
+inline Precision precision_bound(const Phasors& phasors, double f_hz, double rate_hz,
+                                 std::int64_t n, double noise_sd) {
+    const double hertz = rate_hz / (2 * std::numbers::pi);
+    const PrecisionOf<double> unit =
+        unit_precision(parts_of(phasors), window_kernel(n, f_hz / hertz));
+    return {{noise_sd * unit.sd.a_A, noise_sd * unit.sd.a_B, noise_sd * unit.sd.two_theta_A,
+             noise_sd * unit.sd.alpha},
+            noise_sd * unit.w * hertz,
+            noise_sd * unit.delta_phi_CD};
+}
 
 }  // namespace vybeg

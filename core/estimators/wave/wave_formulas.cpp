@@ -11,10 +11,6 @@ Phasors to_phasors(const WaveState& state) {
     return {{z.c_re, z.c_im}, {z.d_re, z.d_im}};
 }
 
-WaveState canonical(const WaveState& state) {
-    return to_wave_state(to_phasors(state));
-}
-
 double phase_difference(const Phasors& phasors) {
     return phase_difference_of(parts_of(phasors));
 }

@@ -31,9 +31,6 @@ WaveState to_wave_state(const Phasors& phasors);
 
 Phasors to_phasors(const WaveState& state);
 
-// The same motion with a_A >= |a_B|, two_theta_A in (-pi/2, pi/2] and alpha in (-pi, pi].
-WaveState canonical(const WaveState& state);
-
 // arg(d conj c) = phi_C - phi_D, in (-pi, pi]; its sine has the sign of -a_A a_B.
 double phase_difference(const Phasors& phasors);
 

@@ -43,12 +43,12 @@ SampleProducts sample_products(const Window& window) {
     return sum;
 }
 
-Moments window_moments(const Window& window, double w) {
-    Moments sum{};
+WindowMoments window_moments(const Window& window, double w) {
+    WindowMoments sum{};
     const Complex step = unit(-w);
     for_blocks(window.length(), w, [&](std::int64_t first, std::int64_t last, double u, Complex r) {
         // Powers of the position in the block: small numbers, shifted to the window's centre below.
-        Moments block{};
+        WindowMoments block{};
         double v = 0;
         for (std::int64_t j = first; j < last; ++j, v += 1) {
             const auto at = static_cast<std::size_t>(j);
@@ -73,8 +73,8 @@ Moments window_moments(const Window& window, double w) {
     return sum;
 }
 
-Projections window_projections(const Window& window, double w) {
-    Projections sum{};
+Phasors window_projections(const Window& window, double w) {
+    Phasors sum{};
     const Complex step = unit(-w);
     for_blocks(window.length(), w, [&](std::int64_t first, std::int64_t last, double, Complex r) {
         for (std::int64_t j = first; j < last; ++j) {
@@ -99,7 +99,7 @@ WindowKernel window_kernel(std::int64_t n, double w) {
             count * (count * count - 1) / 12};
 }
 
-double residual_sum(const Window& window, const Projections& phasors, double w) {
+double residual_sum(const Window& window, const Phasors& phasors, double w) {
     double sum = 0;
     const Complex step = unit(w);
     for_blocks(window.length(), w, [&](std::int64_t first, std::int64_t last, double, Complex r) {

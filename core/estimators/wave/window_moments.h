@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/estimators/wave/wave_state.h"
+
 #include <array>
 #include <complex>
 #include <cstdint>
@@ -36,21 +38,17 @@ SampleProducts sample_products(const Window& window);
 // (C_x - i S_x).
 using ChannelMoments = std::array<std::complex<double>, 3>;
 
-struct Moments {
+struct WindowMoments {
     ChannelMoments c;
     ChannelMoments d;
 };
 
 // One pass over the samples. Relative error about 1e-15 for any length: the phase is anchored every
 // 64 samples.
-Moments window_moments(const Window& window, double w);
+WindowMoments window_moments(const Window& window, double w);
 
 // z[0] of both channels, for searches without derivatives.
-struct Projections {
-    std::complex<double> c;
-    std::complex<double> d;
-};
-Projections window_projections(const Window& window, double w);
+Phasors window_projections(const Window& window, double w);
 
 // Sums that depend on the window only, in closed form: deviation of cos and sin from orthogonal and
 // equal.
@@ -68,6 +66,6 @@ WindowKernel window_kernel(std::int64_t n, double w);
 
 // sum (C^2 + D^2) of the residual after taking Re(c e^{iwu}), Re(d e^{iwu}) from the samples: n F.
 // Computed from residuals, not from moments, so that an almost perfect fit keeps its digits.
-double residual_sum(const Window& window, const Projections& phasors, double w);
+double residual_sum(const Window& window, const Phasors& phasors, double w);
 
 }  // namespace vybeg

@@ -1,6 +1,6 @@
 #include "core/recording/arrays/npy_reader.h"
 
-#include "core/base/translatable.h"
+#include "core/base/message_arg.h"
 #include "core/recording/arrays/time_column.h"
 #include "core/recording/bytes/byte_order.h"
 #include "core/recording/samples/reader_rules.h"

@@ -1,6 +1,6 @@
 #include "core/recording/arrays/raw_reader.h"
 
-#include "core/base/translatable.h"
+#include "core/base/message_arg.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/reader_rules.h"

@@ -1,6 +1,6 @@
 #include "core/recording/bytes/file_bytes.h"
 
-#include "core/base/system_reason.h"
+#include "core/base/message_arg.h"
 
 #include <cerrno>
 #include <cstring>

@@ -1,6 +1,7 @@
 #include "core/recording/bytes/number_type.h"
 
-#include "core/base/translatable.h"
+#include "core/base/error.h"
+#include "core/base/message_arg.h"
 #include "core/recording/bytes/byte_order.h"
 
 #include <array>

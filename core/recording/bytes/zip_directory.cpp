@@ -1,6 +1,6 @@
 #include "core/recording/bytes/zip_directory.h"
 
-#include "core/base/system_reason.h"
+#include "core/base/message_arg.h"
 #include "core/recording/bytes/byte_order.h"
 #include "core/recording/bytes/inflated_part.h"
 

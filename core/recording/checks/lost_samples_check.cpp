@@ -1,8 +1,8 @@
 #include "core/recording/checks/lost_samples_check.h"
 
 #include "core/numerics/dense_solvers.h"
-#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/checks/step_evidence.h"
 
 #include <Eigen/Core>

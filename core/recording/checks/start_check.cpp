@@ -1,8 +1,7 @@
 #include "core/recording/checks/start_check.h"
 
 #include "core/numerics/fft.h"
-#include "core/numerics/line_fit.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <Eigen/Dense>
 

@@ -2,8 +2,8 @@
 
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/fft.h"
-#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 
 #include <Eigen/Core>
 

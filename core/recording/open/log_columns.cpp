@@ -3,7 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/zip_directory.h"
 #include "core/recording/open/file_format.h"

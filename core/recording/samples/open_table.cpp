@@ -1,8 +1,8 @@
 #include "core/recording/samples/open_table.h"
 
+#include "core/base/message_arg.h"
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
-#include "core/base/translatable.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/recording/samples/recording.h"
 
+#include "core/base/error.h"
 #include "core/base/plain_text.h"
-#include "core/base/translatable.h"
 #include "core/recording/bytes/sha256.h"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "core/recording/text/text_columns.h"
 
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_clock.h"

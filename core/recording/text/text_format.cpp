@@ -1,6 +1,7 @@
 #include "core/recording/text/text_format.h"
 
-#include "core/base/translatable.h"
+#include "core/base/error.h"
+#include "core/base/message_arg.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/text_fields.h"

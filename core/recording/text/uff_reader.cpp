@@ -1,6 +1,7 @@
 #include "core/recording/text/uff_reader.h"
 
-#include "core/base/translatable.h"
+#include "core/base/error.h"
+#include "core/base/message_arg.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"

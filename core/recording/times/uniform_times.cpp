@@ -1,6 +1,6 @@
 #include "core/recording/times/uniform_times.h"
 
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <cmath>

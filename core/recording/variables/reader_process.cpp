@@ -1,6 +1,6 @@
 #include "core/recording/variables/reader_process.h"
 
-#include "core/base/system_reason.h"
+#include "core/base/message_arg.h"
 
 #include <algorithm>
 #include <array>

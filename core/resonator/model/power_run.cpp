@@ -1,6 +1,6 @@
 #include "core/resonator/model/power_run.h"
 
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -68,7 +68,7 @@ struct Estimate {
 std::string reason_name(ReasonCode code);
 
 // Its name in JSON and its English sentence, %1, %2, ... are the arguments; translated like those
-// of messages.h (context "Reason").
+// of error.h (context "Reason").
 struct ReasonRow {
     const char* name;
     const char* sentence;

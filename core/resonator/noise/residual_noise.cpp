@@ -1,7 +1,7 @@
 #include "core/resonator/noise/residual_noise.h"
 
 #include "core/numerics/dense_solvers.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,7 +1,7 @@
 #include "core/resonator/results/free_decay.h"
 
 #include "core/base/number_text.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/fit/map_fit.h"
 #include "core/resonator/model/phasor_run.h"
 #include "core/resonator/results/given_or_refused.h"

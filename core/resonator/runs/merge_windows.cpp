@@ -2,7 +2,7 @@
 
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
-#include "core/numerics/median.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/model/parameters.h"
 #include "core/resonator/model/phasor_run.h"
 

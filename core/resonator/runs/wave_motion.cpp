@@ -2,8 +2,8 @@
 
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/dense_solvers.h"
-#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/runs/decay.h"
 #include "core/resonator/runs/mean_rate.h"
 #include "core/resonator/runs/merge_windows.h"

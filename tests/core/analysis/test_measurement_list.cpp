@@ -2,7 +2,8 @@
 #include "core/analysis/list_fields.h"
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
 #include "tests/test_registry.h"
 
 #include <QTemporaryDir>

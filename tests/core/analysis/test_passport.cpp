@@ -1,6 +1,6 @@
 // What a comparison says of parameters that moved, did not, or are not known.
 #include "core/analysis/passport.h"
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -1,5 +1,5 @@
 #include "core/analysis/setting_table.h"
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>

@@ -1,5 +1,5 @@
+#include "core/base/diagnostic.h"
 #include "core/base/finding.h"
-#include "core/base/messages.h"
 #include "tests/test_registry.h"
 
 #include <QTest>

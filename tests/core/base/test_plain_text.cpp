@@ -1,4 +1,4 @@
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/base/plain_text.h"
 #include "tests/test_registry.h"
 

@@ -1,4 +1,5 @@
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
 #include "core/database/results_database.h"
 #include "tests/closeness.h"
 #include "tests/core/database/made_result.h"

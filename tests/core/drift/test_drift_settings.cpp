@@ -1,5 +1,5 @@
 // The options of whole-angle logs as a table.
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/drift/drift_settings.h"
 #include "core/drift/whole_angle_drift.h"
 #include "tests/closeness.h"

@@ -2,7 +2,8 @@
 //
 // Statistical model: the coefficients' errors are Gaussian with the covariance told; each is held
 // to four and a half of its deviations.
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
 #include "core/drift/whole_angle_drift.h"
 #include "tests/closeness.h"
 #include "tests/core/drift/simulated_log.h"

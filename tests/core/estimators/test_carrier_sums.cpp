@@ -105,8 +105,8 @@ private slots:
                 ++looked_at;
                 const double w = sums.frame().w0() + 2 * maximum.x[lane] / static_cast<double>(n);
                 const Window window = window_of(block, first + lane);
-                const Projections direct = window_projections(window, w);
-                const Projections series = lane_projections(batch, lane, maximum.x[lane]);
+                const Phasors direct = window_projections(window, w);
+                const Phasors series = lane_projections(batch, lane, maximum.x[lane]);
                 // Relative to n samples of amplitude 1: rounding, and what the series of a hop
                 // leaves out where the carrier drifts through its block.
                 const double tolerance =
@@ -116,7 +116,7 @@ private slots:
                             qPrintable(which));
                 VYBEG_CLOSE(series.d, direct.d, tolerance * static_cast<double>(n),
                             qPrintable(which));
-                const Moments moments = window_moments(window, w);
+                const WindowMoments moments = window_moments(window, w);
                 const Jet2<double> power = profile_power(jets_of(moments, window_kernel(n, w)));
                 // A step of Newton's from there moves by less than 1e-9 of a lobe.
                 VYBEG_CLOSE(power.slope / power.bend * static_cast<double>(n), 0, 1e-7);

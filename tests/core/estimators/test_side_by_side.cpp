@@ -1,7 +1,6 @@
 // Closed forms and conjugate gradient of eight windows at once, against the same of one window by
 // itself.
-#include "core/estimators/algorithms/closed_form_estimator.h"
-#include "core/estimators/algorithms/conjugate_gradient.h"
+#include "core/estimators/algorithms/algorithms.h"
 #include "core/estimators/batch/window_estimate.h"
 #include "core/estimators/wave/estimator.h"
 #include "tests/closeness.h"
@@ -65,7 +64,7 @@ private slots:
             }
             const Descent descent = descend(window, bracket, start);
             QCOMPARE(has(found[k].flags, Flag::not_converged), !descent.converged);
-            const WaveState one = canonical(descent.parameters.state);
+            const WaveState one = to_wave_state(to_phasors(descent.parameters.state));
             const double thin = 1 / std::max(1e-3, one.a_A - std::abs(one.a_B));
             // Five noisy samples may have more than one minimum, and which of them a long first
             // step leads to hangs on its last digit: both have F no larger than the other's there.

@@ -38,8 +38,8 @@ private slots:
                     const double w = basis.w0() + 2 * x / size;
                     for (std::size_t lane = 0; lane < 3; ++lane) {
                         const Window window = window_of(block_of(samples, n), lane);
-                        const Projections direct = window_projections(window, w);
-                        const Projections series = lane_projections(batch, lane, x);
+                        const Phasors direct = window_projections(window, w);
+                        const Phasors series = lane_projections(batch, lane, x);
                         // Relative to n samples of amplitude 1; the phase of a long window has its
                         // own rounding, 1e-16 of w u.
                         const double tolerance = 1e-14 + 2e-16 * size;
@@ -185,8 +185,8 @@ private slots:
             const Window window = window_of(block, k);
             const auto size = static_cast<double>(n);
             for (const double x : {-0.2, 0.0, 0.05}) {
-                const Projections direct = window_projections(window, basis.w0() + 2 * x / size);
-                const Projections series = lane_projections(batch, 0, x);
+                const Phasors direct = window_projections(window, basis.w0() + 2 * x / size);
+                const Phasors series = lane_projections(batch, 0, x);
                 // As above; at x = 0.2 what is cut off of the series is 6e-11.
                 const double tolerance = 1e-14 + 2e-16 * size + (std::abs(x) > 0.1 ? 6e-11 : 0);
                 VYBEG_CLOSE(series.c, direct.c, tolerance * size);

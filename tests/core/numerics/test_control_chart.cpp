@@ -1,5 +1,4 @@
 #include "core/numerics/control_chart.h"
-#include "core/numerics/ewma_limit.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -1,4 +1,4 @@
-#include "core/numerics/distribution.h"
+#include "core/numerics/statistics.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -1,5 +1,5 @@
-#include "core/numerics/line_fit.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -1,4 +1,3 @@
-#include "core/numerics/autocorrelation.h"
 #include "core/numerics/spectral_density.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"

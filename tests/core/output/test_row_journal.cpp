@@ -1,5 +1,5 @@
 // Rows that outlive the program, and those of which only a part does.
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/output/row_journal.h"
 #include "tests/closeness.h"
 #include "tests/small_files.h"

@@ -1,6 +1,6 @@
 // Tracks in every format: read back by NumPy, h5py and SciPy they are those of the CSV, bit for
 // bit.
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/output/track_file.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/closeness.h"

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"

@@ -1,5 +1,5 @@
 // The residual of an analysis against the noise that was simulated.
-#include "core/residuals/residual_samples.h"
+#include "core/residuals/find_residuals.h"
 #include "tests/closeness.h"
 #include "tests/core/residuals/simulated_residuals.h"
 #include "tests/test_registry.h"

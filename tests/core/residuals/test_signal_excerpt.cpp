@@ -1,7 +1,6 @@
 // Samples with the fitted wave over them against the signal without noise that was simulated.
-#include "core/residuals/fitted_wave.h"
-#include "core/residuals/residual_samples.h"
-#include "core/residuals/signal_excerpt.h"
+#include "core/residuals/find_residuals.h"
+#include "core/residuals/signal_curves.h"
 #include "tests/closeness.h"
 #include "tests/core/residuals/simulated_residuals.h"
 #include "tests/test_registry.h"

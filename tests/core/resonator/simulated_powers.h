@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/resonator/results/power_fit.h"
 #include "core/resonator/results/resonator_parameters.h"
 

@@ -1,5 +1,5 @@
 // What a fit says of channel errors that are far from what is known of them.
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 #include "core/resonator/results/channel_findings.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"

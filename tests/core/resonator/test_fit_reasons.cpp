@@ -1,4 +1,4 @@
-#include "core/base/messages.h"
+#include "core/base/diagnostic.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 #include "tests/test_registry.h"

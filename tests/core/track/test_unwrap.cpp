@@ -20,7 +20,8 @@ constexpr double pi = std::numbers::pi;
 Track turning(std::size_t rows, double start, double rate) {
     Track track(rows);
     for (std::size_t k = 0; k < rows; ++k) {
-        const WaveState row = canonical({1, 0.2, start + rate * static_cast<double>(k), 0.3});
+        const WaveState row =
+            to_wave_state(to_phasors({1, 0.2, start + rate * static_cast<double>(k), 0.3}));
         track.time_s()[k] = static_cast<double>(k);
         track.values(SlowVariable::two_theta_A)[k] = row.two_theta_A;
         track.values(SlowVariable::alpha)[k] = row.alpha;

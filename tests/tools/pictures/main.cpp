@@ -1,7 +1,7 @@
 // vybeg-pictures DIR [FILE...]: pictures of every page of the window, and their layout
 // (../../README.md).
-#include "app/analysis_options.h"
-#include "app/option_values.h"
+#include "app/command_line.h"
+#include "core/recording/samples/open_table.h"
 #include "tests/tools/pictures/pictures.h"
 
 #include <QApplication>
@@ -70,7 +70,7 @@ void describe(CLI::App& app, CommandLine& line) {
         ->allow_extra_args(false);
     app.add_flag("--session", line.session,
                  "Write the session of the recordings into DIR, and no pictures");
-    cli::add_open_options(app, line.open);
+    cli::add_settings(app, open_settings(), line.open);
 }
 
 // Qt reads the scale at its start: each scale is a process of its own.

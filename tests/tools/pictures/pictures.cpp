@@ -1,6 +1,6 @@
 #include "tests/tools/pictures/pictures.h"
 
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "tests/tools/pictures/layout.h"
 #include "tests/tools/pictures/pictured_batch.h"
 #include "tests/tools/pictures/pictured_history.h"

@@ -1,6 +1,6 @@
 #include "tests/tools/pictures/simulated_recordings.h"
 
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/output/output_file.h"
 #include "core/output/sample_files.h"

@@ -1,4 +1,4 @@
-#include "core/base/messages.h"
+#include "core/base/error.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/audio/audio_files.h"
 #include "tests/test_registry.h"

@@ -1,0 +1,468 @@
+#include "app/gui_drawing.h"
+
+#include "app/process_guard.h"
+#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/identify_settings.h"
+#include "core/analysis/idle_options.h"
+#include "core/analysis/inspect.h"
+#include "core/analysis/settings.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
+#include "core/base/finding.h"
+#include "core/base/job_control.h"
+#include "core/base/read_value.h"
+#include "core/base/result.h"
+#include "core/batch/batch_sets.h"
+#include "core/batch/identify_set.h"
+#include "core/output/output_file.h"
+#include "core/output/output_paths.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/recording.h"
+#include "core/track/events.h"
+#include "ui/document/document.h"
+#include "ui/plots/figure.h"
+#include "ui/plots/track_view.h"
+#include "ui/report/document_report.h"
+#include "ui/report/report_content.h"
+#include "ui/report/report_pdf.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/session/session_keeper.h"
+#include "ui/values/shown_analysis.h"
+#include "ui/widgets/theme.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg::cli {
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "vybeg: %s\n", english(error).c_str());
+    return exit_status(error.code);
+}
+
+int ended(const Status& done) {
+    return done ? 0 : fail(done.error());
+}
+
+void warn(const std::vector<Diagnostic>& diagnostics) {
+    const std::vector<Finding> findings = findings_of(diagnostics);
+    const std::size_t count = count_warnings(findings);
+    for (std::size_t k = 0; k < std::min(count, most_shown); ++k) {
+        std::fprintf(stderr, "vybeg: warning: %s\n", english(findings[k]).c_str());
+    }
+    if (count > most_shown) {
+        std::fprintf(stderr, "vybeg: %zu more: vybeg-cli analyze --verbose\n", count - most_shown);
+    }
+}
+
+namespace {
+
+// Checks what can be checked before the first recording is opened, and warns of settings without
+// effect. Errors: setting_invalid, those of check_threads().
+Status check_request(const std::string& option, const std::string& output,
+                     const std::vector<std::string>& inputs, const Settings& settings) {
+    std::vector<InputPath> paths;
+    paths.reserve(inputs.size());
+    for (const std::string& input : inputs) {
+        paths.push_back({input, "it is one of the recordings"});
+    }
+    TRY(check_outputs({{option, output, ""}}, paths));
+    TRY(check_threads(settings.threads));
+    warn(without_effect(settings));
+    return {};
+}
+
+// With its warnings. Errors: those of open_recording().
+Result<Recording> open_warned(const std::string& input, const OpenOptions& options,
+                              const JobControl& job) {
+    Result<Recording> recording = open_recording(input, options, job);
+    if (recording) {
+        warn(without_effect(options, *recording));
+    }
+    return recording;
+}
+
+// Likewise. Errors: those of analyse(), file_changed.
+Result<Analysis> analyse_warned(const Recording& recording, const Settings& settings,
+                                const JobControl& job) {
+    Result<Analysis> analysis = analyse(recording, settings, job);
+    TRY(unchanged(recording));
+    if (analysis) {
+        warn(analysis->diagnostics);
+    }
+    return analysis;
+}
+
+// For display, in the style of that number; its name is the window.
+ui::ShownAnalysis shown_analysis(const Recording& recording, Analysis analysis, int index) {
+    const ui::CurveStyle style = ui::curveStyle(index);
+    ui::ShownAnalysis shown;
+    shown.id = static_cast<ui::AnalysisId>(index + 1);
+    shown.name = QStringLiteral("n = %1").arg(analysis.plan.length);
+    shown.recording = QString::fromStdString(recording.path.filename().string());
+    shown.color = style.color;
+    shown.rate_hz = recording.rate_hz;
+    shown.seconds_taken = analysis.timing.estimate_s;
+    shown.analysis = std::make_shared<const Analysis>(std::move(analysis));
+    return shown;
+}
+
+// The settings of the columns of one recording.
+std::vector<Settings> columns_of(const GuiRequest& request) {
+    if (request.windows.empty()) {
+        return {request.settings};
+    }
+    std::vector<Settings> wanted;
+    for (const std::int64_t window : request.windows) {
+        Settings settings = request.settings;
+        settings.window = window;
+        settings.periods.reset();
+        wanted.push_back(settings);
+    }
+    return wanted;
+}
+
+Status check_pdf(const std::string& path) {
+    return file_ending(path) == ".pdf"
+               ? Status()
+               : refused_value("--report", path, "a report is a PDF document: name it .pdf");
+}
+
+bool is_session(const std::string& input) {
+    return ui::SessionKeeper::isSession(QString::fromStdString(input));
+}
+
+Status check_no_session(const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+        if (is_session(input)) {
+            return refused_value("--report", input,
+                                 "a session is a report of its own: name no other file");
+        }
+    }
+    return {};
+}
+
+Result<MeasurementList> wanted_sets(const GuiRequest& request) {
+    IdentifySettings settings;
+    settings.signal = request.settings;
+    settings.tolerance = request.identify.tolerance;
+    settings.threads = request.settings.threads;
+    if (request.list.empty()) {
+        MeasurementSet set{"", {}, settings};
+        for (const std::string& name : request.inputs) {
+            set.recordings.push_back({name, name, request.open, {}, {}});
+        }
+        return MeasurementList{{}, {std::move(set)}, {}};
+    }
+    auto list = TRY(read_measurement_list(request.list, {request.open, settings}));
+    warn(list.warnings);
+    if (!request.set.empty()) {
+        auto named = TRY(set_named(list, "--set", request.set));
+        list.sets = {std::move(named)};
+    }
+    return list;
+}
+
+std::vector<std::string> files_of(const GuiRequest& request,
+                                  const std::vector<MeasurementSet>& sets) {
+    std::vector<std::string> files;
+    for (const MeasurementSet& set : sets) {
+        for (const RecordingRef& listed : set.recordings) {
+            files.push_back(listed.path.string());
+        }
+    }
+    if (!request.list.empty()) {
+        files.push_back(request.list);
+    }
+    return files;
+}
+
+// Faults that are no property of a set.
+bool ends_report(ErrorCode code) {
+    return code == ErrorCode::out_of_memory || code == ErrorCode::out_of_threads ||
+           exit_status(code) == exit_status(ErrorCode::interrupted);
+}
+
+QString program_text() {
+    return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
+}
+
+// A recording with its check and its analysis.
+Status add_recording(const Recording& recording, const Settings& settings, const JobControl& job,
+                     ui::ReportContent& content) {
+    auto analysis = TRY(analyse_warned(recording, settings, job));
+    auto faults = TRY(inspect(recording, settings, job));
+    ui::ReportRecording told = ui::reportRecording(recording, {});
+    told.check = std::move(faults.findings);
+    const std::size_t index = content.recordings.size();
+    const TrackSummary means = analysis.means;
+    std::vector<Event> events = find_events(analysis.track);
+    content.analyses.push_back(
+        {shown_analysis(recording, std::move(analysis), static_cast<int>(index)), index, means,
+         std::move(events)});
+    content.recordings.push_back(std::move(told));
+    return {};
+}
+
+Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& content) {
+    TRY(read_contents(open, job.stop_token()));
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
+        content.recordings[k].sha256 = QString::fromStdString(open.set.recordings[k].sha256);
+    }
+    Result<SetResult> found = identify_set(open, {}, {}, job);
+    for (const RecordingRef& log : open.set.recordings) {
+        if (open.set.settings.logs.given()) {
+            content.recordings.push_back(ui::reportLog(log));
+            content.recordings.back().conditions = ui::conditionsText(log);
+        }
+    }
+    if (found) {
+        content.outcome = std::make_shared<ui::ResonatorOutcome>(
+            ui::ResonatorOutcome{std::move(*found), {}, 0, {}});
+        return {};
+    }
+    if (found.error().code == ErrorCode::interrupted ||
+        found.error().code == ErrorCode::file_changed) {
+        return found.error();
+    }
+    content.not_identified = found.error();
+    return {};
+}
+
+// What a report shows of a set, computed from its recordings: checks, analyses in the windows of
+// `track` with the set's signals, identification. What cannot be identified has its reason in it.
+// Conditions of the set take precedence over `title`. Warnings go to standard error. Errors:
+// conditions_differ, those of open_recording(), analyse(), inspect(), read_contents(),
+// file_changed, interrupted.
+Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
+                                        const ui::ReportTitle& title, const JobControl& job) {
+    TRY(check_conditions(set));
+    OpenSet open;
+    open.set = set;
+    ui::ReportContent content;
+    // Logs have no samples to analyse.
+    const std::size_t recordings = set.settings.logs.given() ? 0 : set.recordings.size();
+    for (std::size_t k = 0; k < recordings; ++k) {
+        Settings settings = track;
+        static_cast<SignalSettings&>(settings) = set.settings.signal_of(k);
+        settings.threads = set.settings.threads;
+        const RecordingRef& listed = set.recordings[k];
+        auto recording = TRY(open_warned(listed.path.string(), listed.open, job));
+        open.recordings.push_back(std::move(recording));
+        TRY(add_recording(open.recordings.back(), settings, job, content));
+        content.recordings.back().conditions = ui::conditionsText(listed);
+    }
+    TRY(add_resonator(open, job, content));
+    content.units.angle = ui::AngleUnit::degrees;
+    content.title = ui::titleOf(set, title);
+    if (content.title.date.isEmpty()) {
+        content.title.date = ui::measuredOn(content.recordings);
+    }
+    return content;
+}
+
+Result<QByteArray> pdf_of_one(const GuiRequest& request, const MeasurementList& list,
+                              const JobControl& job) {
+    auto content = TRY(report_of_set(list.sets.front(), request.settings, request.title, job));
+    content.summary = request.summary;
+    return ui::reportPdf(ui::reportTextOf(content, program_text(), ui::reportDay()),
+                         ui::drawnFigures(content));
+}
+
+// Set by set: only texts and figures stay in memory.
+Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& list,
+                              const JobControl& job) {
+    std::vector<ui::ReportChapter> chapters;
+    std::vector<ui::ReportPicture> pictures;
+    ui::DisplayUnits units;
+    units.angle = ui::AngleUnit::degrees;
+    for (const MeasurementSet& set : list.sets) {
+        Result<ui::ReportContent> content =
+            report_of_set(set, request.settings, request.title, job);
+        if (!content) {
+            if (ends_report(content.error().code)) {
+                return content.error();
+            }
+            (void)fail(content.error());
+            ui::ReportContent without;
+            without.title = ui::titleOf(set, request.title);
+            without.units = units;
+            without.not_identified = content.error();
+            content = std::move(without);
+        }
+        content->summary = request.summary;
+        content->set = QString::fromStdString(set.name);
+        content->chapter = static_cast<int>(chapters.size()) + 1;
+        chapters.push_back(ui::chapterOf(*content));
+        std::ranges::move(ui::drawnFigures(*content), std::back_inserter(pictures));
+    }
+    const QString about = QFileInfo(QString::fromStdString(request.list)).fileName();
+    return ui::reportPdf(ui::reportTextOf(about, chapters, units, program_text(), ui::reportDay()),
+                         pictures);
+}
+
+using namespace vybeg::ui;
+
+constexpr int tick_ms = 20;
+
+// Lets the session work until `done`. Errors: interrupted.
+Status wait_until(const std::function<bool()>& done, const std::stop_token& stop) {
+    QEventLoop loop;
+    QTimer tick;
+    QObject::connect(&tick, &QTimer::timeout, &loop, [&] {
+        if (done() || stop.stop_requested()) {
+            loop.quit();
+        }
+    });
+    tick.start(tick_ms);
+    loop.exec();
+    return stop.stop_requested() ? Status(Error{ErrorCode::interrupted, {}, {}}) : Status();
+}
+
+// Whether every recording has its hash and its check, and no analysis and no drift is under way.
+bool is_whole(const Document& document) {
+    return !document.busy() && !document.drift().computing() &&
+           std::ranges::all_of(document.recordings(), [](const RecordingEntry& entry) {
+               return entry.recording && !entry.sha256.isEmpty() && entry.faults;
+           });
+}
+
+// Sets that the session brings without a result that still holds.
+void identify_the_rest(Document& document) {
+    for (const RecordingSet& set : document.sets().all()) {
+        if ((ui::isOfLogs(set) || !set.recordings.empty()) && !document.sets().outcome(set)) {
+            document.sets().identifySet(set.id);
+        }
+    }
+}
+
+// The set, or all sets, or without one the current recording.
+std::optional<ReportSubject> subject_of(const Document& document) {
+    const std::vector<ReportSubject> subjects = reportSubjects(document);
+    const auto sets = std::ranges::count_if(
+        subjects, [](const ReportSubject& each) { return each.set != ui::SetId::none; });
+    const auto wanted = std::ranges::find_if(subjects, [sets](const ReportSubject& each) {
+        return sets > 1 ? each.all_sets : sets == 1 ? each.set != ui::SetId::none : true;
+    });
+    return wanted == subjects.end() ? std::nullopt : std::optional(*wanted);
+}
+
+std::vector<std::string> recording_files(const GuiRequest& request, const Document& document) {
+    std::vector<std::string> files = request.inputs;
+    for (const RecordingEntry& entry : document.recordings()) {
+        files.push_back(entry.path.toStdString());
+    }
+    return files;
+}
+
+// The session is opened and computed without a window; its set, or all of its sets, are the report,
+// without a set its current recording. What the request's title does not tell is that of the
+// session's gyro.
+Result<int> write_session_report(const GuiRequest& request, std::stop_token stop) {
+    Document document;
+    TrackView tracks;
+    SessionKeeper session(document, tracks);
+    session.end();  // without copies: nothing of it is changed
+    DisplayUnits units;
+    QObject::connect(&session, &SessionKeeper::unitsWanted,
+                     [&units](const DisplayUnits& wanted) { units = wanted; });
+    QObject::connect(&document, &Document::reported, [](const Message& message) {
+        std::fprintf(stderr, "vybeg: %s\n", qUtf8Printable(message.text()));
+    });
+    if (!session.openSession(QString::fromStdString(request.inputs.front()))) {
+        return exit_status(ErrorCode::format_damaged);  // the message has told why
+    }
+    const auto ready = [&] { return !session.isOpening() && is_whole(document); };
+    TRY(wait_until(ready, stop));
+    TRY(check_request("--report", request.report, recording_files(request, document),
+                      request.settings));
+    identify_the_rest(document);
+    TRY(wait_until(ready, stop));
+    const std::optional<ReportSubject> subject = subject_of(document);
+    if (!subject) {
+        return refused_value(
+            "--report", request.inputs.front(),
+            "none of the session's recordings is there and analysed, and no log has a drift");
+    }
+    const ReportTitle otherwise =
+        completed(request.title, titleOf(document.dossier().dossier().gyro));
+    std::vector<ReportContent> contents = reportContentsOf(document, *subject);
+    for (ReportContent& content : contents) {
+        content.units = units;
+        content.summary = request.summary;
+        content.title = completed(content.title, otherwise);
+    }
+    ReportWriter writer;
+    std::optional<Status> written;
+    writer.write(contents, subject->name, QString::fromStdString(request.report),
+                 [&written](const Status& status) { written = status; });
+    TRY(wait_until([&written] { return written.has_value(); }, stop));
+    return ended(*written);
+}
+
+Status write_report_of_files(const GuiRequest& request, std::stop_token stop) {
+    TRY(check_no_session(request.inputs));
+    const auto list = TRY(wanted_sets(request));
+    TRY(check_request("--report", request.report, files_of(request, list.sets), request.settings));
+    const JobControl job(std::move(stop));
+    const auto pdf = TRY(list.sets.size() == 1 ? pdf_of_one(request, list, job)
+                                               : pdf_of_all(request, list, job));
+    return write_file(request.report, {pdf.constData(), static_cast<std::size_t>(pdf.size())}, job);
+}
+
+// The exit status.
+Result<int> report_status(const GuiRequest& request, std::stop_token stop) {
+    TRY(check_pdf(request.report));
+    if (request.inputs.size() == 1 && request.list.empty() && is_session(request.inputs.front())) {
+        return write_session_report(request, std::move(stop));
+    }
+    TRY(write_report_of_files(request, std::move(stop)));
+    return 0;
+}
+
+}  // namespace
+
+Status draw_figure(const GuiRequest& request, std::stop_token stop) {
+    TRY(check_request("--figure", request.figure, request.inputs, request.settings));
+    const JobControl job(stop);
+    std::vector<ui::FigureColumn> columns;
+    for (const std::string& input : request.inputs) {
+        const auto recording = TRY(open_warned(input, request.open, job));
+        for (const Settings& settings : columns_of(request)) {
+            auto analysis = TRY(analyse_warned(recording, settings, job));
+            ui::ShownAnalysis shown =
+                shown_analysis(recording, std::move(analysis), static_cast<int>(columns.size()));
+            const QString title = request.inputs.size() > 1
+                                      ? QStringLiteral("%1, %2").arg(shown.recording, shown.name)
+                                      : shown.name;
+            columns.push_back({title, std::move(shown)});
+        }
+    }
+    if (stop.stop_requested()) {
+        return Error{ErrorCode::interrupted, {}, {}};
+    }
+    return ui::writeDrawing(ui::figureDrawing(columns), {ui::figureSize(columns.size(), {})},
+                            QString::fromStdString(request.figure));
+}
+
+int write_report(const GuiRequest& request, std::stop_token stop) {
+    const Result<int> status = report_status(request, std::move(stop));
+    return status ? *status : fail(status.error());
+}
+
+}  // namespace vybeg::cli

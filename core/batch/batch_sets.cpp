@@ -1,0 +1,282 @@
+#include "core/batch/batch_sets.h"
+
+#include "core/analysis/measurement_list.h"
+#include "core/analysis/setting_table.h"
+#include "core/base/message_arg.h"
+#include "core/base/plain_text.h"
+#include "core/base/read_value.h"
+#include "core/batch/limits.h"
+#include "core/output/batch_csv.h"
+#include "core/output/output_paths.h"
+#include "core/recording/bytes/sha256.h"
+#include "core/recording/samples/open_table.h"
+
+#include <algorithm>
+#include <climits>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <span>
+#include <sys/stat.h>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t most_names = 8;  // in a message
+
+namespace fs = std::filesystem;
+
+// The journal of SQLite beside a database.
+std::string rollback_of(const std::string& database) {
+    return database + "-journal";
+}
+
+// FOLDER/NAME.json. Characters of the name that cannot be in a file name are shown as %2F.
+std::filesystem::path json_in(const std::filesystem::path& folder, const std::string& name) {
+    std::string file;
+    for (const char character : name) {
+        const auto byte = static_cast<unsigned char>(character);
+        const bool hides = character == '.' && file.empty();
+        if (hides || character == '/' || character == '%' || byte < ' ' || byte == 0x7F) {
+            file += '%';
+            file += "0123456789ABCDEF"[byte >> 4];
+            file += "0123456789ABCDEF"[byte & 15];
+        } else {
+            file += character;
+        }
+    }
+    return folder / (file + ".json");
+}
+
+// The passport of the set's gyro in a folder, or of the set where it names no gyro; empty: there is
+// none.
+std::string passport_in(const std::string& folder, const MeasurementSet& set) {
+    if (folder.empty()) {
+        return {};
+    }
+    const std::string gyro = gyro_of(set);
+    const std::filesystem::path path = json_in(folder, gyro.empty() ? set.name : gyro);
+    std::error_code unknown;
+    return std::filesystem::exists(path, unknown) ? path.string() : "";
+}
+
+// Value of the list's column gyro_type for a set; empty: not told.
+std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set) {
+    const auto column = std::ranges::find(list.other_columns, "gyro_type");
+    return column == list.other_columns.end()
+               ? ""
+               : other_of(set, static_cast<std::size_t>(column - list.other_columns.begin()));
+}
+
+}  // namespace
+
+std::string file_stamp(const std::filesystem::path& path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) {
+        return no_file;
+    }
+    std::string text = integer_text(status.st_size);
+    for (const timespec& time : {status.st_mtim, status.st_ctim}) {
+        for (const std::int64_t part : {std::int64_t{time.tv_sec}, std::int64_t{time.tv_nsec}}) {
+            text += ',';
+            text += integer_text(part);
+        }
+    }
+    return text;
+}
+
+Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
+                                 const std::string& name) {
+    const auto found = std::ranges::find(list.sets, name, &MeasurementSet::name);
+    if (found != list.sets.end()) {
+        return *found;
+    }
+    std::string names = joined(std::span(list.sets).first(std::min(list.sets.size(), most_names)),
+                               ", ", &MeasurementSet::name);
+    names += list.sets.size() > most_names ? ", ..." : "";
+    return name.empty() ? Error{ErrorCode::set_not_chosen, "", {option, names}}
+                        : refused_value(option, name, "the sets of the list are " + names);
+}
+
+Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
+                            const std::string& database) {
+    const MeasurementSet& set = *task.set;
+    std::string text;
+    for (const std::string& part :
+         {request.program, set.name, task.passport, file_stamp(task.passport),
+          round_trip_text(request.compare.f_limit_ppm),
+          practical_limits_text(request.compare.limits), task.json, task.new_passport, database}) {
+        add_part(text, part);
+    }
+    if (task.limits) {
+        for (const ParameterLimit& limit : *task.limits) {
+            add_part(text, limit.parameter);
+            for (const std::optional<double>& end : {limit.lower, limit.upper}) {
+                add_part(text, end ? round_trip_text(*end) : "");
+            }
+        }
+    }
+    // Rows of a table with other columns are computed again.
+    for (const std::string& column : batch_columns(task.limits.has_value())) {
+        add_part(text, column);
+    }
+    for (const auto& [name, value] : settings_list(set.settings)) {
+        add_part(text, name);
+        add_part(text, value);
+    }
+    for (const RecordingRef& recording : set.recordings) {
+        const OpenOptions& open = recording.open;
+        for (const std::string& part :
+             {recording.file, recording.path.string(), file_stamp(recording.path),
+              options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
+              integer_text(open.channel_c), integer_text(open.channel_d)}) {
+            add_part(text, part);
+        }
+        for (const std::filesystem::path& file : further_files(open)) {
+            add_part(text, file_stamp(file));
+        }
+        for (const auto& [column, field] : fields_of(recording.conditions)) {
+            add_part(text, field);
+        }
+        for (const auto& [column, other] : recording.others) {
+            add_part(text, other);
+        }
+    }
+    return text_sha256(text);
+}
+
+bool is_folder(const std::string& path) {
+    std::error_code unknown;
+    return fs::is_directory(path, unknown);
+}
+
+std::string journal_of(const std::string& output) {
+    return output + ".unfinished";
+}
+
+Result<MeasurementList> wanted_list(const BatchRequest& request) {
+    const ListDefaults defaults{request.open, request.settings};
+    if (!is_folder(request.list)) {
+        return read_measurement_list(request.list, defaults);
+    }
+    return list_of_folder(request.list, defaults, [&request](const fs::path& path) {
+        // An output that is a file of another kind stays an input, which check_paths() keeps from
+        // being replaced.
+        return is_batch_table(path) || path.extension() == journal_of("") ||
+               (!request.database.empty() && (same_file(path, request.database) ||
+                                              same_file(path, rollback_of(request.database))));
+    });
+}
+
+Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const MeasurementList& list,
+                                      const std::vector<TypedLimit>& limits) {
+    std::map<std::string, int> sets_of_gyro;
+    for (const MeasurementSet& set : list.sets) {
+        ++sets_of_gyro[gyro_of(set)];
+    }
+    std::vector<SetTask> tasks;
+    for (const MeasurementSet& set : list.sets) {
+        SetTask task{&set, passport_in(request.passports, set), "", "", {}, ""};
+        const std::string gyro = gyro_of(set);
+        const bool by_gyro = !gyro.empty() && sets_of_gyro[gyro] == 1;
+        for (const auto& [option, folder, name, file] :
+             {std::tuple{"--json", &request.json, &set.name, &task.json},
+              {"--passports-out", &request.new_passports, by_gyro ? &gyro : &set.name,
+               &task.new_passport}}) {
+            if (folder->empty()) {
+                continue;
+            }
+            const fs::path path = json_in(*folder, *name);
+            if (path.filename().string().size() > NAME_MAX) {
+                return refused_value(
+                    option, *name,
+                    words(VYBEG_MESSAGE("Words", "this name is too long for a file")));
+            }
+            *file = path.string();
+        }
+        if (!request.limits.empty()) {
+            task.limits = limits_of_type(limits, gyro_type_of(list, set));
+        }
+        tasks.push_back(std::move(task));
+    }
+    return tasks;
+}
+
+Status check_paths(const BatchRequest& request, const std::vector<SetTask>& tasks) {
+    std::vector<InputPath> inputs{
+        {request.list, words(VYBEG_MESSAGE("Words", "it is the list of the recordings"))}};
+    inputs.push_back({request.limits, words(VYBEG_MESSAGE("Words", "it is the table of limits"))});
+    for (const SetTask& task : tasks) {
+        inputs.push_back(
+            {task.passport, words(VYBEG_MESSAGE("Words", "it is one of the passports"))});
+        for (const RecordingRef& recording : task.set->recordings) {
+            inputs.push_back({recording.path.string(),
+                              words(VYBEG_MESSAGE("Words", "it is one of the recordings"))});
+        }
+    }
+    if (request.database == "-") {
+        return refused_value("--database", request.database,
+                             words(VYBEG_MESSAGE("Words", "it must be a file")));
+    }
+    const MessageArg by_table = words(VYBEG_MESSAGE("Words", "the table goes there already"));
+    TRY(check_outputs({{"-o", request.output, by_table}, {"--database", request.database, ""}},
+                      inputs));
+    if (!request.database.empty()) {
+        if (same_file(request.database, journal_of(request.output)) ||
+            same_file(rollback_of(request.database), request.output)) {
+            return refused_value("--database", request.database, by_table);
+        }
+        inputs.push_back({request.database, ""});
+    }
+    // Many results and many inputs: by device and inode instead of pair by pair.
+    std::set<std::pair<dev_t, ino_t>> taken;
+    inputs.push_back({request.output, ""});
+    for (const InputPath& input : inputs) {
+        struct stat status {};
+        if (stat(input.path.c_str(), &status) == 0) {
+            taken.emplace(status.st_dev, status.st_ino);
+        }
+    }
+    const auto is_free = [&](const std::string& path) {
+        struct stat status {};
+        const bool is_taken =
+            stat(path.c_str(), &status) == 0 && taken.contains({status.st_dev, status.st_ino});
+        // The table and the folder of the results may both be still to come.
+        return !is_taken && !same_file(path, request.output) &&
+               (request.database.empty() || !same_file(path, request.database));
+    };
+    std::set<std::string> files;
+    for (const SetTask& task : tasks) {
+        for (const auto& [option, path] :
+             {std::pair{"--json", &task.json}, std::pair{"--passports-out", &task.new_passport}}) {
+            if (path->empty()) {
+                continue;
+            }
+            if (!is_free(*path)) {
+                return refused_value(
+                    option, *path,
+                    words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
+            }
+            std::error_code unknown;
+            if (!files.insert(fs::weakly_canonical(*path, unknown).string()).second) {
+                return refused_value(
+                    option, *path,
+                    words(VYBEG_MESSAGE("Words", "another result of this batch goes there")));
+            }
+        }
+    }
+    const Status known = check_ending(request.output, {"", ".csv", ".txt"});
+    return request.output == "-" ? Status() : known;
+}
+
+Status make_folder(const std::string& path) {
+    std::error_code failed;
+    fs::create_directories(path, failed);
+    return failed ? Status(Error{ErrorCode::output_failed, path, {system_reason(failed.value())}})
+                  : Status();
+}
+
+}  // namespace vybeg
