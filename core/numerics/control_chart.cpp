@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 namespace vybeg {
@@ -371,6 +374,16 @@ double ewma_limit(double lambda, std::size_t baseline, double points_per_alarm) 
     if (baseline < least_baseline) {
         return std::numeric_limits<double>::quiet_NaN();
     }
+    // Charts of many quantities have the same baseline, and a limit takes milliseconds.
+    static std::mutex mutex;
+    static std::map<std::tuple<double, std::size_t, double>, double> known;
+    const std::tuple key(lambda, baseline, points_per_alarm);
+    {
+        const std::lock_guard lock(mutex);
+        if (const auto found = known.find(key); found != known.end()) {
+            return found->second;
+        }
+    }
     // The logarithm of the rate falls almost as a parabola: bisection to 1e-3 of a deviation.
     double low = 1;
     double high = 8;
@@ -379,7 +392,8 @@ double ewma_limit(double lambda, std::size_t baseline, double points_per_alarm) 
         const double rate = alarm_rate(lambda, middle, static_cast<double>(baseline));
         (rate * points_per_alarm > 1 ? low : high) = middle;
     }
-    return high;
+    const std::lock_guard lock(mutex);
+    return known.try_emplace(key, high).first->second;
 }
 
 }  // namespace vybeg

@@ -249,7 +249,9 @@ private:
         const double factor = std::numbers::pi * f_hz;
         const Estimate tau = decay_time(envelope.per_s, sd, sd);
         q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
-        if (std::abs(envelope.per_s - envelope.model_per_s) > 3 * sd) {
+        // A gain of D that drifts changes the envelope alone.
+        const double by_channel = set_.tolerance.gain_drift / problem_.runs[run].duration_s;
+        if (std::abs(envelope.per_s - envelope.model_per_s) > 4 * std::hypot(sd, by_channel)) {
             fit_.warnings.push_back({DiagnosticKind::q_disagrees,
                                      {recording_arg(run), number_arg(factor / envelope.per_s, 4),
                                       number_arg(factor / envelope.model_per_s, 4)}});

@@ -1,9 +1,11 @@
 #include "core/resonator/results/misfit_cause.h"
 
+#include "core/numerics/fft.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/results/channel_findings.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -75,27 +77,74 @@ std::vector<DampedResidual> damped_residuals(const FitProblem& problem, const Po
     return all;
 }
 
-// Power of a line at `f_hz` in the squared residual of all runs, without the part absorbed by the
+// Power of a line at `f_hz` in the squared residual of a run, without the part absorbed by the
 // parameters.
+double line_power(const DampedResidual& run, double f_hz) {
+    const double rate = -2 * pi * (f_hz - run.f_ref_hz);
+    const Complex step = std::polar(1.0, rate * run.step_s);
+    Vector2cd along = Vector2cd::Zero();
+    Complex turn;
+    double last_s = -std::numeric_limits<double>::infinity();
+    for (std::size_t window = 0; window < run.time_s.size(); ++window) {
+        const double t = run.time_s[window];
+        const bool follows = std::abs(t - last_s - run.step_s) < 1e-6 * run.step_s;
+        turn = follows ? turn * step : std::polar(1.0, rate * t);
+        along += turn * run.left[window];
+        last_s = t;
+    }
+    return along.squaredNorm() / run.norm;
+}
+
 double line_power(const std::vector<DampedResidual>& runs, double f_hz) {
     double sum = 0;
     for (const DampedResidual& run : runs) {
-        const double rate = -2 * pi * (f_hz - run.f_ref_hz);
-        const Complex step = std::polar(1.0, rate * run.step_s);
-        Vector2cd along = Vector2cd::Zero();
-        Complex turn;
-        double last_s = -std::numeric_limits<double>::infinity();
-        for (std::size_t window = 0; window < run.time_s.size(); ++window) {
-            const double t = run.time_s[window];
-            const bool follows = std::abs(t - last_s - run.step_s) < 1e-6 * run.step_s;
-            turn = follows ? turn * step : std::polar(1.0, rate * t);
-            along += turn * run.left[window];
-            last_s = t;
-        }
-        sum += along.squaredNorm() / run.norm;
+        sum += line_power(run, f_hz);
     }
     return sum;
 }
+
+// line_power() of a run at the nearest frequency of a fine transform: within a tenth about a peak.
+class LineSpectrum {
+public:
+    explicit LineSpectrum(const DampedResidual& run) : run_(run) {
+        constexpr std::size_t finer = 8;  // than a cycle over the run
+        constexpr double on_grid = 1e-3;
+        std::vector<std::size_t> places;
+        for (const double t : run.time_s) {
+            const double steps = (t - run.time_s.front()) / run.step_s;
+            if (std::abs(steps - std::round(steps)) > on_grid) {
+                return;  // no grid: where samples were lost
+            }
+            places.push_back(static_cast<std::size_t>(std::lround(steps)));
+        }
+        const Fft transform(std::bit_ceil(finer * (places.back() + 1)));
+        power_.resize(transform.size());
+        for (const Eigen::Index channel : {0, 1}) {
+            std::vector<Complex> left(transform.size());
+            for (std::size_t window = 0; window < places.size(); ++window) {
+                left[places[window]] = run.left[window][channel];
+            }
+            transform.forward(left);
+            for (std::size_t bin = 0; bin < left.size(); ++bin) {
+                power_[bin] += std::norm(left[bin]) / run.norm;
+            }
+        }
+    }
+
+    double at(double f_hz) const {
+        if (power_.empty()) {
+            return line_power(run_, f_hz);
+        }
+        const auto size = std::ssize(power_);
+        const auto bin =
+            std::lround((f_hz - run_.f_ref_hz) * run_.step_s * static_cast<double>(size)) % size;
+        return power_[static_cast<std::size_t>(bin < 0 ? bin + size : bin)];
+    }
+
+private:
+    const DampedResidual& run_;
+    std::vector<double> power_;
+};
 
 // Frequency of a line in the fine windows, among those `spacing_hz` apart that merged windows do
 // not distinguish.
@@ -151,18 +200,35 @@ Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<co
     const double step_hz = 1 / (lines_per_cycle * longest);
     const double band_hz = 0.5 / step_s;
     const std::vector<DampedResidual> residuals = damped_residuals(problem, at, f_ref_hz);
-    Line best;
-    double most = 0;
+    const std::vector<LineSpectrum> spectra(residuals.begin(), residuals.end());
     const auto steps =
         static_cast<int>(std::min((band_hz - least_cycles / longest) / step_hz, most_lines));
+    std::vector<std::pair<double, double>> lines;  // frequency, power nearby
     for (int step = 0; step < steps && !job.cancelled(); ++step) {
         const double off = least_cycles / longest + step * step_hz;
         for (const double f_hz : {wave_hz - off, wave_hz + off}) {
-            const double power = line_power(residuals, f_hz);
-            if (power > most) {
-                most = power;
-                best.f_hz = f_hz;
+            double power = 0;
+            for (const LineSpectrum& spectrum : spectra) {
+                power += spectrum.at(f_hz);
             }
+            lines.emplace_back(f_hz, power);
+        }
+    }
+    constexpr double nearly = 0.7;  // of the strongest
+    double least = 0;
+    for (const auto& [f_hz, power] : lines) {
+        least = std::max(least, nearly * power);
+    }
+    Line best;
+    double most = 0;
+    for (const auto& [f_hz, nearby] : lines) {
+        if (nearby < least || job.cancelled()) {
+            continue;
+        }
+        const double power = line_power(residuals, f_hz);
+        if (power > most) {
+            most = power;
+            best.f_hz = f_hz;
         }
     }
     if (most == 0) {

@@ -36,15 +36,20 @@ struct PartFit {
     MapFit fit;
 };
 
+// From the joint parameters; where the fit from there costs no more than `hopeful`, which the other
+// takes many times longer for, from nothing, too.
 PartFit part_fit(const FitProblem& whole, const MapFit& joint, std::span<const std::size_t> which,
-                 std::vector<ScaledRun> runs, const JobControl& job) {
+                 std::vector<ScaledRun> runs, const JobControl& job,
+                 double hopeful = std::numeric_limits<double>::infinity()) {
     FitProblem problem = part_of(whole, which, runs);
-    FitProblem from_joint = problem;
-    MapFit fit = fit_from_nothing(problem, job);
-    MapFit near = fit_from(from_joint, part_of(whole.layout, joint.p, which), job);
-    if (near.cost < fit.cost) {
-        fit = std::move(near);
-        problem = std::move(from_joint);
+    FitProblem anew = problem;
+    MapFit fit = fit_from(problem, part_of(whole.layout, joint.p, which), job);
+    if (!(fit.cost > hopeful)) {
+        MapFit from_nothing = fit_from_nothing(anew, job);
+        if (!(fit.cost < from_nothing.cost)) {
+            fit = std::move(from_nothing);
+            problem = std::move(anew);
+        }
     }
     // The problem keeps referring to the runs where they are.
     return {std::move(runs), std::move(problem), std::move(fit)};
@@ -202,7 +207,7 @@ private:
                 std::vector<ScaledRun> runs(problem_.runs.begin(), problem_.runs.end());
                 runs[k] = run;
                 const PartFit turned =
-                    part_fit(problem_, joint_, all_of(count_), std::move(runs), job_);
+                    part_fit(problem_, joint_, all_of(count_), std::move(runs), job_, joint_.cost);
                 const double fall = joint_.cost - turned.fit.cost;
                 if (fall > margin &&
                     disagree(turned.problem, turned.fit.p, noise_) < most_disagreement) {
