@@ -72,13 +72,14 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme,
       tracks_(tracks),
       bar_(bar),
       recent_(new RecentFiles(bar)),
-      languages_(new QActionGroup(this)) {
+      languages_(new QActionGroup(this)),
+      theme_(theme) {
     addFile();
     QMenu* edit = top(QT_TR_NOOP("&Edit"));
     add(edit, {Command::undo, Command::redo});
     edit->addSeparator();
     add(edit, {Command::copy_plot, Command::copy_table});
-    addView(theme);
+    addView();
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
     add(analysis, {Command::analyse, Command::live, Command::cancel});
     QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
@@ -144,7 +145,7 @@ void WindowMenus::addFile() {
     add(file, {Command::quit});
 }
 
-void WindowMenus::addView(int theme) {
+void WindowMenus::addView() {
     QMenu* view = top(QT_TR_NOOP("&View"));
     add(view, {Command::page_tracks, Command::page_signals, Command::page_residuals,
                Command::page_windows, Command::page_resonator, Command::page_drift,
@@ -162,7 +163,11 @@ void WindowMenus::addView(int theme) {
     addChoice(
         view, QT_TR_NOOP("&Theme"),
         {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},
-        [theme] { return theme; }, [this](int mode) { emit themeChosen(mode); });
+        [this] { return theme_; },
+        [this](int mode) {
+            theme_ = mode;
+            emit themeChosen(mode);
+        });
     addLanguages(view);
 }
 

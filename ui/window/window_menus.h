@@ -64,7 +64,7 @@ private:
     void addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
                    const std::function<int()>& chosen, const std::function<void(int)>& choose);
     void addFile();
-    void addView(int theme);
+    void addView();
     void addVariables(QMenu* view);
     void addUnits(QMenu* view);
     void addLanguages(QMenu* view);
@@ -74,6 +74,7 @@ private:
     QMenuBar* bar_;
     RecentFiles* recent_;
     QActionGroup* languages_;
+    int theme_;
     std::map<QMenu*, const char*> titles_;
     std::vector<Choice> choices_;
 };

@@ -19,12 +19,14 @@
 #include <QLabel>
 #include <QLayout>
 #include <QListWidget>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
 #include <QTest>
+#include <QToolButton>
 #include <qcustomplot.h>
 
 namespace test_window_layout {
@@ -365,6 +367,44 @@ private slots:
         QVERIFY(tracks.units() == units);
         QVERIFY(tracks.shownVariables() == plots);
         QVERIFY(!next.action(Command::sigma_bands)->isChecked());
+    }
+
+    void the_theme_that_was_chosen_is_ticked() {
+        window_ = shownWindow();
+        const auto titled = [](const auto& all, const QString& text) {
+            return *std::ranges::find_if(all, [&text](const auto* each) {
+                const auto* menu = qobject_cast<const QMenu*>(each);
+                return (menu ? menu->title() : each->property("text").toString()).remove('&') ==
+                       text;
+            });
+        };
+        QMenu* themes = titled(the<QMenuBar>().findChildren<QMenu*>(), "Theme");
+        for (const char* name : {"Dark", "Light", "As the system"}) {
+            titled(themes->actions(), name)->trigger();
+            emit themes->aboutToShow();
+            for (const QAction* each : themes->actions()) {
+                QCOMPARE(each->isChecked(), each == titled(themes->actions(), name));
+            }
+        }
+    }
+
+    void sections_of_the_settings_are_open_where_there_is_room() {
+        window_ = shownWindow();
+        document().open({home_.recording("sections.wav")});
+        QVERIFY(idle(1));
+        Section& calibration = *the<SettingsPanel>().findChildren<Section*>().last();
+        const auto open_in = [&](int height) {
+            window_->resize(1600, height);
+            QCoreApplication::processEvents();
+            return calibration.isOpen();
+        };
+        QVERIFY(!open_in(720));
+        QVERIFY(open_in(1200));
+        QVERIFY(!open_in(720));
+        // What a person opens stays open.
+        QTest::mouseClick(calibration.findChild<QToolButton*>(), Qt::LeftButton);
+        QVERIFY(open_in(1200));
+        QVERIFY(open_in(720));
     }
 
     void the_cursor_reads_nothing_where_a_run_has_no_windows() {
