@@ -1669,8 +1669,8 @@
         <translation>%1: усиление канала C меняется на %2 %, а канала D на %3 % в %4 с, как при переключении диапазона усилителя. Подгонка оставляет оба усиления в этом месте свободными.</translation>
     </message>
     <message>
-        <source>%1: the wave changes by %2 % of itself at %3 s, as by a knock. The fit leaves the wave open at that place.</source>
-        <translation>%1: волна меняется на %2 % своей величины в %3 с, как от толчка. Подгонка оставляет волну в этом месте свободной.</translation>
+        <source>%1: the wave changes by %2 % of itself at %3 s, as by a knock or as a drive ends. The fit leaves the wave open at that place.</source>
+        <translation>%1: волна меняется на %2 % своей величины в %3 с, как от толчка или конца возбуждения. Подгонка оставляет волну в этом месте свободной.</translation>
     </message>
     <message>
         <source>%1: the signal is disturbed at %2 s; the fit leaves %3 s out.</source>

@@ -385,8 +385,8 @@ MessageRow message_row(DiagnosticKind kind) {
              "amplifier changes its range. The fit leaves both gains open at that place.")},
         {fitted_knock, "fitted-knock", warning,
          VYBEG_MESSAGE("Message",
-                       "%1: the wave changes by %2 % of itself at %3 s, as by a knock. The fit "
-                       "leaves the wave open at that place.")},
+                       "%1: the wave changes by %2 % of itself at %3 s, as by a knock or as a "
+                       "drive ends. The fit leaves the wave open at that place.")},
         {event_left_out, "event-left-out", warning,
          VYBEG_MESSAGE("Message", "%1: the signal is disturbed at %2 s; the fit leaves %3 s out.")},
         {motion_not_model, "motion-not-model", serious,
