@@ -155,6 +155,7 @@ public:
         if (job_.cancelled()) {
             return out;
         }
+        out.own_noise = std::ranges::max(noise_);
         if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
             return agreeing();
         }

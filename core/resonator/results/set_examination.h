@@ -33,6 +33,8 @@ struct SetExamination {
     std::vector<RunDeviation> deviation;  // of each run; of verdict `spread`
     Eigen::VectorXd p;                    // likewise: the set's parameters
     RunDeviation spread;                  // sd of the deviations; of small sets, too
+    // Largest variance of a run's noise in the fit of this run alone, in units of its windows'.
+    double own_noise = 1;
 
     // Whether the runs are those of one resonator.
     bool agrees() const { return verdict == SetVerdict::fits || verdict == SetVerdict::spread; }

@@ -179,7 +179,10 @@ SolvedSet SetFit::solved() const {
 
 void SetFit::examine() {
     examination_ = examine_set(problem_, main_, options_.spread, job_);
-    if (examination_.verdict != SetVerdict::fits && is_noise()) {
+    // Recordings that disagree look coloured together; noise is coloured in some of them alone,
+    // too.
+    constexpr double white = 1.3;
+    if (examination_.verdict != SetVerdict::fits && examination_.own_noise > white && is_noise()) {
         examination_ = agreeing_set(problem_, main_, options_.spread, job_);
     }
     if (examination_.verdict == SetVerdict::spread) {
