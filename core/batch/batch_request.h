@@ -43,7 +43,8 @@ struct FinishedRow {
     std::int64_t windows = 0;
 };
 
-// Receivers of the events of a batch, called in its threads, never two at once.
+// Receivers of the events of a batch, called in its threads, never two at once; the first three are
+// set.
 struct BatchEvents {
     std::function<void(const std::vector<Diagnostic>&)> warned;  // about the list
     // Everything has been checked; the rows come next, those of an earlier batch first.

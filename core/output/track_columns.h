@@ -23,8 +23,8 @@ std::string track_column_unit(std::size_t column);  // empty: the recording's
 std::span<const double> track_column(const Track& track, std::size_t column);
 std::span<double> track_column(Track& track, std::size_t column);
 
-// The rows of a track for the formats that keep one array per column: each column is read by
-// itself, from its first row on, as often as the format needs it.
+// The rows of a track: for the formats that keep one array per column each column by itself, from
+// its first row on, as often as the format needs it; for CSV whole rows.
 class TrackColumns {
 public:
     using NumberSink = std::function<Status(std::span<const double> rows)>;

@@ -54,7 +54,8 @@ private:
     std::vector<double> leakage_f_hz_;
 };
 
-// Whether a window has all its samples, unclipped, and its estimate is one of them.
+// Whether a window has all its samples, unclipped and clear of filter and delay, and its estimate
+// converged within its bounds.
 inline constexpr bool is_sound_window(Flags flags) {
     constexpr Flags bad = static_cast<Flags>(Flag::gap | Flag::clipped) |
                           static_cast<Flags>(Flag::not_converged | Flag::at_bound) |

@@ -173,10 +173,10 @@ Eigen::VectorXd still_waves(const FitProblem& problem) {
     return p;
 }
 
-WaveFit fit_waves(FitProblem& problem, const JobControl& job) {
+StillFit fit_waves(FitProblem& problem, const JobControl& job) {
     const Lengthened lengthened = fit_lengthening(problem, FirstFit::moving_wave, job);
     set_damping(problem.priors, problem.damping_share * lengthened.p[decay_at]);
-    WaveFit wave{{lengthened.p, no_fit, no_fit}, {}, {}};
+    StillFit wave{{lengthened.p, no_fit, no_fit}, {}, {}};
     if (lengthened.at_noise) {
         try_start(problem, lengthened.p, job, wave.best);
     } else {
@@ -193,7 +193,7 @@ WaveFit fit_waves(FitProblem& problem, const JobControl& job) {
     return wave;
 }
 
-MapFit fit_modes(FitProblem& problem, const WaveFit& wave, const JobControl& job) {
+MapFit fit_modes(FitProblem& problem, const StillFit& wave, const JobControl& job) {
     MapFit best = wave.best;
     // A small split also keeps the residual of the drifting start above the noise.
     const double count = residuals(problem, longest(problem));
@@ -228,7 +228,7 @@ MapFit fit_modes(FitProblem& problem, const WaveFit& wave, const JobControl& job
 }
 
 MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
-    const WaveFit wave = fit_waves(problem, job);
+    const StillFit wave = fit_waves(problem, job);
     return fit_modes(problem, wave, job);
 }
 

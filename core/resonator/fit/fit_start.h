@@ -14,17 +14,17 @@ namespace vybeg {
 MapFit fit_from_nothing(FitProblem& problem, const JobControl& job);
 
 // Result of the first part: fits from still waves that reach the noise during lengthening.
-struct WaveFit {
+struct StillFit {
     MapFit best;  // infinite cost if none does
     // Starts that do not; empty otherwise.
     Eigen::VectorXd far;
     Eigen::VectorXd drifting;
 };
-WaveFit fit_waves(FitProblem& problem, const JobControl& job);
+StillFit fit_waves(FitProblem& problem, const JobControl& job);
 
 // Second part: starts from pencils, from the runs alone and from those of `wave`, as long as the
 // fit stays above the noise.
-MapFit fit_modes(FitProblem& problem, const WaveFit& wave, const JobControl& job);
+MapFit fit_modes(FitProblem& problem, const StillFit& wave, const JobControl& job);
 
 // A still wave in each run: frequency and start from its first windows, decay from the envelope.
 Eigen::VectorXd still_waves(const FitProblem& problem);

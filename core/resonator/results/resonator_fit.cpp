@@ -38,7 +38,7 @@ struct OpenedBreaks {
 // Fits the set with each of the breaks; the fewest parameters that explain as much are kept.
 // Beating modes also determine a number of samples; numbers with the phase of a step are tried.
 OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak> likely,
-                        const SetTask& task) {
+                        const FitTask& task) {
     constexpr double price = 9;  // chi^2 that a parameter must explain
     OpenedBreaks best;
     double least = std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak>
 // The set with breaks. One break must explain nearly all of the residual, several must leave only
 // noise; a weaker condition would find breaks in any wandering phase.
 OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& closed,
-                         const SetTask& task) {
+                         const FitTask& task) {
     constexpr std::size_t most_breaks = 4;
     constexpr double nearly_none = 0.2;
     OpenedBreaks opened{good, {}, {}};
@@ -105,7 +105,7 @@ OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& close
 // foreign to its set, whose fit then does not see it. Without suspects, those of all runs of a
 // small set.
 std::vector<FittedBreak> open_own_breaks(const SetExamination& examination,
-                                         std::vector<PhasorRun>& runs, const SetTask& task) {
+                                         std::vector<PhasorRun>& runs, const FitTask& task) {
     constexpr std::size_t small = 4;
     std::vector<std::size_t> suspects = examination.foreign;
     if (suspects.empty() && runs.size() <= small) {
@@ -147,7 +147,7 @@ bool has_foreign(const SetFit& set) {
 // Leaves out the run that does not belong to the set, if the others agree; returns the set with it,
 // else null.
 std::unique_ptr<SetFit> without_foreign(std::vector<PhasorRun>& runs, std::unique_ptr<SetFit>& set,
-                                        const SetTask& task) {
+                                        const FitTask& task) {
     if (!has_foreign(*set) || runs.size() < 3) {
         return nullptr;
     }
@@ -226,7 +226,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
             set = std::move(open);
         }
     }
-    const SetTask task{scale, by_usual ? usual : stated, job};
+    const FitTask task{scale, by_usual ? usual : stated, job};
     std::vector<FittedBreak> breaks;
     if (!set->agrees()) {
         breaks = open_own_breaks(set->examination(), good, task);

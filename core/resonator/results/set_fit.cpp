@@ -53,7 +53,7 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
 }  // namespace
 
 SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
-               std::span<const Eigen::Matrix2d> whitenings, const SetTask& task, Effort effort)
+               std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort)
     : runs_(std::move(runs)),
       fine_(fine),
       scaled_(whitened_runs(runs_, task.scale, whitenings)),
@@ -213,7 +213,7 @@ bool SetFit::is_noise() const {
 }
 
 void SetFit::find_main() {
-    const WaveFit wave = fit_waves(problem_, job_);
+    const StillFit wave = fit_waves(problem_, job_);
     std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, job_);
     phase_left_ = still.has_value();
     main_ = still ? *std::move(still) : fit_modes(problem_, wave, job_);
@@ -359,7 +359,7 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
     return false;
 }
 
-std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const SetTask& task,
+std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const FitTask& task,
                                    Effort effort) {
     const auto fit_of = [&](std::size_t windows, std::span<const Eigen::Matrix2d> by) {
         return std::make_unique<SetFit>(merged(good, windows), good, by, task, effort);

@@ -21,7 +21,7 @@ namespace vybeg {
 enum class Effort { whole, trial };
 
 // What all fits of a set share. `scale`: unit of the phasors.
-struct SetTask {
+struct FitTask {
     double scale;
     const FitOptions& options;
     const JobControl& job;
@@ -32,7 +32,7 @@ class SetFit {
 public:
     // `fine`: the runs before merging of windows; `whitenings` of channels.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
-           std::span<const Eigen::Matrix2d> whitenings, const SetTask& task, Effort effort);
+           std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort);
 
     // Finds the most likely parameters; returns the number of windows of a run that they need.
     NeededWindows solve();
@@ -133,7 +133,7 @@ private:
 };
 
 // The set with as many windows of a run as its solution needs; it refers to the runs.
-std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, const SetTask& task,
+std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, const FitTask& task,
                                    Effort effort = Effort::whole);
 
 }  // namespace vybeg

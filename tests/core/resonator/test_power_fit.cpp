@@ -84,7 +84,7 @@ private slots:
         }
     }
 
-    // Four logs of 28 s at 10 Hz, noise 1e-5 (INPUTS.md section 3).
+    // Four logs of 28 s at 10 Hz, noise 1e-5.
     void four_logs_tell_the_resonator_to_the_digits_told() {
         const Resonator of;
         const ResonatorEstimate found = resonator_of(set_of(of, 4, 28, {.power = 1e-5}, 1));
