@@ -1585,8 +1585,8 @@
         <translation>Частота зависит от амплитуды: %1 Гц на квадрат единицы записи (стандартное отклонение %2); это включено в подгонку.</translation>
     </message>
     <message>
-        <source>Recording %1: Q from the envelope, %2, and from the coherent fit, %3, differ by more than three standard deviations: the motion is not that of a resonator with constant parameters.</source>
-        <translation>Запись %1: добротность по огибающей, %2, и по когерентной подгонке, %3, расходятся больше чем на три стандартных отклонения: это не движение резонатора с постоянными параметрами.</translation>
+        <source>Recording %1: Q from the envelope, %2, and from the coherent fit, %3, differ by more than four standard deviations: the motion is not that of a resonator with constant parameters.</source>
+        <translation>Запись %1: добротность по огибающей, %2, и по когерентной подгонке, %3, расходятся больше чем на четыре стандартных отклонения: это не движение резонатора с постоянными параметрами.</translation>
     </message>
     <message>
         <source>The residual is above the noise of the windows (chi square per degree of freedom %1); the standard deviations are enlarged to match.</source>

@@ -201,7 +201,7 @@ MessageRow message_row(DiagnosticKind kind) {
         {q_disagrees, "q-disagrees", serious,
          VYBEG_MESSAGE("Message",
                        "Recording %1: Q from the envelope, %2, and from the coherent fit, %3, "
-                       "differ by more than three standard deviations: the motion is not that of a "
+                       "differ by more than four standard deviations: the motion is not that of a "
                        "resonator with constant parameters.")},
         {decay_of_one_direction, "decay-of-one-direction", warning,
          VYBEG_MESSAGE("Message",

@@ -143,7 +143,8 @@ BatchRequest BatchForm::request() const {
 
 QString BatchForm::errorText(Error error) {
     for (const LineRow& row : line_rows) {
-        if (error.code == ErrorCode::setting_invalid && error.args.front().text == row.option) {
+        if (error.code == ErrorCode::setting_invalid && *row.option != '\0' &&
+            error.args.front().text == row.option) {
             error.args.front() = tr(row.name).toStdString();
         }
     }

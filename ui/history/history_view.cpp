@@ -433,8 +433,7 @@ QString verdictText(const HistoryView& view) {
     if (!view.charts.one_gyro) {
         return counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) of all gyros."), values) +
                QLatin1Char(' ') +
-               HistoryWords::tr(
-                   "Limits belong to one gyro: choose one for its control view.charts.") +
+               HistoryWords::tr("Limits belong to one gyro: choose one for its control charts.") +
                withoutDate(view);
     }
     if (view.charts.control.fault == BaselineFault::too_few) {

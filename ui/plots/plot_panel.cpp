@@ -282,6 +282,7 @@ std::vector<CurveColumn> DecimatedGraph::noiseColumns() const {
         const bool same = !joined.empty() && !joined.back().empty() && !column.empty() &&
                           column.joined && place(joined.back()) == place(column);
         same ? append(joined.back(), column) : joined.push_back(column);
+        joined.back().wraps = false;  // numbers more than pi apart are no angle
     }
     // Noise: within a column the values differ by more than the means of columns do.
     std::vector<double> heights;

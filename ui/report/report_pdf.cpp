@@ -177,7 +177,7 @@ std::vector<Heading> headingsOf(const QTextDocument& document, double page_heigh
     std::vector<Heading> headings;
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         if (const int level = block.blockFormat().headingLevel(); level > 0) {
-            const int page = pageOf(document, block);
+            const int page = std::min(pageOf(document, block), document.pageCount() - 1);
             const double place = document.documentLayout()->blockBoundingRect(block).top() -
                                  page * document.pageSize().height();
             headings.push_back({block.text(), static_cast<std::size_t>(level), page,

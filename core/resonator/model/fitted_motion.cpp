@@ -10,6 +10,7 @@ std::vector<Phasors> expected(const FittedMotion& motion, const FittedMotion::Ru
                               const Eigen::VectorXd& shared, const std::vector<double>& time_s) {
     ScaledRun frame = run.frame;
     frame.time_s = time_s;
+    frame.window_s = 0;  // the instants are no centres of the fit's windows
     std::vector<Phasors> phasors;
     for (const Eigen::Vector2cd& z : expected_phasors(frame, shared, run.own, time_s.size())) {
         phasors.push_back({motion.scale * z[0], motion.scale * z[1]});

@@ -27,8 +27,9 @@ struct FittedMotion {
     SlowRates rates() const;
 };
 
-// Predicted phasors of windows of the run at the given instants, ascending: c and d of the
-// pick-offs relative to the run's f_ref_hz, recording units. Precondition: run < runs.size().
+// Predicted phasors of the run at the given instants, ascending, or of short windows about them: c
+// and d of the pick-offs relative to the run's f_ref_hz, recording units. Precondition: run <
+// runs.size().
 std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t run,
                                        const std::vector<double>& time_s);
 

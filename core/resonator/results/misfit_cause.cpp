@@ -109,6 +109,7 @@ public:
     explicit LineSpectrum(const DampedResidual& run) : run_(run) {
         constexpr std::size_t finer = 8;  // than a cycle over the run
         constexpr double on_grid = 1e-3;
+        constexpr std::size_t most_gaps = 16;  // the transform is as long as the run
         std::vector<std::size_t> places;
         for (const double t : run.time_s) {
             const double steps = (t - run.time_s.front()) / run.step_s;
@@ -116,6 +117,9 @@ public:
                 return;  // no grid: where samples were lost
             }
             places.push_back(static_cast<std::size_t>(std::lround(steps)));
+        }
+        if (places.empty() || places.back() > most_gaps * places.size()) {
+            return;
         }
         const Fft transform(std::bit_ceil(finer * (places.back() + 1)));
         power_.resize(transform.size());

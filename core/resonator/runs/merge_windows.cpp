@@ -146,8 +146,9 @@ double noise_around(const std::vector<double>& power, std::ptrdiff_t bin) {
 }
 
 // Difference of the turn of a window between the ends of a run, rad; a mean loses (turn)^2/24 of
-// the amplitude.
+// the amplitude. What a drift takes is in the model up to the second order.
 double uneven_turn(const FittedMotion& motion) {
+    constexpr double not_in_model = 0.3;
     const Eigen::VectorXd& shared = motion.shared;
     double most = 0;
     for (const FittedMotion::Run& run : motion.runs) {
@@ -155,7 +156,7 @@ double uneven_turn(const FittedMotion& motion) {
         const double by_power =
             shared[cubic_at] * run.own.segment<4>(start_at).squaredNorm() * fallen;
         const double change_hz =
-            std::abs(run.own[drift_at]) * run.frame.duration_s + std::abs(by_power);
+            not_in_model * std::abs(run.own[drift_at]) * run.frame.duration_s + std::abs(by_power);
         most = std::max(most, 2 * std::numbers::pi * change_hz * run.frame.window_s);
     }
     return most;
@@ -226,7 +227,7 @@ PhasorRun merge_windows(const PhasorRun& run, std::size_t most) {
 }
 
 NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorRun> fine) {
-    constexpr double even_turn = 0.01;  // rad
+    constexpr double even_turn = 0.003;  // rad
     constexpr double whole_turn = 0.02;
     constexpr double most_for_turn = 1000;
     constexpr double per_cycle = 4;

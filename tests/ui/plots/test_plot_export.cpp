@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <sys/resource.h>
 
@@ -142,6 +143,33 @@ private slots:
         for (const ShownAnalysis& shown : content.analyses) {
             VYBEG_AT_LEAST(shareOf(image, readable(shown.color, lightTheme(), shown.shade)), 0.8,
                            qPrintable(shown.recording));
+        }
+    }
+
+    // At any number of windows a pixel: an amplitude in counts scatters by more than an angle can.
+    void noise_looks_the_same_in_volts_and_in_counts() {
+        for (const int window : {12, 60, 150, 300, 600, 1500}) {
+            std::array<int, 2> coloured{};
+            for (const double counts : {1.0, 1e4}) {
+                PlotContent content = onePlot(twoRuns(), SlowVariable::a_A);
+                content.units.sigma_bands = false;
+                ShownAnalysis shown = syntheticAnalysis(0, {.window = window, .noise = 0.3});
+                auto scaled = std::make_shared<Analysis>(*shown.analysis);
+                for (double& value : scaled->track.values(SlowVariable::a_A)) {
+                    value *= counts;
+                }
+                shown.analysis = scaled;
+                content.analyses = {shown};
+                content.zoom.time = *coveredTime(content.analyses);
+                const QImage image = toImage(plotsDrawing(content), {{800, 300}, pixels_per_inch});
+                for (int y = 0; y < image.height(); ++y) {
+                    for (int x = 0; x < image.width(); ++x) {
+                        const QColor color = image.pixelColor(x, y);
+                        coloured[counts > 1] += color.blue() > color.red() + 20 ? 1 : 0;
+                    }
+                }
+            }
+            VYBEG_CLOSE_RATIO(coloured[1], coloured[0], 0.02, qPrintable(QString::number(window)));
         }
     }
 
