@@ -408,6 +408,7 @@ private slots:
     }
 
     void the_cursor_reads_nothing_where_a_run_has_no_windows() {
+        window_ = shownWindow();
         window_->document().open(
             {home_.recording("short.wav", 1.0), home_.recording("long.wav", 3.0)});
         QTRY_VERIFY_WITH_TIMEOUT(
