@@ -154,7 +154,7 @@ private slots:
         std::vector<PhasorRun> runs = set_of(reference(), {15}, 1000, 1);
         for (std::size_t k = 0; k < runs[0].c.size(); ++k) {
             const double t = runs[0].time_s[k] / 28;
-            const auto turn = std::polar(1.0, 6 * std::pow(t, 4) * std::sin(3 * t));
+            const auto turn = std::polar(1.0, 10 * std::pow(t, 4) * std::sin(3 * t));
             runs[0].c[k] *= turn;
             runs[0].d[k] *= turn;
         }
