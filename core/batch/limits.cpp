@@ -105,8 +105,8 @@ private:
             const auto is_it = [&name](const char* column) { return name == column; };
             if (!name.empty() && std::ranges::none_of(columns, is_it)) {
                 return invalid(1, name,
-                              words(VYBEG_MESSAGE("Words",
-                                                  "the columns are parameter, least, "
+                               words(VYBEG_MESSAGE("Words",
+                                                   "the columns are parameter, least, "
                                                    "greatest, gyro_type and comment")));
             }
         }

@@ -1,10 +1,10 @@
 #include "core/drift/whole_angle_log.h"
 
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/log_columns.h"
 #include "core/recording/samples/vocabulary.h"
-#include "core/numerics/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -137,8 +137,9 @@ private slots:
             "app/cli_main.cpp:1: the command line includes ui/values/run.h");
         row("Qt in the command line", "app/cli_main.cpp", "#include <QCoreApplication>\n",
             "app/cli_main.cpp:1: Qt: QCoreApplication");
-    row("desktop in the command line", "app/command_line.cpp", "#include \"app/gui_drawing.h\"\n",
-        "app/command_line.cpp:1: the command line includes app/gui_drawing.h");
+        row("desktop in the command line", "app/command_line.cpp",
+            "#include \"app/gui_drawing.h\"\n",
+            "app/command_line.cpp:1: the command line includes app/gui_drawing.h");
         row("not from the root", "core/base/a.cpp", "#include \"a.h\"\n",
             "core/base/a.cpp:1: not included from the root: a.h");
         row("relative", "ui/words/a.cpp", "#include \"../../core/base/a.h\"\n",

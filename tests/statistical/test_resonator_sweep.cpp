@@ -126,7 +126,7 @@ private slots:
                     {1 / tau, found.tau_s.sd / (tau * tau), {}, found.tau_s.u / (tau * tau)},
                     1 / decay.tau_s);
             }
-        if (fit.resonator.angle_rate_rad_s.given()) {
+            if (fit.resonator.angle_rate_rad_s.given()) {
                 rotation.add(found.angle_rate_rad_s, -decay.bryan * decay.omega_rad_s);
             }
         }
@@ -168,7 +168,7 @@ private slots:
             // run of set_of() lies 13 mHz above.
             const double along = std::cos(4 * (10 * pi / 180 - decay.theta_w));
             direction.add(fit.runs[0].direction_f_hz, decay.f0_hz + 0.013 + 0.5 * split * along);
-        if (fit.resonator.split_hz.given()) {
+            if (fit.resonator.split_hz.given()) {
                 size.add(fit.resonator.split_hz, split);
                 ++given;
             }

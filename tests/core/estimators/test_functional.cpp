@@ -117,7 +117,7 @@ private slots:
         for (const std::int64_t n : {5, 64, 129, 5000}) {
             const Samples s = noise(n, 3);
             for (const double w : {0.2, 0.999, 3.0}) {
-            const WindowMoments m = window_moments({s.c, s.d}, w);
+                const WindowMoments m = window_moments({s.c, s.d}, w);
                 std::array<std::complex<long double>, 3> expected{};
                 double gram = 0;
                 for (std::size_t j = 0; j < s.c.size(); ++j) {

@@ -54,9 +54,9 @@ private slots:
         VYBEG_NEAR(found.angle_rate_rad_s, -0.277 * 0.08, 4, 1e-5);
         // The mean of the offsets that set_of() gives.
         VYBEG_NEAR(found.f_mean_hz, 5300 + 0.013 * (1 - 0.8 * 1.5), 4, 1e-6);
-    QVERIFY(fit.resonator.split_hz.given() && fit.resonator.theta_w_rad.given() &&
-            fit.resonator.tau_s.given() && fit.resonator.damping_anisotropy_per_s.given() &&
-            fit.resonator.theta_tau_rad.given() && fit.resonator.angle_rate_rad_s.given());
+        QVERIFY(fit.resonator.split_hz.given() && fit.resonator.theta_w_rad.given() &&
+                fit.resonator.tau_s.given() && fit.resonator.damping_anisotropy_per_s.given() &&
+                fit.resonator.theta_tau_rad.given() && fit.resonator.angle_rate_rad_s.given());
         VYBEG_CLOSE(fit.chi2_per_dof, 1, 0.05);
         QVERIFY(fit.warnings.empty());
         // Eigenvalues of the simulator's M.
