@@ -4,7 +4,6 @@
 #include <QUndoStack>
 
 #include <functional>
-#include <utility>
 
 namespace vybeg::ui {
 
@@ -22,11 +21,10 @@ public:
     void add(Words words, Act undo, Act redo, int gesture = -1);
     // A step that sets a value, and sets it.
     template <class Value, class Set>
-    void change(Words words, const Value& before, const Value& after, const Set& set,
+    void change(const Words& words, const Value& before, const Value& after, const Set& set,
                 int gesture = -1) {
         add(
-            std::move(words), [set, before] { set(before); }, [set, after] { set(after); },
-            gesture);
+            words, [set, before] { set(before); }, [set, after] { set(after); }, gesture);
         set(after);
     }
     // What would be undone and redone; empty: nothing.

@@ -16,14 +16,13 @@
 #include <QTextFrame>
 #include <QTextObjectInterface>
 #include <QTimer>
-#define POINTERHOLDER_TRANSITION 4  // qpdf without the pointers of its past
-#include <qpdf/QPDF.hh>
-#include <qpdf/QPDFWriter.hh>
+#include <qpdf/qpdf-c.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace vybeg::ui {
@@ -187,49 +186,104 @@ std::vector<Heading> headingsOf(const QTextDocument& document, double page_heigh
     return headings;
 }
 
-// The pages with their headings as the outline that viewers show beside them: QPdfWriter of Qt 6.4
-// makes none. The same pages and headings give the same bytes.
+// A document of qpdf, which makes what QPdfWriter of Qt 6.4 cannot.
+class PdfObjects {
+public:
+    using Object = qpdf_oh;
+
+    explicit PdfObjects(const QByteArray& bytes) : pdf_(qpdf_init()) {
+        qpdf_silence_errors(pdf_);
+        read_ = !failed(qpdf_read_memory(pdf_, "report", bytes.constData(),
+                                         static_cast<unsigned long long>(bytes.size()), nullptr));
+    }
+    ~PdfObjects() { qpdf_cleanup(&pdf_); }
+    PdfObjects(const PdfObjects&) = delete;
+    PdfObjects& operator=(const PdfObjects&) = delete;
+
+    bool read() const { return read_; }
+    Object root() { return qpdf_get_root(pdf_); }
+    Object page(int index) { return qpdf_get_page_n(pdf_, static_cast<std::size_t>(index)); }
+    Object dictionary() { return qpdf_make_indirect_object(pdf_, qpdf_oh_new_dictionary(pdf_)); }
+    Object name(const char* name) { return qpdf_oh_new_name(pdf_, name); }
+    Object text(const QString& text) {
+        return qpdf_oh_new_unicode_string(pdf_, text.toUtf8().constData());
+    }
+    Object place(int page_index, double above_pt) {
+        const Object place = qpdf_oh_new_array(pdf_);
+        for (const Object each :
+             {page(page_index), name("/XYZ"), qpdf_oh_new_null(pdf_),
+              qpdf_oh_new_real_from_double(pdf_, above_pt, 1), qpdf_oh_new_null(pdf_)}) {
+            qpdf_oh_append_item(pdf_, place, each);
+        }
+        return place;
+    }
+    void set(Object of, const char* key, Object value) {
+        qpdf_oh_replace_key(pdf_, of, key, value);
+    }
+    void count(Object of, const char* key) {
+        const Object now = qpdf_oh_get_key(pdf_, of, key);
+        const long long number =
+            qpdf_oh_is_integer(pdf_, now) != 0 ? qpdf_oh_get_int_value(pdf_, now) : 0;
+        set(of, key, qpdf_oh_new_integer(pdf_, number + 1));
+    }
+    // Nothing: it could not be written. The same objects give the same bytes.
+    QByteArray written() {
+        if (failed(qpdf_init_write_memory(pdf_))) {
+            return {};
+        }
+        qpdf_set_stream_data_mode(pdf_, qpdf_s_preserve);
+        qpdf_set_deterministic_ID(pdf_, QPDF_TRUE);
+        return failed(qpdf_write(pdf_))
+                   ? QByteArray()
+                   : QByteArray(reinterpret_cast<const char*>(qpdf_get_buffer(pdf_)),
+                                static_cast<qsizetype>(qpdf_get_buffer_length(pdf_)));
+    }
+
+private:
+    static bool failed(QPDF_ERROR_CODE code) { return (code & QPDF_ERRORS) != 0; }
+
+    qpdf_data pdf_;
+    bool read_ = false;
+};
+
+// The pages with their headings as the outline that viewers show beside them; as they were where
+// that cannot be made.
 QByteArray withOutline(const QByteArray& bytes, const std::vector<Heading>& headings) {
-    using Object = QPDFObjectHandle;
-    QPDF pdf;
-    pdf.processMemoryFile("report", bytes.constData(), static_cast<std::size_t>(bytes.size()));
-    const std::vector<Object> pages = pdf.getAllPages();
-    // The outline, and below it the last heading of each level.
-    std::vector<Object> path{pdf.makeIndirectObject(Object::newDictionary())};
+    using Object = PdfObjects::Object;
+    PdfObjects pdf(bytes);
+    if (!pdf.read()) {
+        return bytes;
+    }
+    // The outline, and below it the last heading of each level, each with its last one below.
+    struct Level {
+        Object object = 0;
+        std::optional<Object> last{};
+    };
+    std::vector<Level> path{{pdf.dictionary()}};
     for (const Heading& heading : headings) {
         path.resize(std::min(path.size(), heading.level));
-        for (Object& above : path) {
-            const auto count = above.hasKey("/Count") ? above.getKey("/Count").getIntValue() : 0;
-            above.replaceKey("/Count", Object::newInteger(count + 1));
+        for (const Level& above : path) {
+            pdf.count(above.object, "/Count");
         }
-        Object parent = path.back();
-        Object item = pdf.makeIndirectObject(Object::newDictionary());
-        item.replaceKey("/Title", Object::newUnicodeString(heading.text.toStdString()));
-        item.replaceKey("/Parent", parent);
-        item.replaceKey(
-            "/Dest", Object::newArray({pages.at(static_cast<std::size_t>(heading.page)),
-                                       Object::newName("/XYZ"), Object::newNull(),
-                                       Object::newReal(heading.place_pt, 1), Object::newNull()}));
-        if (parent.hasKey("/Last")) {
-            Object before = parent.getKey("/Last");
-            before.replaceKey("/Next", item);
-            item.replaceKey("/Prev", before);
+        Level& parent = path.back();
+        const Object item = pdf.dictionary();
+        pdf.set(item, "/Title", pdf.text(heading.text));
+        pdf.set(item, "/Parent", parent.object);
+        pdf.set(item, "/Dest", pdf.place(heading.page, heading.place_pt));
+        if (parent.last) {
+            pdf.set(*parent.last, "/Next", item);
+            pdf.set(item, "/Prev", *parent.last);
         } else {
-            parent.replaceKey("/First", item);
+            pdf.set(parent.object, "/First", item);
         }
-        parent.replaceKey("/Last", item);
-        path.push_back(item);
+        pdf.set(parent.object, "/Last", item);
+        parent.last = item;
+        path.push_back({item});
     }
-    pdf.getRoot().replaceKey("/Outlines", path.front());
-    pdf.getRoot().replaceKey("/PageMode", Object::newName("/UseOutlines"));
-    QPDFWriter writer(pdf);
-    writer.setOutputMemory();
-    writer.setStreamDataMode(qpdf_s_preserve);
-    writer.setDeterministicID(true);
-    writer.write();
-    const auto written = writer.getBufferSharedPointer();
-    return QByteArray(reinterpret_cast<const char*>(written->getBuffer()),
-                      static_cast<qsizetype>(written->getSize()));
+    pdf.set(pdf.root(), "/Outlines", path.front().object);
+    pdf.set(pdf.root(), "/PageMode", pdf.name("/UseOutlines"));
+    const QByteArray written = pdf.written();
+    return written.isEmpty() ? bytes : written;
 }
 
 // As XML, with the characters that it reserves.
