@@ -1,5 +1,7 @@
 #include "ui/document/undo_steps.h"
 
+#include <utility>
+
 namespace vybeg::ui {
 
 namespace {
