@@ -63,8 +63,8 @@ private:
         }
         if (value.isObject()) {
             QJsonObject object = value.toObject();
-            for (auto each = object.begin(); each != object.end(); ++each) {
-                each.value() = changed(each.value());
+            for (const QString& key : object.keys()) {
+                object[key] = changed(object.value(key));  // an undefined value removes the key
             }
             return object;
         }
