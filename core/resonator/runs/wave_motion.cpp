@@ -445,19 +445,19 @@ constexpr std::array numbers{&WaveMotion::f_hz, &WaveMotion::theta_rate_rad_s,
 PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, double size) {
     ChannelTolerance one{.kappa = 0};
     one.*error = size;
-    PhasorRun seen = run;
+    PhasorRun with = run;
     for (std::size_t k = 0; k < run.d.size(); ++k) {
         const double x = run.time_s[k] / (run.time_s.back() + run.window_s / 2);
         const Complex gain = (1 + one.gain_drift * x) / (1 + one.kappa) *
                              std::polar(1.0, one.phase_rad + one.phase_drift * x);
         Complex c = run.c[k];
-        Complex& d = seen.d[k];
+        Complex& d = with.d[k];
         turn_channels(-run.two_theta_zero, c, d);
         d = gain * d + Complex(std::sin(one.skew_rad), one.crosstalk) * c;
         turn_channels(run.two_theta_zero, c, d);
-        seen.c[k] = c;
+        with.c[k] = c;
     }
-    return seen;
+    return with;
 }
 
 }  // namespace
