@@ -44,6 +44,55 @@ Step step_of(const SeriesNoise& noise, double h) {
     return step;
 }
 
+// Sum of the logarithms of positive numbers, with few logarithms.
+class LogSum {
+public:
+    void add(double number) {
+        constexpr double large = 1e100;
+        product_ *= number;
+        if (!(product_ < large && product_ > 1 / large)) {
+            sum_ += std::log(product_);
+            product_ = 1;
+        }
+    }
+    double value() const { return sum_ + std::log(product_); }
+
+private:
+    double product_ = 1;
+    double sum_ = 0;
+};
+
+// Sum of the squares of rows, row^T row, a block of them at once.
+class RowSquares {
+public:
+    explicit RowSquares(Eigen::Index columns)
+        : block_(block_rows, columns), sum_(Eigen::MatrixXd::Zero(columns, columns)) {}
+
+    void add(const Eigen::RowVectorXd& row) {
+        block_.row(filled_++) = row;
+        if (filled_ == block_rows) {
+            flush();
+        }
+    }
+
+    Eigen::MatrixXd sum() {
+        flush();
+        return sum_.selfadjointView<Eigen::Lower>();
+    }
+
+private:
+    static constexpr Eigen::Index block_rows = 64;
+
+    void flush() {
+        sum_.selfadjointView<Eigen::Lower>().rankUpdate(block_.topRows(filled_).transpose());
+        filled_ = 0;
+    }
+
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> block_;
+    Eigen::MatrixXd sum_;
+    Eigen::Index filled_ = 0;
+};
+
 // The columns of all segments made white, as sums of their products.
 struct Whitened {
     Eigen::MatrixXd normal;  // of the regressors and, last, the measured values
@@ -54,9 +103,13 @@ struct Whitened {
 // Adds a segment under a noise; with a start of its own one more column is eliminated.
 void add_white(const FitSegment& segment, bool own_start, const SeriesNoise& noise, Whitened& sum) {
     const Eigen::Index columns = segment.rows.cols() + (own_start ? 1 : 0);
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(columns, columns);
-    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2, columns);
+    RowSquares white_rows(columns);
+    LogSum log_det;
+    Eigen::RowVectorXd walk = Eigen::RowVectorXd::Zero(columns);
+    Eigen::RowVectorXd slow = Eigen::RowVectorXd::Zero(columns);
     Eigen::RowVectorXd row(columns);
+    Step step;
+    double step_s = 0;
     double p_walk = 0;
     double p_cross = 0;
     double p_slow = noise.slow == SeriesNoise::Slow::none ? 0 : noise.slow_variance;
@@ -66,9 +119,15 @@ void add_white(const FitSegment& segment, bool own_start, const SeriesNoise& noi
     const double sees_slow = noise.slow == SeriesNoise::Slow::value ? 1 : 0;
     for (std::size_t k = 0; k < segment.time_s.size(); ++k) {
         if (k > 0) {
-            const Step step = step_of(noise, segment.time_s[k] - segment.time_s[k - 1]);
-            state.row(0) += step.walk_by_slow * state.row(1);
-            state.row(1) *= step.slow_by_slow;
+            // Most rows are as far apart as those before, up to the rounding of their times.
+            constexpr double rounding = 1e-9;
+            const double h = segment.time_s[k] - segment.time_s[k - 1];
+            if (std::abs(h - step_s) > rounding * step_s) {
+                step = step_of(noise, h);
+                step_s = h;
+            }
+            walk += step.walk_by_slow * slow;
+            slow *= step.slow_by_slow;
             p_walk +=
                 2 * step.walk_by_slow * p_cross + step.walk_by_slow * step.walk_by_slow * p_slow;
             p_cross = step.slow_by_slow * (p_cross + step.walk_by_slow * p_slow);
@@ -85,21 +144,23 @@ void add_white(const FitSegment& segment, bool own_start, const SeriesNoise& noi
             row[0] = 1;
         }
         row.tail(segment.rows.cols()) = segment.rows.row(at);
-        row -= state.row(0) + sees_slow * state.row(1);
+        row -= walk + sees_slow * slow;
         const double seen_walk = p_walk + sees_slow * p_cross;
         const double seen_slow = p_cross + sees_slow * p_slow;
         const double white = noise.white / segment.count[at];
         const double variance = seen_walk + sees_slow * seen_slow + white;
-        normal.selfadjointView<Eigen::Lower>().rankUpdate(row.transpose(), 1 / variance);
-        sum.log_det += std::log(variance);
-        state.row(0) += seen_walk / variance * row;
-        state.row(1) += seen_slow / variance * row;
+        log_det.add(variance);
+        walk += seen_walk / variance * row;
+        slow += seen_slow / variance * row;
+        row *= 1 / std::sqrt(variance);
+        white_rows.add(row);
         p_walk = (p_walk * white + sees_slow * det) / variance;
         p_cross = (p_cross * white - sees_slow * det) / variance;
         p_slow = (p_slow * white + det) / variance;
         det *= white / variance;
     }
-    normal.triangularView<Eigen::StrictlyUpper>() = normal.transpose();
+    const Eigen::MatrixXd normal = white_rows.sum();
+    sum.log_det += log_det.value();
     sum.freedom += static_cast<double>(segment.time_s.size());
     if (own_start) {
         const double start = normal(0, 0);

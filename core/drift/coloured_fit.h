@@ -12,7 +12,8 @@ namespace vybeg {
 struct FitSegment {
     std::vector<double> time_s;  // rising
     Eigen::VectorXd count;       // samples of which each row is the mean
-    Eigen::MatrixXd rows;        // the regressors, and the measured value in the last column
+    // The regressors, and the measured value in the last column.
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows;
 };
 
 // Noise of a series: white noise of each sample, a walk, and a slow noise with the correlation
