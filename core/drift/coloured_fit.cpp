@@ -68,11 +68,12 @@ public:
     explicit RowSquares(Eigen::Index columns)
         : block_(block_rows, columns), sum_(Eigen::MatrixXd::Zero(columns, columns)) {}
 
-    void add(const Eigen::RowVectorXd& row) {
-        block_.row(filled_++) = row;
+    // Place of the next row, until the next call.
+    Eigen::Ref<Eigen::RowVectorXd> next() {
         if (filled_ == block_rows) {
             flush();
         }
+        return block_.row(filled_++);
     }
 
     Eigen::MatrixXd sum() {
@@ -107,7 +108,6 @@ void add_white(const FitSegment& segment, bool own_start, const SeriesNoise& noi
     LogSum log_det;
     Eigen::RowVectorXd walk = Eigen::RowVectorXd::Zero(columns);
     Eigen::RowVectorXd slow = Eigen::RowVectorXd::Zero(columns);
-    Eigen::RowVectorXd row(columns);
     Step step;
     double step_s = 0;
     double p_walk = 0;
@@ -140,6 +140,7 @@ void add_white(const FitSegment& segment, bool own_start, const SeriesNoise& noi
             p_slow += step.q_slow;
         }
         const auto at = static_cast<Eigen::Index>(k);
+        auto row = white_rows.next();
         if (own_start) {
             row[0] = 1;
         }
@@ -150,14 +151,14 @@ void add_white(const FitSegment& segment, bool own_start, const SeriesNoise& noi
         const double white = noise.white / segment.count[at];
         const double variance = seen_walk + sees_slow * seen_slow + white;
         log_det.add(variance);
-        walk += seen_walk / variance * row;
-        slow += seen_slow / variance * row;
-        row *= 1 / std::sqrt(variance);
-        white_rows.add(row);
-        p_walk = (p_walk * white + sees_slow * det) / variance;
-        p_cross = (p_cross * white - sees_slow * det) / variance;
-        p_slow = (p_slow * white + det) / variance;
-        det *= white / variance;
+        const double weight = 1 / variance;
+        walk += (seen_walk * weight) * row;
+        slow += (seen_slow * weight) * row;
+        row *= std::sqrt(weight);
+        p_walk = (p_walk * white + sees_slow * det) * weight;
+        p_cross = (p_cross * white - sees_slow * det) * weight;
+        p_slow = (p_slow * white + det) * weight;
+        det *= white * weight;
     }
     const Eigen::MatrixXd normal = white_rows.sum();
     sum.log_det += log_det.value();
