@@ -2,6 +2,8 @@
 
 #include "ui/document/document.h"
 
+#include <QWidget>
+
 class QComboBox;
 class QLabel;
 class QPushButton;
