@@ -179,9 +179,9 @@ private slots:
         QElapsedTimer timer;
         std::jthread canceller([&] {
             // The writer waits for the pipe's reader as soon as the pipe is full.
-            for (int unread = 0; unread < fcntl(reader, F_GETPIPE_SZ);) {
+            for (int waiting = 0; waiting < fcntl(reader, F_GETPIPE_SZ);) {
                 std::this_thread::yield();
-                ioctl(reader, FIONREAD, &unread);
+                ioctl(reader, FIONREAD, &waiting);
             }
             timer.start();
             stop.request_stop();
