@@ -27,7 +27,7 @@ namespace vybeg {
 // from window to window, half of the cubic phase on each side of exp(M h). The mean over a window
 // commutes with exp(M t): z0 is the start averaged over a window, and the linear model allows any
 // window length. What a drift of the frequency changes in that mean is in the phasors, but not in
-// the derivatives, which it changes by less than a thousandth.
+// the derivatives, which it changes by some thousandths at most.
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
