@@ -149,15 +149,18 @@ bool SetFit::is_white() const {
     return noise.noise().as_expected() && noise_claim(noise, at, job_).holds();
 }
 
-bool SetFit::explains() const {
+bool SetFit::has_usual_channels() const {
     constexpr double most_tolerances = 3;
     const Priors& priors = problem_.priors;
-    const auto is_usual = [&](const ChannelError& error) {
+    return std::ranges::all_of(channel_errors, [&](const ChannelError& error) {
         const double off = main_.p[error.parameter] - priors.mean[error.parameter];
         return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
-    };
+    });
+}
+
+bool SetFit::explains() const {
     return main_.finished() && !structured_refused_ && examination_.verdict == SetVerdict::fits &&
-           at_noise() && std::ranges::all_of(channel_errors, is_usual);
+           at_noise() && has_usual_channels();
 }
 
 ResonatorFit SetFit::described() const {
@@ -202,10 +205,11 @@ void SetFit::examine() {
         problem_, posterior(problem_, main_), fine_, scale_, Causes::without_lines, job_);
     const double dof = degrees_of_freedom(problem_);
     const double left = cause ? main_.chi2 - cause->fall : main_.chi2;
-    // One parameter that explains that much is no chance.
+    // One parameter that explains that much is no chance, unless channels nobody has go with it.
     constexpr double nearly_all = 0.05;
-    if (left < noise_bound(dof) * dof || (examination_.verdict == SetVerdict::refused &&
-                                          left - dof < nearly_all * (main_.chi2 - dof))) {
+    if (left < noise_bound(dof) * dof ||
+        (examination_.verdict == SetVerdict::refused && has_usual_channels() &&
+         left - dof < nearly_all * (main_.chi2 - dof))) {
         examination_ = agreeing_set(problem_, main_, options_.spread, job_);
     }
 }
