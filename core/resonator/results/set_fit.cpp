@@ -205,7 +205,8 @@ void SetFit::examine() {
         problem_, posterior(problem_, main_), fine_, scale_, Causes::without_lines, job_);
     const double dof = degrees_of_freedom(problem_);
     const double left = cause ? main_.chi2 - cause->fall : main_.chi2;
-    // One parameter that explains that much is no chance, unless channels nobody has go with it.
+    // One parameter that explains that much is no chance, unless it takes channels beyond their
+    // tolerances.
     constexpr double nearly_all = 0.05;
     if (left < noise_bound(dof) * dof ||
         (examination_.verdict == SetVerdict::refused && has_usual_channels() &&
