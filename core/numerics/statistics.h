@@ -59,6 +59,22 @@ struct Histogram {
 // width of a bin follows D. W. Scott (1979), with at most 201 bins. Empty without an sd above 0.
 Histogram histogram_of(std::span<const double> x, const Moments& moments);
 
+// Number of values that count as one, because what a fit leaves of them is correlated: the sum of
+// its autocorrelation up to its first zero, at least one. product(lag): the sum of the products of
+// values so far apart; `power`: that of the squares.
+template <class Product>
+double correlated_values(std::size_t count, double power, const Product& product) {
+    double sum = 1;
+    for (std::size_t lag = 1; lag < count / 4; ++lag) {
+        const double at = product(lag);
+        if (!(at > 0.1 * power)) {
+            break;
+        }
+        sum += 2 * at / power;
+    }
+    return sum;
+}
+
 // The straight line y = mean_y + slope (x - mean_x) of least squares.
 struct LineFit {
     double mean_x = 0;

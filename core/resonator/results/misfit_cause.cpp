@@ -1,6 +1,6 @@
 #include "core/resonator/results/misfit_cause.h"
 
-#include "core/numerics/fft.h"
+#include "core/numerics/spectral_density.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/results/channel_findings.h"
 
@@ -10,6 +10,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -121,18 +122,13 @@ public:
         if (places.empty() || places.back() > most_gaps * places.size()) {
             return;
         }
-        const Fft transform(std::bit_ceil(finer * (places.back() + 1)));
-        power_.resize(transform.size());
-        for (const Eigen::Index channel : {0, 1}) {
-            std::vector<Complex> left(transform.size());
-            for (std::size_t window = 0; window < places.size(); ++window) {
-                left[places[window]] = run.left[window][channel];
-            }
-            transform.forward(left);
-            for (std::size_t bin = 0; bin < left.size(); ++bin) {
-                power_[bin] += std::norm(left[bin]) / run.norm;
-            }
+        std::vector<Complex> c(std::bit_ceil(finer * (places.back() + 1)));
+        std::vector<Complex> d(c.size());
+        for (std::size_t window = 0; window < places.size(); ++window) {
+            c[places[window]] = run.left[window][0];
+            d[places[window]] = run.left[window][1];
         }
+        power_ = bin_powers(std::move(c), std::move(d));
     }
 
     double at(double f_hz) const {
@@ -142,7 +138,7 @@ public:
         const auto size = std::ssize(power_);
         const auto bin =
             std::lround((f_hz - run_.f_ref_hz) * run_.step_s * static_cast<double>(size)) % size;
-        return power_[static_cast<std::size_t>(bin < 0 ? bin + size : bin)];
+        return power_[static_cast<std::size_t>(bin < 0 ? bin + size : bin)] / run_.norm;
     }
 
 private:

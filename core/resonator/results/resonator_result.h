@@ -6,7 +6,7 @@
 #include "core/resonator/model/derived_quantities.h"
 #include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/reason.h"
-#include "core/resonator/noise/noise_shape.h"
+#include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/runs/decay.h"
 
 #include <array>
