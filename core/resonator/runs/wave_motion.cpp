@@ -18,7 +18,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -171,119 +170,103 @@ constexpr double regularisation = 1e-6;
 // of four windows and more) passes unchanged within 1e-6.
 class BetweenWindows {
 public:
-    static constexpr std::size_t reach = 8;   // windows on each side
-    static constexpr std::size_t parts = 16;  // of the way from a window to the next
+    static constexpr std::size_t reach = 8;  // windows on each side
 
-    BetweenWindows();
+    BetweenWindows() {
+        constexpr auto taps = static_cast<Index>(2 * reach);
+        Eigen::MatrixXd passed = Eigen::MatrixXd::Zero(2 * frequencies + taps, taps);
+        Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(passed.rows(), parts + 1);
+        for (Index k = 0; k < frequencies; ++k) {
+            const double turn = 2 * pi * band * (static_cast<double>(k) + 0.5) /
+                                static_cast<double>(frequencies);  // per window
+            const double mean = std::sin(turn / 2) / (turn / 2);
+            for (Index tap = 0; tap < taps; ++tap) {
+                const double off = static_cast<double>(tap) - (static_cast<double>(reach) - 1);
+                passed(2 * k, tap) = mean * std::cos(turn * off);
+                passed(2 * k + 1, tap) = mean * std::sin(turn * off);
+            }
+            for (Index part = 0; part <= static_cast<Index>(parts); ++part) {
+                const double off = static_cast<double>(part) / static_cast<double>(parts);
+                wanted(2 * k, part) = std::cos(turn * off);
+                wanted(2 * k + 1, part) = std::sin(turn * off);
+            }
+        }
+        passed.bottomRows(taps).diagonal().setConstant(regularisation *
+                                                       std::sqrt(static_cast<double>(frequencies)));
+        weights_ = passed.colPivHouseholderQr().solve(wanted).transpose();
+    }
 
     // The phasor `part` parts after the centre of the window before the last `reach` means.
-    std::complex<double> at(std::size_t part, std::span<const std::complex<double>> means) const;
+    Complex at(std::size_t part, std::span<const Complex> means) const {
+        Complex sum = 0;
+        for (std::size_t tap = 0; tap < 2 * reach; ++tap) {
+            sum += weights_(static_cast<Index>(part), static_cast<Index>(tap)) * means[tap];
+        }
+        return sum;
+    }
 
     // Phase from that centre to the next one, weighted by the power of both channels; summed over
     // steps so short that unequal modes are weighted by their power.
-    double phase(std::span<const std::complex<double>> c,
-                 std::span<const std::complex<double>> d) const;
+    double phase(std::span<const Complex> c, std::span<const Complex> d) const {
+        std::array<Complex, parts + 1> by_c;
+        std::array<Complex, parts + 1> by_d;
+        for (std::size_t part = 0; part <= parts; ++part) {
+            by_c[part] = at(part, c);
+            by_d[part] = at(part, d);
+        }
+        const auto sum = [&](std::size_t step) {
+            double phase = 0;
+            for (std::size_t part = 0; part < parts; part += step) {
+                phase += std::arg(std::conj(by_c[part]) * by_c[part + step] +
+                                  std::conj(by_d[part]) * by_d[part + step]);
+            }
+            return phase;
+        };
+        // A step weights unequal modes by their power, with an error of third order.
+        return (4 * sum(1) - sum(2)) / 3;
+    }
 
     // Noise gain at a centre, in units of a window's noise variance.
     double noise_gain() const { return weights_.row(0).squaredNorm(); }
 
 private:
+    static constexpr std::size_t parts = 16;  // of the way from a window to the next
+
     Eigen::MatrixXd weights_;  // a row for each part
 };
 
-BetweenWindows::BetweenWindows() {
-    constexpr auto taps = static_cast<Index>(2 * reach);
-    Eigen::MatrixXd passed = Eigen::MatrixXd::Zero(2 * frequencies + taps, taps);
-    Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(passed.rows(), parts + 1);
-    for (Index k = 0; k < frequencies; ++k) {
-        const double turn = 2 * pi * band * (static_cast<double>(k) + 0.5) /
-                            static_cast<double>(frequencies);  // per window
-        const double mean = std::sin(turn / 2) / (turn / 2);
-        for (Index tap = 0; tap < taps; ++tap) {
-            const double off = static_cast<double>(tap) - (static_cast<double>(reach) - 1);
-            passed(2 * k, tap) = mean * std::cos(turn * off);
-            passed(2 * k + 1, tap) = mean * std::sin(turn * off);
+// Of a fast beat: phasors, with enough consecutive windows on both sides, by interpolation. Returns
+// the phase from the window before to each of the list likewise; NaN near ends and gaps.
+std::vector<double> interpolate_beat(const PhasorRun& run, const std::vector<std::size_t>& windows,
+                                     Middles& z) {
+    constexpr std::size_t reach = BetweenWindows::reach;
+    const BetweenWindows between;
+    std::vector<double> phases(windows.size(), std::numeric_limits<double>::quiet_NaN());
+    std::size_t in_row = 0;  // consecutive windows up to this one
+    for (std::size_t last = 0; last < windows.size(); ++last) {
+        const bool follows =
+            last > 1 && in_a_row(run, windows[last - 2], windows[last - 1], windows[last]);
+        in_row = follows ? in_row + 1 : 2;
+        if (in_row < 2 * reach) {
+            continue;
         }
-        for (Index part = 0; part <= static_cast<Index>(parts); ++part) {
-            const double off = static_cast<double>(part) / static_cast<double>(parts);
-            wanted(2 * k, part) = std::cos(turn * off);
-            wanted(2 * k + 1, part) = std::sin(turn * off);
-        }
+        const std::size_t first = windows[last + 1 - 2 * reach];
+        const std::size_t k = last + 1 - reach;  // in the list, after the centre
+        const auto c = std::span(run.c).subspan(first, 2 * reach);
+        const auto d = std::span(run.d).subspan(first, 2 * reach);
+        phases[k] = between.phase(c, d);
+        z.c[windows[k - 1]] = between.at(0, c);
+        z.d[windows[k - 1]] = between.at(0, d);
+        z.noise_gain[windows[k - 1]] = between.noise_gain();
     }
-    passed.bottomRows(taps).diagonal().setConstant(regularisation *
-                                                   std::sqrt(static_cast<double>(frequencies)));
-    weights_ = passed.colPivHouseholderQr().solve(wanted).transpose();
+    return phases;
 }
-
-Complex BetweenWindows::at(std::size_t part, std::span<const Complex> means) const {
-    Complex sum = 0;
-    for (std::size_t tap = 0; tap < 2 * reach; ++tap) {
-        sum += weights_(static_cast<Index>(part), static_cast<Index>(tap)) * means[tap];
-    }
-    return sum;
-}
-
-double BetweenWindows::phase(std::span<const Complex> c, std::span<const Complex> d) const {
-    std::array<Complex, parts + 1> by_c;
-    std::array<Complex, parts + 1> by_d;
-    for (std::size_t part = 0; part <= parts; ++part) {
-        by_c[part] = at(part, c);
-        by_d[part] = at(part, d);
-    }
-    const auto sum = [&](std::size_t step) {
-        double phase = 0;
-        for (std::size_t part = 0; part < parts; part += step) {
-            phase += std::arg(std::conj(by_c[part]) * by_c[part + step] +
-                              std::conj(by_d[part]) * by_d[part + step]);
-        }
-        return phase;
-    };
-    // A step weights unequal modes by their power, with an error of third order.
-    return (4 * sum(1) - sum(2)) / 3;
-}
-
-// Windows of a fast beat: with enough consecutive windows on both sides, phasors and phase steps
-// follow by interpolation.
-class FastBeat {
-public:
-    FastBeat(const PhasorRun& run, const std::vector<std::size_t>& windows, Middles& z)
-        : phases_(windows.size(), std::numeric_limits<double>::quiet_NaN()) {
-        constexpr std::size_t reach = BetweenWindows::reach;
-        const BetweenWindows between;
-        std::size_t in_row = 0;  // consecutive windows up to this one
-        for (std::size_t last = 0; last < windows.size(); ++last) {
-            const bool follows =
-                last > 1 && in_a_row(run, windows[last - 2], windows[last - 1], windows[last]);
-            in_row = follows ? in_row + 1 : 2;
-            if (in_row < 2 * reach) {
-                continue;
-            }
-            const std::size_t first = windows[last + 1 - 2 * reach];
-            const std::size_t k = last + 1 - reach;  // in the list, after the centre
-            const auto means = [first](const std::vector<Complex>& all) {
-                return std::span(all).subspan(first, 2 * reach);
-            };
-            phases_[k] = between.phase(means(run.c), means(run.d));
-            z.c[windows[k - 1]] = between.at(0, means(run.c));
-            z.d[windows[k - 1]] = between.at(0, means(run.d));
-            z.noise_gain[windows[k - 1]] = between.noise_gain();
-        }
-    }
-
-    // From the window before the i-th of the list to it; NaN near ends and gaps.
-    double phase(std::size_t i) const { return phases_[i]; }
-
-private:
-    std::vector<double> phases_;
-};
 
 Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
     const double rate = usual_rate(run, windows);
     Middles z = middles_of(run, windows);
-    std::optional<FastBeat> beat;
-    if (beats_fast(run, windows, rate)) {
-        beat.emplace(run, windows, z);
-    }
+    const std::vector<double> of_beat =
+        beats_fast(run, windows, rate) ? interpolate_beat(run, windows, z) : std::vector<double>{};
     Motion motion;
     double phase = 0;
     double two_theta = 0;
@@ -298,8 +281,8 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
             const double beyond = std::arg(product(z, windows[i - 1], k) * std::polar(1.0, -usual));
             phase += usual + (part == own ? beyond : 0);
         }
-        if (beat && i > 0 && !std::isnan(beat->phase(i))) {
-            phase = motion.phase.value.back() + beat->phase(i);
+        if (!of_beat.empty() && i > 0 && !std::isnan(of_beat[i])) {
+            phase = motion.phase.value.back() + of_beat[i];
         } else if (i > 1 && in_a_row(run, windows[i - 2], windows[i - 1], k)) {
             // A step underestimates the mean rate of unequal modes by a term of third order; a
             // double step shows that term eightfold.
