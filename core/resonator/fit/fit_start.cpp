@@ -50,8 +50,7 @@ void set_still_wave(const FitProblem& problem, std::size_t index, Eigen::VectorX
                             -2 * pi * f * (run.time_s[k] - run.reference_s)) *
                  run.z[k];
     }
-    const Eigen::Index at = problem.layout.at(index, 0);
-    p.segment<5>(at) << start[0].real(), start[0].imag(), start[1].real(), start[1].imag(), f;
+    p.segment<5>(problem.layout.at(index, 0)) << real_parts(start), f;
 }
 
 std::size_t longest(const FitProblem& problem) {

@@ -473,8 +473,7 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
         const auto left = at.residual.segment<4>(4 * k);
         // Noise of both channels is alike in the frame of the whitened channels.
         const Vector2cd y = run.whitening * run.z[window];
-        const Vector2cd z =
-            y - Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])) / weight;
+        const Vector2cd z = y - of_real_parts(left) / weight;
         const double size = z.norm();
         const Vector2cd u = z / size;
         const Vector2cd v(-std::conj(u[1]), std::conj(u[0]));
@@ -491,8 +490,7 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
         out.noise[point] += share * usual_sd * weight;
         for (std::size_t s = 0; s < 4; ++s) {
             out.residual[s][point] += keeps_noise * residual[s];
-            const Eigen::RowVector4d row(axis[s][0].real(), axis[s][0].imag(), axis[s][1].real(),
-                                         axis[s][1].imag());
+            const Eigen::RowVector4d row = real_parts(axis[s]).transpose();
             const Eigen::RowVectorXd by = row * at.by_parameter.middleRows<4>(4 * k);
             out.by_parameter[s].row(point) += keeps_noise * by(column_of);
         }

@@ -69,8 +69,7 @@ std::vector<DampedResidual> damped_residuals(const FitProblem& problem, const Po
             const double size =
                 run.weight[window] * std::exp(-std::abs(at.p[decay_at]) * run.time_s[window]);
             const auto left = at.runs[k].residual.segment<4>(4 * static_cast<Index>(window));
-            damped.left.push_back(size *
-                                  Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])));
+            damped.left.push_back(size * of_real_parts(left));
             damped.norm += size * size;
         }
         all.push_back(std::move(damped));

@@ -113,12 +113,10 @@ ScaledRun transformed(ScaledRun run, const Eigen::Matrix2d& of_channels) {
     return run;
 }
 
-ScaledRun exchanged(const ScaledRun& run) {
-    return transformed(run, Eigen::Matrix2d{{0, 1}, {1, 0}});
-}
-
-ScaledRun with_sign(const ScaledRun& run) {
-    return transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}});
+// The run with its channels exchanged, and with the other sign of D.
+std::array<std::pair<ForeignCause, ScaledRun>, 2> with_other_channels(const ScaledRun& run) {
+    return {{{ForeignCause::exchanged, transformed(run, Eigen::Matrix2d{{0, 1}, {1, 0}})},
+             {ForeignCause::sign, transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}})}}};
 }
 
 // How far the runs of a fit disagree with `noise`, the variance of each run's noise in units of
@@ -202,9 +200,7 @@ private:
             return false;
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
-            for (const auto& [cause, run] :
-                 {std::pair{ForeignCause::exchanged, exchanged(problem_.runs[k])},
-                  {ForeignCause::sign, with_sign(problem_.runs[k])}}) {
+            for (const auto& [cause, run] : with_other_channels(problem_.runs[k])) {
                 std::vector<ScaledRun> runs(problem_.runs.begin(), problem_.runs.end());
                 runs[k] = run;
                 const PartFit turned =
@@ -371,8 +367,7 @@ private:
                 out.cause = cause;
             }
         };
-        for (const auto& [cause, turned] : {std::pair{ForeignCause::exchanged, exchanged(run)},
-                                            {ForeignCause::sign, with_sign(run)}}) {
+        for (const auto& [cause, turned] : with_other_channels(run)) {
             const PartFit alone = part_fit(problem_, joint_, std::array{k}, {turned}, job_);
             consider(predicted(k, turned, alone.fit, {}).beyond, cause);
         }
