@@ -19,17 +19,9 @@ VectorXd shared_precision(const FitProblem& problem, const std::vector<Index>& a
     return problem.priors.sd(active).cwiseAbs2().cwiseInverse();
 }
 
-// Unit vectors of a positive matrix, without zeros.
-VectorXd unit_of(const MatrixXd& matrix) {
-    return matrix.diagonal()
-        .cwiseMax(std::numeric_limits<double>::min())
-        .cwiseSqrt()
-        .cwiseInverse();
-}
-
 // Inverse of a positive matrix; directions below `least` of the largest are left out.
 MatrixXd positive_inverse(const MatrixXd& matrix, double least) {
-    const VectorXd unit = unit_of(matrix);
+    const VectorXd unit = to_unit_diagonal(matrix);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
         MatrixXd(unit.asDiagonal() * matrix * unit.asDiagonal()));
     const VectorXd& values = eigen.eigenvalues();
@@ -252,7 +244,7 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
             return shared_normal(problem, found.p, active, runs, deviation, &sd);
         };
         const auto likelihood = [&](const SharedNormal& sum, const Eigen::Vector3d& sd) {
-            const VectorXd unit = unit_of(sum.matrix);
+            const VectorXd unit = to_unit_diagonal(sum.matrix);
             const Eigen::LDLT<MatrixXd> solver(unit.asDiagonal() * sum.matrix * unit.asDiagonal());
             const VectorXd right = unit.cwiseProduct(sum.right);
             const double log_determinant =

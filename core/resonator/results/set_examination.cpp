@@ -78,16 +78,14 @@ std::vector<std::size_t> all_but(std::size_t count, std::size_t out) {
 
 // The variance of a run's noise in units of that of its windows, by its own fit: what it misses
 // itself is a matter of its model and noise, not of the set.
-double own_noise(const PartFit& alone, const JobControl& job) {
+double own_noise(const PartFit& alone, const Posterior& at, const JobControl& job) {
     const double ratio = alone.fit.chi2 / degrees_of_freedom(alone.problem);
-    return std::max(std::isfinite(ratio) ? ratio : 1.0,
-                    widening(alone.problem, posterior(alone.problem, alone.fit), job));
+    return std::max(std::isfinite(ratio) ? ratio : 1.0, widening(alone.problem, at, job));
 }
 
 // What a run alone shows of the rates: the logarithm of their volume under the priors over that
 // after the fit.
-double known_by(const PartFit& alone) {
-    const Posterior at = posterior(alone.problem, alone.fit);
+double known_by(const Posterior& at) {
     double sum = 0;
     for (std::size_t k = 0; k < at.active.size() && at.active[k] < rate_count; ++k) {
         const auto row = static_cast<Index>(k);
@@ -147,8 +145,9 @@ public:
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
             alone_.push_back(part_fit(problem_, joint_, std::array{k}, job_));
-            noise_[k] = own_noise(alone_.back(), job_);
-            known_.push_back(known_by(alone_.back()));
+            const Posterior at = posterior(alone_.back().problem, alone_.back().fit);
+            noise_[k] = own_noise(alone_.back(), at, job_);
+            known_.push_back(known_by(at));
         }
         if (job_.cancelled()) {
             return out;
