@@ -1,6 +1,6 @@
 #include "core/sweep/neighbour_scatter.h"
 
-#include "core/estimators/wave/precision_bound.h"
+#include "core/estimators/wave/wave_formulas.h"
 #include "core/numerics/statistics.h"
 
 #include <algorithm>

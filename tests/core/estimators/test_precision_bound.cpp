@@ -1,4 +1,4 @@
-#include "core/estimators/wave/precision_bound.h"
+#include "core/estimators/wave/wave_formulas.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 
