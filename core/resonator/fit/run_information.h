@@ -23,8 +23,6 @@ inline constexpr int deviation_count = 3;
 struct RunInformation {
     Eigen::MatrixXd information;
     Eigen::VectorXd toward;
-
-    Eigen::Index shared() const { return toward.size() - deviation_count; }
 };
 
 // The active ones among the shared parameters.
