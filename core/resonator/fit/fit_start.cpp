@@ -54,11 +54,7 @@ void set_still_wave(const FitProblem& problem, std::size_t index, Eigen::VectorX
 }
 
 std::size_t longest(const FitProblem& problem) {
-    std::size_t most = 0;
-    for (const ScaledRun& run : problem.runs) {
-        most = std::max(most, run.size());
-    }
-    return most;
+    return std::ranges::max_element(problem.runs, {}, &ScaledRun::size)->size();
 }
 
 // Number of residuals of the first `windows` windows of each run.

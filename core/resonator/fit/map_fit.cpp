@@ -260,11 +260,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
 }
 
 double longest_s(const FitProblem& problem) {
-    double longest = 0;
-    for (const ScaledRun& run : problem.runs) {
-        longest = std::max(longest, run.duration_s);
-    }
-    return longest;
+    return std::ranges::max_element(problem.runs, {}, &ScaledRun::duration_s)->duration_s;
 }
 
 double degrees_of_freedom(const FitProblem& problem) {
