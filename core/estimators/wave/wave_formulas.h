@@ -173,21 +173,21 @@ VYBEG_INLINED inline PrecisionOf<Real> unit_precision(const PhasorParts<Real>& z
             sd(z.c_im * by_c2, -z.c_re * by_c2, -z.d_im * by_d2, z.d_re * by_d2)};
 }
 
+// The same for white noise of the phasors and of the frequency; `hertz`: of one rad per sample.
+inline WaveErrors errors_of(const PrecisionOf<double>& unit, double phasors, double frequency,
+                            double hertz) {
+    return {{phasors * unit.sd.a_A, phasors * unit.sd.a_B, phasors * unit.sd.two_theta_A,
+             phasors * unit.sd.alpha},
+            frequency * unit.w * hertz,
+            phasors * unit.delta_phi_CD};
+}
+
 // The same for a window of n samples at f_hz and noise of noise_sd recording units.
-struct Precision {
-    WaveState sd;
-    double sd_f_hz = 0;
-    double sd_delta_phi_CD = 0;
-};
-inline Precision precision_bound(const Phasors& phasors, double f_hz, double rate_hz,
-                                 std::int64_t n, double noise_sd) {
+inline WaveErrors precision_bound(const Phasors& phasors, double f_hz, double rate_hz,
+                                  std::int64_t n, double noise_sd) {
     const double hertz = rate_hz / (2 * std::numbers::pi);
-    const PrecisionOf<double> unit =
-        unit_precision(parts_of(phasors), window_kernel(n, f_hz / hertz));
-    return {{noise_sd * unit.sd.a_A, noise_sd * unit.sd.a_B, noise_sd * unit.sd.two_theta_A,
-             noise_sd * unit.sd.alpha},
-            noise_sd * unit.w * hertz,
-            noise_sd * unit.delta_phi_CD};
+    return errors_of(unit_precision(parts_of(phasors), window_kernel(n, f_hz / hertz)), noise_sd,
+                     noise_sd, hertz);
 }
 
 }  // namespace vybeg
