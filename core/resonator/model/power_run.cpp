@@ -3,11 +3,9 @@
 #include "core/numerics/statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <span>
 #include <utility>
 
 namespace vybeg {
@@ -20,8 +18,6 @@ struct Powers {
     double s = 0;
     double q = 0;
 };
-
-constexpr std::array columns{&Powers::time_s, &Powers::e, &Powers::r, &Powers::s, &Powers::q};
 
 // Means of `merged` rows each.
 std::vector<Powers> rows_of(const PowerRun& run, std::size_t most) {
@@ -37,13 +33,16 @@ std::vector<Powers> rows_of(const PowerRun& run, std::size_t most) {
     std::vector<Powers> rows;
     for (std::size_t first = 0; merged > 0 && first + merged <= good.size(); first += merged) {
         Powers mean;
-        for (double Powers::*column : columns) {
-            for (std::size_t k = first; k < first + merged; ++k) {
-                mean.*column += good[k].*column;
-            }
-            mean.*column /= static_cast<double>(merged);
+        for (std::size_t k = first; k < first + merged; ++k) {
+            mean.time_s += good[k].time_s;
+            mean.e += good[k].e;
+            mean.r += good[k].r;
+            mean.s += good[k].s;
+            mean.q += good[k].q;
         }
-        rows.push_back(mean);
+        const auto count = static_cast<double>(merged);
+        rows.push_back(
+            {mean.time_s / count, mean.e / count, mean.r / count, mean.s / count, mean.q / count});
     }
     return rows;
 }
@@ -137,7 +136,7 @@ PhasorRun phasors_without_phase(const PowerRun& powers, std::size_t most) {
         }
         if (k > 2) {
             // Third differences of white noise have twenty times its variance.
-            for (double Powers::*power : std::span(columns).subspan(1)) {
+            for (const double Powers::*power : {&Powers::e, &Powers::r, &Powers::s, &Powers::q}) {
                 const double third = rows[k].*power - 3 * rows[k - 1].*power +
                                      3 * rows[k - 2].*power - rows[k - 3].*power;
                 square += third * third / 80;
