@@ -427,17 +427,8 @@ private:
     std::vector<Candidate> phase_;
 };
 
-}  // namespace
-
-Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
-    const Eigen::VectorXd scale =
-        shape.of_phase ? Eigen::VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
-                                                              static_cast<double>(run.size.size())))
-                       : run.noise;
-    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
-           scale.asDiagonal();
-}
-
+// The series of a run, `merge` consecutive windows averaged into one; a remainder at the end is
+// ignored. Averages keep unit white noise and reduce correlated noise.
 ResidualSeries residual_series(const FitProblem& problem, const Posterior& posterior,
                                std::size_t index, std::size_t merge) {
     const ScaledRun& run = problem.runs[index];
@@ -496,6 +487,17 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
         }
     }
     return out;
+}
+
+}  // namespace
+
+Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
+    const Eigen::VectorXd scale =
+        shape.of_phase ? Eigen::VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
+                                                              static_cast<double>(run.size.size())))
+                       : run.noise;
+    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
+           scale.asDiagonal();
 }
 
 NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posterior,

@@ -64,11 +64,6 @@ struct ResidualSeries {
 // The covariance of a part of the noise in a run's series, in units of their white noise.
 Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run);
 
-// The series of a run, `merge` consecutive windows averaged into one; a remainder at the end is
-// ignored. Averages keep unit white noise and reduce correlated noise.
-ResidualSeries residual_series(const FitProblem& problem, const Posterior& posterior,
-                               std::size_t run, std::size_t merge);
-
 // Noise of the residual by restricted maximum likelihood: the part absorbed by the fit is projected
 // out (FIT section 4). A line of one of eight widths common to all series, and a line or 1/f in the
 // phase only, are each included if they raise the logarithm of the likelihood by four.

@@ -21,6 +21,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Sets of fewer runs do not show whether they belong together: free parameters absorb what differs.
+constexpr std::size_t least_to_show = 4;
 // Chi^2 between the first suspect and the next; by which an exchange has to lower it.
 constexpr double margin = 12;
 // Chi^2 above that of its own fit up to which a run counts as brought back.

@@ -40,9 +40,6 @@ struct SetExamination {
     bool agrees() const { return verdict == SetVerdict::fits || verdict == SetVerdict::spread; }
 };
 
-// Sets of fewer runs do not show whether they belong together: free parameters absorb what differs.
-inline constexpr std::size_t least_to_show = 4;
-
 // `joint`: the fit of `problem`. A set whose runs agree takes one look at the information of each;
 // otherwise each run is fitted alone, and the set without each of the four that disagree most.
 // `spread`: of FitOptions, for sets that agree.

@@ -391,6 +391,7 @@ PhasorRun clear_windows(const PhasorRun& run) {
     return merge_windows(run, static_cast<std::size_t>(count / together));
 }
 
+// Without deviations, which are then NaN, at a fraction of the cost.
 WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobControl& job) {
     const PhasorRun run = clear_windows(windows);
     const Motion motion = motion_without_outliers(run, job);
@@ -449,10 +450,6 @@ WaveMotion wave_motion(const PhasorRun& run, const JobControl& job) {
     return motion_with(run, true, job);
 }
 
-WaveMotion wave_values(const PhasorRun& run, const JobControl& job) {
-    return motion_with(run, false, job);
-}
-
 WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
                        const JobControl& job) {
     WaveMotion found = wave_motion(run, job);
@@ -462,7 +459,7 @@ WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
         if (size == 0 || job.cancelled()) {
             continue;
         }
-        const WaveMotion moved = wave_values(with_error(run, error.tolerance, size), job);
+        const WaveMotion moved = motion_with(with_error(run, error.tolerance, size), false, job);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const double change = (moved.*numbers[k]).value - (found.*numbers[k]).value;
             variance[k] += std::isfinite(change) ? change * change : 0;
