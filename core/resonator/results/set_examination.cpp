@@ -119,12 +119,6 @@ std::array<std::pair<ForeignCause, ScaledRun>, 2> with_other_channels(const Scal
              {ForeignCause::sign, transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}})}}};
 }
 
-// How far the runs of a fit disagree with `noise`, the variance of each run's noise in units of
-// that of its windows.
-double disagree(const FitProblem& problem, const VectorXd& p, const std::vector<double>& noise) {
-    return disagreement(problem, p, run_information(problem, p, noise));
-}
-
 class Examination {
 public:
     Examination(const FitProblem& problem, const MapFit& joint, std::optional<double> spread,
@@ -142,7 +136,7 @@ public:
         if (!possible()) {
             return out;
         }
-        if (runs_agree(problem_, joint_)) {
+        if (runs_agree(problem_, joint_.p)) {
             return agreeing();
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
@@ -155,7 +149,7 @@ public:
             return out;
         }
         out.own_noise = std::ranges::max(noise_);
-        if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
+        if (runs_agree(problem_, joint_.p, noise_)) {
             return agreeing();
         }
         if (structured_) {
@@ -207,8 +201,7 @@ private:
                 const PartFit turned =
                     part_fit(problem_, joint_, all_of(count_), std::move(runs), job_, joint_.cost);
                 const double fall = joint_.cost - turned.fit.cost;
-                if (fall > margin &&
-                    disagree(turned.problem, turned.fit.p, noise_) < most_disagreement) {
+                if (fall > margin && runs_agree(turned.problem, turned.fit.p, noise_)) {
                     out.foreign.push_back(k);
                     out.cause = cause;
                 }
@@ -222,8 +215,7 @@ private:
     std::vector<std::size_t> suspects() const {
         std::vector<std::size_t> order = all_of(count_);
         if (count_ > most_trials) {
-            const std::vector<double> falls =
-                falls_without(problem_, joint_.p, run_information(problem_, joint_.p, noise_));
+            const std::vector<double> falls = falls_without(problem_, joint_.p, noise_);
             std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
                 return falls[a] > falls[b];  // NaN before none
             });
@@ -284,7 +276,7 @@ private:
             std::vector<double> noise = noise_;
             noise.erase(noise.begin() + static_cast<std::ptrdiff_t>(k));
             const PartFit& rest = rest_.emplace(k, without(k)).first->second;
-            if (count_ == 2 || disagree(rest.problem, rest.fit.p, noise) < most_disagreement) {
+            if (count_ == 2 || runs_agree(rest.problem, rest.fit.p, noise)) {
                 fitting.push_back({k, rest.fit.cost + alone_[k].fit.cost});
             }
         }
@@ -452,11 +444,6 @@ MessageArg cause_words(const SetExamination& examination) {
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job) {
     return Examination(problem, joint, spread, job).made();
-}
-
-bool runs_agree(const FitProblem& problem, const MapFit& joint) {
-    return disagree(problem, joint.p, std::vector<double>(problem.runs.size(), 1)) <
-           most_disagreement;
 }
 
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,

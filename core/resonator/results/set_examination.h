@@ -46,9 +46,6 @@ struct SetExamination {
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job);
 
-// Whether the runs of the fit agree within the noise of their windows.
-bool runs_agree(const FitProblem& problem, const MapFit& joint);
-
 // Result for a set whose misfit has a cause that all runs share.
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
                             std::optional<double> spread, const JobControl& job);

@@ -322,7 +322,7 @@ MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::Vector
 bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_priors) {
     const bool opened = problem_.priors.sd[cubic_at] > plain_priors.sd[cubic_at];
     if (!opened || scaled_.size() < 2 || task_.options.model == FitOptions::Model::free ||
-        runs_agree(problem_, set_.fit)) {
+        runs_agree(problem_, set_.fit.p)) {
         return false;
     }
     const MapFit with = std::exchange(set_.fit, plain);
