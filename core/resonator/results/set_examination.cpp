@@ -113,10 +113,23 @@ ScaledRun transformed(ScaledRun run, const Eigen::Matrix2d& of_channels) {
     return run;
 }
 
-// The run with its channels exchanged, and with the other sign of D.
-std::array<std::pair<ForeignCause, ScaledRun>, 2> with_other_channels(const ScaledRun& run) {
-    return {{{ForeignCause::exchanged, transformed(run, Eigen::Matrix2d{{0, 1}, {1, 0}})},
-             {ForeignCause::sign, transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}})}}};
+// The run with its channels exchanged, and with the other sign of D, each with its words.
+std::array<std::pair<const char*, ScaledRun>, 2> with_other_channels(const ScaledRun& run) {
+    return {{{VYBEG_MESSAGE("Words", "the channels C and D of %1 are exchanged"),
+              transformed(run, Eigen::Matrix2d{{0, 1}, {1, 0}})},
+             {VYBEG_MESSAGE("Words", "the sign of channel D of %1 is reversed"),
+              transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}})}}};
+}
+
+// Words for a run whose decay rate is not that of the others.
+MessageArg decay_words(const MessageArg& run, double its, double theirs) {
+    if (!(its > 0.1 * theirs)) {
+        return words(
+            VYBEG_MESSAGE("Words", "%1 hardly decays, the decay time of the others is %2 s"),
+            {run, number_arg(1 / theirs, 3)});
+    }
+    return words(VYBEG_MESSAGE("Words", "the decay time of %1 is %2 s, that of the others %3 s"),
+                 {run, number_arg(1 / its, 4), number_arg(1 / theirs, 4)});
 }
 
 class Examination {
@@ -203,7 +216,7 @@ private:
                 const double fall = joint_.cost - turned.fit.cost;
                 if (fall > margin && runs_agree(turned.problem, turned.fit.p, noise_)) {
                     out.foreign.push_back(k);
-                    out.cause = cause;
+                    out.cause = words(cause, {recording_arg(out.foreign.front())});
                 }
             }
         }
@@ -354,37 +367,38 @@ private:
         const double plain = predicted(k, run, own, {}).beyond;
         const double enough = std::min(brought_back, plain - margin);
         double best = enough;
-        const auto consider = [&](double beyond, ForeignCause cause) {
+        const MessageArg name = recording_arg(k);
+        out.cause = words(VYBEG_MESSAGE("Words", "more than one number of %1 differs"), {name});
+        const auto consider = [&](double beyond, MessageArg cause) {
             if (beyond < best) {
                 best = beyond;
-                out.cause = cause;
+                out.cause = std::move(cause);
             }
         };
         for (const auto& [cause, turned] : with_other_channels(run)) {
             const PartFit alone = part_fit(problem_, joint_, std::array{k}, {turned}, job_);
-            consider(predicted(k, turned, alone.fit, {}).beyond, cause);
+            consider(predicted(k, turned, alone.fit, {}).beyond, words(cause, {name}));
         }
-        if (out.cause != ForeignCause::unknown || problem_.priors.sd[free_rotation_at] != 0) {
+        if (best < enough || !structured_) {
             return;
         }
         // A parameter of its own: each of them costs one.
+        const VectorXd& others = rest_.at(k).fit.p;
         const Prediction kappa = predicted(k, run, own, {kappa_at});
         const Prediction decay = predicted(k, run, own, {decay_at});
         const Prediction split = predicted(k, run, own, {split_cos_at, split_sin_at});
         const Prediction turn = predicted(k, run, own, {rotation_at});
         best = brought_back;
-        consider(kappa.beyond, ForeignCause::kappa);
-        consider(decay.beyond, ForeignCause::decay);
-        consider(split.beyond, ForeignCause::split);
-        consider(turn.beyond, ForeignCause::turn);
-        const PartFit& others = rest_.at(k);
-        if (out.cause == ForeignCause::kappa) {
-            out.its_value = kappa.p[kappa_at] / others.fit.p[kappa_at];
-            out.their_value = 1;
-        } else if (out.cause == ForeignCause::decay) {
-            out.its_value = decay.p[decay_at];
-            out.their_value = others.fit.p[decay_at];
-        }
+        consider(
+            kappa.beyond,
+            words(VYBEG_MESSAGE("Words", "the gain ratio of %1 is %2 times that of the others"),
+                  {name, number_arg(kappa.p[kappa_at] / others[kappa_at], 4)}));
+        consider(decay.beyond, decay_words(name, decay.p[decay_at], others[decay_at]));
+        consider(split.beyond,
+                 words(VYBEG_MESSAGE("Words", "the split or the stiffness axis of %1 is another"),
+                       {name}));
+        consider(turn.beyond,
+                 words(VYBEG_MESSAGE("Words", "the wave of %1 turns at another rate"), {name}));
     }
 
     const FitProblem& problem_;
@@ -406,37 +420,6 @@ MessageArg either(const std::vector<std::size_t>& runs) {
         list = words(VYBEG_MESSAGE("Words", "%1 or %2"), {list, recording_arg(runs[k])});
     }
     return list;
-}
-
-MessageArg cause_words(const SetExamination& examination) {
-    const MessageArg run = recording_arg(examination.foreign.front());
-    switch (examination.cause) {
-        case ForeignCause::exchanged:
-            return words(VYBEG_MESSAGE("Words", "the channels C and D of %1 are exchanged"), {run});
-        case ForeignCause::sign:
-            return words(VYBEG_MESSAGE("Words", "the sign of channel D of %1 is reversed"), {run});
-        case ForeignCause::kappa:
-            return words(
-                VYBEG_MESSAGE("Words", "the gain ratio of %1 is %2 times that of the others"),
-                {run, number_arg(examination.its_value, 4)});
-        case ForeignCause::decay:
-            if (!(examination.its_value > 0.1 * examination.their_value)) {
-                return words(VYBEG_MESSAGE(
-                                 "Words", "%1 hardly decays, the decay time of the others is %2 s"),
-                             {run, number_arg(1 / examination.their_value, 3)});
-            }
-            return words(
-                VYBEG_MESSAGE("Words", "the decay time of %1 is %2 s, that of the others %3 s"),
-                {run, number_arg(1 / examination.its_value, 4),
-                 number_arg(1 / examination.their_value, 4)});
-        case ForeignCause::split:
-            return words(VYBEG_MESSAGE("Words", "the split or the stiffness axis of %1 is another"),
-                         {run});
-        case ForeignCause::turn:
-            return words(VYBEG_MESSAGE("Words", "the wave of %1 turns at another rate"), {run});
-        case ForeignCause::unknown: break;
-    }
-    return words(VYBEG_MESSAGE("Words", "more than one number of %1 differs"), {run});
 }
 
 }  // namespace
@@ -471,7 +454,7 @@ void add_findings(const SetExamination& examination, bool assumed, ResonatorFit&
         case SetVerdict::several:
             add(examination.verdict == SetVerdict::foreign ? DiagnosticKind::foreign_recording
                                                            : DiagnosticKind::foreign_among,
-                {either(examination.foreign), cause_words(examination)});
+                {either(examination.foreign), examination.cause});
             break;
     }
 }

@@ -20,16 +20,12 @@ enum class SetVerdict {
     refused   // no single run makes the difference
 };
 
-// What makes a foreign run one of the set again, and which of its numbers disagrees otherwise.
-enum class ForeignCause { unknown, exchanged, sign, kappa, decay, split, turn };
-
 struct SetExamination {
     SetVerdict verdict = SetVerdict::fits;
-    std::vector<std::size_t> foreign;            // the suspects, the likeliest first
-    double cost = 0;                             // of the others and the likeliest, each alone
-    ForeignCause cause = ForeignCause::unknown;  // of the likeliest
-    double its_value = 0;                        // of kappa (over that of the set) or of 1/tau
-    double their_value = 0;
+    std::vector<std::size_t> foreign;  // the suspects, the likeliest first
+    double cost = 0;                   // of the others and the likeliest, each alone
+    // What makes the likeliest one of the set again, or which of its numbers disagrees: words.
+    MessageArg cause;
     std::vector<RunDeviation> deviation;  // of each run; of verdict `spread`
     Eigen::VectorXd p;                    // likewise: the set's parameters
     RunDeviation spread;                  // sd of the deviations; of small sets, too
