@@ -169,7 +169,7 @@ private:
         } else if (ratio > 1 + scatter) {
             at.data *= ratio;
         }
-        if (!claim.holds()) {
+        if (!claim.holds) {
             at.data += claim.difference * claim.difference.transpose();
             if (!cause) {
                 fit_.warnings.push_back({DiagnosticKind::motion_not_model, {}});
@@ -247,7 +247,7 @@ private:
             return;
         }
         const double factor = std::numbers::pi * f_hz;
-        const Estimate tau = decay_time(envelope.per_s, sd, sd);
+        const Estimate tau = decay_time({envelope.per_s, sd, {}, sd});
         q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
         // A gain of D that drifts changes the envelope alone.
         const double by_channel = set_.tolerance.gain_drift / problem_.runs[run].duration_s;

@@ -164,11 +164,8 @@ private:
     }
 
     Estimate decay_time_of(Index decay, const Reason& reason) const {
-        if (unseen(decay, derived_share)) {
-            return {.reason = reason};
-        }
-        const Estimate rate = number(decay);
-        return decay_time(rate.value, rate.sd, rate.u);
+        return unseen(decay, derived_share) ? Estimate{.reason = reason}
+                                            : decay_time(number(decay));
     }
 
     // Whether the decay only reflects an undetermined anisotropy: no run shows the anisotropy, and

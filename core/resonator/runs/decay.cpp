@@ -137,12 +137,13 @@ double correlation_time(const LogAmplitude& series, const Vector3d& law) {
 
 }  // namespace
 
-Estimate decay_time(double per_s, double sd, double u) {
+Estimate decay_time(const Estimate& rate) {
     constexpr double given_from = 5;
     constexpr double limit = 2;
-    const double width = u > sd ? u : sd;
+    const double per_s = rate.value;
+    const double width = rate.uncertainty();
     if (per_s >= given_from * width) {
-        return {1 / per_s, sd / (per_s * per_s), {}, u / (per_s * per_s)};
+        return {1 / per_s, rate.sd / (per_s * per_s), {}, rate.u / (per_s * per_s)};
     }
     const double fastest = per_s + limit * width;
     if (fastest <= 0) {

@@ -412,8 +412,7 @@ WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobContr
         deviations ? mean_rates(series, inflation_of(run), job) : mean_slopes(series);
     found.f_hz = {run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi, {}};
     found.decay_per_s = {-rates[1].value, rates[1].sd, {}};
-    found.tau_s =
-        decay_time(-rates[1].value, rates[1].sd, std::numeric_limits<double>::quiet_NaN());
+    found.tau_s = decay_time(found.decay_per_s);
     const Estimate none{.reason = {ReasonCode::circular_wave, {}}};
     found.theta_rate_rad_s =
         circular || motion.branch_lost ? none : Estimate{rates[2].value, rates[2].sd, {}};
@@ -469,9 +468,8 @@ WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
         Estimate& number = found.*numbers[k];
         number.u = std::sqrt(number.sd * number.sd + variance[k]);
     }
-    const Estimate& decay = found.decay_per_s;
-    if (decay.given()) {
-        found.tau_s = decay_time(decay.value, decay.sd, decay.u);
+    if (found.decay_per_s.given()) {
+        found.tau_s = decay_time(found.decay_per_s);
     }
     return found;
 }
