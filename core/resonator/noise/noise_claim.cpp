@@ -45,10 +45,10 @@ MatrixXd in_root(const MatrixXd& by_parameter, const MatrixXd& root) {
 std::vector<ClaimedSeries> claimed_series(const NoiseEstimate& noise, const Posterior& posterior,
                                           const JobControl& job) {
     std::vector<ClaimedSeries> all;
-    for (const ResidualSeries& run : noise.series()) {
+    for (const ResidualSeries& run : noise.series) {
         const Index n = run.size.size();
         std::array<MatrixXd, 2> parts;  // common, of the phase
-        for (const ResidualNoise::Part& part : noise.noise().parts) {
+        for (const ResidualNoise::Part& part : noise.parts) {
             if (job.cancelled()) {
                 return all;
             }

@@ -504,23 +504,24 @@ NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posteri
                              const JobControl& job) {
     for (std::size_t k = 0; k < problem.runs.size() && !job.cancelled(); ++k) {
         const std::size_t merge = (problem.runs[k].size() + most_points - 1) / most_points;
-        series_.push_back(residual_series(problem, posterior, k, merge));
+        series.push_back(residual_series(problem, posterior, k, merge));
     }
     if (!job.cancelled()) {
-        noise_ = Search(series_, posterior, longest_s(problem), job).find();
+        static_cast<ResidualNoise&>(*this) =
+            Search(series, posterior, longest_s(problem), job).find();
     }
 }
 
 MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
-    if (noise_.as_expected()) {
+    if (as_expected()) {
         return posterior.data;
     }
     const Index size = posterior.covariance.rows();
     MatrixXd sum = MatrixXd::Zero(size, size);
-    for (const ResidualSeries& run : series_) {
+    for (const ResidualSeries& run : series) {
         MatrixXd common = MatrixXd::Zero(run.size.size(), run.size.size());
         MatrixXd of_phase = common;
-        for (const ResidualNoise::Part& part : noise_.parts) {
+        for (const ResidualNoise::Part& part : parts) {
             (part.shape.of_phase ? of_phase : common) +=
                 part.variance * part_covariance(part.shape, run);
         }

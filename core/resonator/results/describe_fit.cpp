@@ -161,9 +161,9 @@ private:
             }
         }
         const NoiseEstimate noise(problem_, at, job_);
-        fit_.noise = noise.noise();
+        fit_.noise = noise;
         const NoiseClaim claim = noise_claim(noise, at, job_);
-        if (!noise.noise().white()) {
+        if (!noise.white()) {
             at.data = noise.covariance(at);
             set_.split_needs = vector_needs_coloured;
         } else if (ratio > 1 + scatter) {
@@ -174,13 +174,13 @@ private:
             if (!cause) {
                 fit_.warnings.push_back({DiagnosticKind::motion_not_model, {}});
             }
-        } else if (!noise.noise().white()) {
-            const bool evident = noise.noise().rise > evident_rise;
+        } else if (!noise.white()) {
+            const bool evident = noise.rise > evident_rise;
             if (evident) {
                 fit_.warnings.push_back(
                     {DiagnosticKind::residual_coloured, {number_arg(ratio, 3)}});
             }
-            if (evident && noise.noise().narrowest) {
+            if (evident && noise.narrowest) {
                 fit_.warnings.push_back(
                     {DiagnosticKind::noise_too_narrow, {number_arg(0.2 / longest_s(problem_), 2)}});
             }

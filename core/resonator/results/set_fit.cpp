@@ -138,7 +138,7 @@ bool SetFit::is_white() const {
     }
     const Posterior at = posterior(problem_, set_.fit);
     const NoiseEstimate noise(problem_, at, task_.job);
-    return noise.noise().as_expected() && noise_claim(noise, at, task_.job).holds;
+    return noise.as_expected() && noise_claim(noise, at, task_.job).holds;
 }
 
 bool SetFit::explains() const {
@@ -195,7 +195,7 @@ void SetFit::examine() {
 bool SetFit::is_noise() const {
     const Posterior at = posterior(problem_, set_.fit);
     const NoiseEstimate noise(problem_, at, task_.job);
-    return !noise.noise().white() && noise_claim(noise, at, task_.job).holds;
+    return !noise.white() && noise_claim(noise, at, task_.job).holds;
 }
 
 void SetFit::find_main() {
