@@ -363,8 +363,8 @@ Descent descend(const Window& window, const FrequencyBracket& bracket,
                     std::clamp(start.w, bracket.low + edge, bracket.high - edge)};
     const double tolerance = descent_tolerance(at[4], length);
     const double spread = window_kernel(length, at[4]).spread;
-    const auto ended = [&](int steps, bool converged) {
-        return Descent{{{at[0], at[1], at[2], at[3]}, at[4]}, steps, converged};
+    const auto ended = [&at](bool converged) {
+        return Descent{{{at[0], at[1], at[2], at[3]}, at[4]}, converged};
     };
     WaveFunctional<double> f = functional_at(window, at);
     Preconditioner<double> scale(at, n, spread, 1);
@@ -378,7 +378,7 @@ Descent descend(const Window& window, const FrequencyBracket& bracket,
         const Five<double> scaled = scale.apply(f.gradient);
         // g.M^-1.g / n is the mean squared change of the samples by the remaining steps.
         if (dot(f.gradient, scaled) <= tolerance * tolerance * power_of(at) * n) {
-            return ended(steps, is_positive(f.hessian));
+            return ended(is_positive(f.hessian));
         }
         const DescentWay<double> way = next_way(f, scaled, direction);
         direction = way.direction;
@@ -402,12 +402,12 @@ Descent descend(const Window& window, const FrequencyBracket& bracket,
         if (halving < most_halvings) {
             since_restart = (since_restart + 1) % descent_restart;
         } else if (since_restart == 0) {
-            return ended(steps, false);
+            return ended(false);
         } else {
             since_restart = 0;
         }
     }
-    return ended(most_steps, false);
+    return ended(false);
 }
 
 std::unique_ptr<Estimator> make_estimator(Algorithm algorithm, const EstimatorOptions& options) {

@@ -12,7 +12,6 @@ WaveState in_phase_start(const Window& window, double w);
 
 struct Descent {
     WaveParameters parameters;
-    int steps = 0;
     bool converged = false;  // the gradient vanishes, to rounding, at a minimum inside the bracket
 };
 

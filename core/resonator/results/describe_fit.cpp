@@ -155,7 +155,7 @@ private:
         const double scatter = residual_scatter * std::sqrt(2 / dof);
         std::optional<MisfitCause> cause;
         if (ratio > 1 + scatter) {
-            cause = misfit_cause(problem_, at, set_.fine, set_.scale, Causes::all, job_);
+            cause = misfit_cause(set_, at, Causes::all, job_);
             if (cause) {
                 fit_.warnings.push_back(cause->diagnostic);
             }

@@ -127,7 +127,7 @@ std::vector<FittedBreak> SetFit::unexplained_breaks() const {
     const bool settles = settling > fall && set_.fit.chi2 - settling <
                                                 std::max(noise_bound(dof) * dof, set_.fit.chi2 / 5);
     const std::optional<MisfitCause> smooth =
-        misfit_cause(problem_, at, set_.fine, set_.scale, Causes::without_lines, task_.job);
+        misfit_cause(set_, at, Causes::without_lines, task_.job);
     const bool bends = smooth && smooth->fall > fall - close;
     return settles || bends ? std::vector<FittedBreak>{} : likely;
 }
@@ -180,8 +180,7 @@ void SetFit::examine() {
         return;
     }
     const std::optional<MisfitCause> cause =
-        misfit_cause(problem_, posterior(problem_, set_.fit), set_.fine, set_.scale,
-                     Causes::without_lines, task_.job);
+        misfit_cause(set_, posterior(problem_, set_.fit), Causes::without_lines, task_.job);
     const double dof = degrees_of_freedom(problem_);
     const double left = cause ? set_.fit.chi2 - cause->fall : set_.fit.chi2;
     // One parameter that explains that much is no chance.
