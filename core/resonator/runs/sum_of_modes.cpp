@@ -40,7 +40,7 @@ Data data_of(const PhasorRun& run) {
     Complex steps = 0;
     for (std::size_t k = 1; k < run.time_s.size(); ++k) {
         if (run.time_s[k] - run.time_s[k - 1] < 1.5 * run.window_s) {
-            steps += std::conj(run.c[k - 1]) * run.c[k] + std::conj(run.d[k - 1]) * run.d[k];
+            steps += run.product(k - 1, k);
         }
     }
     data.step_s = run.window_s;

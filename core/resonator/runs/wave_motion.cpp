@@ -38,12 +38,6 @@ constexpr double outlier = 6;
 // the circular state turns by almost pi/2.
 constexpr double ambiguous_step = std::numbers::pi / 4;
 
-// z_j^H z_k: its angle is the phase from window j to window k.
-template <class Windows>
-Complex product(const Windows& run, std::size_t j, std::size_t k) {
-    return std::conj(run.c[j]) * run.c[k] + std::conj(run.d[j]) * run.d[k];
-}
-
 // Series of the listed windows, and the windows of the angle.
 struct Motion {
     RateSeries phase;      // rad
@@ -90,6 +84,11 @@ struct Middles {
     std::vector<Complex> c;
     std::vector<Complex> d;
     std::vector<double> noise_gain;  // in units of the variance of one window
+
+    // As PhasorRun.
+    Complex product(std::size_t j, std::size_t k) const {
+        return std::conj(c[j]) * c[k] + std::conj(d[j]) * d[k];
+    }
 };
 
 Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
@@ -122,7 +121,7 @@ double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, st
     const double power = run.power(k);
     const auto across = [&](std::size_t j) {
         return (run.c[k] * run.d[j] - run.d[k] * run.c[j]) *
-               std::polar(1.0, -std::arg(product(run, k, j)));
+               std::polar(1.0, -std::arg(run.product(k, j)));
     };
     const double variance = run.sd[k] * run.sd[k];
     const double noise = 2 * (run.sd[before] * run.sd[before] + run.sd[behind] * run.sd[behind]);
@@ -135,7 +134,7 @@ double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows)
     Complex sum = 0;
     for (std::size_t i = 1; i < windows.size(); ++i) {
         if (run.time_s[windows[i]] - run.time_s[windows[i - 1]] < 1.5 * run.window_s) {
-            sum += product(run, windows[i - 1], windows[i]);
+            sum += run.product(windows[i - 1], windows[i]);
         }
     }
     return std::arg(sum) / run.window_s;
@@ -278,7 +277,7 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
         if (i > 0) {
             // Relative to the usual rate, so that gaps are bridged with the right number of turns.
             const double usual = rate * (t - run.time_s[windows[i - 1]]);
-            const double beyond = std::arg(product(z, windows[i - 1], k) * std::polar(1.0, -usual));
+            const double beyond = std::arg(z.product(windows[i - 1], k) * std::polar(1.0, -usual));
             phase += usual + (part == own ? beyond : 0);
         }
         if (!of_beat.empty() && i > 0 && !std::isnan(of_beat[i])) {
@@ -287,8 +286,8 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
             // A step underestimates the mean rate of unequal modes by a term of third order; a
             // double step shows that term eightfold.
             phase +=
-                std::arg(product(z, windows[i - 2], windows[i - 1]) *
-                         product(z, windows[i - 1], k) * std::conj(product(z, windows[i - 2], k))) /
+                std::arg(z.product(windows[i - 2], windows[i - 1]) * z.product(windows[i - 1], k) *
+                         std::conj(z.product(windows[i - 2], k))) /
                 6;
         }
         const double power = std::norm(z.c[k]) + std::norm(z.d[k]);
