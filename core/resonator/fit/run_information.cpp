@@ -84,6 +84,7 @@ RunInformation reduced(const FitProblem& problem, std::size_t k, const VectorXd&
     return {rest.transpose() * rest / noise, rest.transpose() * residual / noise};
 }
 
+// Of each run at p.
 std::vector<RunInformation> run_information(const FitProblem& problem, const VectorXd& p,
                                             std::span<const double> noise) {
     const std::vector<Index> active = active_shared(problem);
@@ -162,6 +163,7 @@ double disagreement_of(const std::vector<VectorXd>& b, const std::vector<MatrixX
     return (std::cbrt(t / mean) - 1 + scatter) / std::sqrt(scatter);
 }
 
+// T of all runs at p as a normal deviate; zero where they gain nothing.
 double disagreement(const FitProblem& problem, const VectorXd& p,
                     std::span<const RunInformation> runs) {
     const std::vector<Index> active = active_shared(problem);
