@@ -19,6 +19,10 @@ constexpr double least_gain = 1e-5;
 // which only its phase asks for, as where the frequency settles.
 constexpr int straight_steps = 12;
 constexpr double probe = 0.1;  // share of a step at which its curvature is taken
+// Windows of a run on which a fit begins, where there are twice as many or more: its steps cost as
+// many times less, and lead to the same minimum but for the noise.
+constexpr std::size_t first_of_many = 500;
+constexpr int last_steps = 12;
 
 struct Cost {
     double data = 0;
@@ -98,6 +102,90 @@ Eigen::VectorXd curvature_along(const FitProblem& problem, const std::vector<Eig
         add_rows(layout, k, toward, sum);
     }
     return sum(active);
+}
+
+MapFit descend(const FitProblem& problem, const Eigen::VectorXd& start, int steps,
+               const JobControl& job, std::size_t windows) {
+    const std::vector<Eigen::Index> active = problem.priors.active();
+    const auto cost_at = [&](const Eigen::VectorXd& p) {
+        return p.allFinite() ? cost_of(problem, p, windows) : Cost{no_cost, no_cost};
+    };
+    MapFit fit{start};
+    Cost now = cost_of(problem, fit.p, windows);
+    double damping = first_damping;
+    for (int step = 0; step < steps && !fit.converged && !job.cancelled(); ++step) {
+        const std::vector<Linearised> runs =
+            linearised(problem, fit.p, problem.priors.sd[cubic_at] > 0, windows);
+        const NormalEquations normal = normal_of(problem, active, runs, fit.p);
+        // Unit diagonal, because the units of the parameters differ by many powers of ten.
+        const Eigen::VectorXd unit =
+            normal.matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
+        const Eigen::VectorXd inverse = unit.cwiseInverse();
+        const Eigen::MatrixXd scaled = inverse.asDiagonal() * normal.matrix * inverse.asDiagonal();
+        const Eigen::VectorXd right = inverse.asDiagonal() * normal.right;
+        double gain = 0;
+        while (damping <= most_damping && !job.cancelled()) {
+            Eigen::MatrixXd damped = scaled;
+            damped.diagonal().array() += damping;
+            const Eigen::LDLT<Eigen::MatrixXd> solver = damped.ldlt();
+            Eigen::VectorXd move = Eigen::VectorXd::Zero(fit.p.size());
+            move(active) = inverse.asDiagonal() * solver.solve(right);
+            Eigen::VectorXd moved = fit.p + move;
+            Cost then = cost_at(moved);
+            if (step >= straight_steps && problem.runs.size() > 1 && std::isfinite(then.all)) {
+                const Eigen::VectorXd bend =
+                    -0.5 * solver.solve(inverse.asDiagonal() *
+                                        curvature_along(problem, active, runs, fit.p, move));
+                if (bend.norm() < (unit.asDiagonal() * move(active)).norm()) {
+                    Eigen::VectorXd bent = moved;
+                    bent(active) += inverse.asDiagonal() * bend;
+                    if (const Cost there = cost_at(bent); there.all < then.all) {
+                        moved = bent;
+                        then = there;
+                    }
+                }
+            }
+            if (then.all <= now.all * (1 + 1e-9)) {
+                gain = now.all - then.all;
+                if (gain >= 0) {
+                    fit.p = moved;
+                    now = then;
+                }
+                break;
+            }
+            damping = std::max(10 * damping, 1e-7);
+        }
+        fit.last_gain = gain;
+        fit.converged = std::abs(gain) < least_gain * (1 + 1e-6 * now.all);
+        damping = std::max(damping / 30, least_damping);
+    }
+    fit.cost = now.all;
+    fit.chi2 = now.data;
+    return fit;
+}
+
+// Of the first `windows` windows of a run one block in `every`, and the last one, for the breaks:
+// neighbours, between which no phase is ambiguous. Their weights make up for those that are left
+// out.
+ScaledRun thinned(const ScaledRun& run, std::size_t every, std::size_t windows) {
+    constexpr std::size_t block = 4;
+    ScaledRun thin = run;
+    thin.time_s.clear();
+    thin.z.clear();
+    thin.weight.clear();
+    const std::size_t end = std::min(run.size(), windows);
+    for (std::size_t k = 0; k < end; ++k) {
+        if (k / block % every == 0 || k + 1 == end) {
+            thin.time_s.push_back(run.time_s[k]);
+            thin.z.push_back(run.z[k]);
+            thin.weight.push_back(run.weight[k]);
+        }
+    }
+    const double share = static_cast<double>(thin.size()) / static_cast<double>(end);
+    for (double& weight : thin.weight) {
+        weight /= std::sqrt(share);
+    }
+    return thin;
 }
 
 }  // namespace
@@ -201,62 +289,23 @@ Eigen::VectorXd to_unit_diagonal(const Eigen::MatrixXd& matrix) {
 
 MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int steps,
                 const JobControl& job, std::size_t windows) {
-    const std::vector<Eigen::Index> active = problem.priors.active();
-    const auto cost_at = [&](const Eigen::VectorXd& p) {
-        return p.allFinite() ? cost_of(problem, p, windows) : Cost{no_cost, no_cost};
-    };
-    MapFit fit{start};
-    Cost now = cost_of(problem, fit.p, windows);
-    double damping = first_damping;
-    for (int step = 0; step < steps && !fit.converged && !job.cancelled(); ++step) {
-        const std::vector<Linearised> runs =
-            linearised(problem, fit.p, problem.priors.sd[cubic_at] > 0, windows);
-        const NormalEquations normal = normal_of(problem, active, runs, fit.p);
-        // Unit diagonal, because the units of the parameters differ by many powers of ten.
-        const Eigen::VectorXd unit =
-            normal.matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
-        const Eigen::VectorXd inverse = unit.cwiseInverse();
-        const Eigen::MatrixXd scaled = inverse.asDiagonal() * normal.matrix * inverse.asDiagonal();
-        const Eigen::VectorXd right = inverse.asDiagonal() * normal.right;
-        double gain = 0;
-        while (damping <= most_damping && !job.cancelled()) {
-            Eigen::MatrixXd damped = scaled;
-            damped.diagonal().array() += damping;
-            const Eigen::LDLT<Eigen::MatrixXd> solver = damped.ldlt();
-            Eigen::VectorXd move = Eigen::VectorXd::Zero(fit.p.size());
-            move(active) = inverse.asDiagonal() * solver.solve(right);
-            Eigen::VectorXd moved = fit.p + move;
-            Cost then = cost_at(moved);
-            if (step >= straight_steps && problem.runs.size() > 1 && std::isfinite(then.all)) {
-                const Eigen::VectorXd bend =
-                    -0.5 * solver.solve(inverse.asDiagonal() *
-                                        curvature_along(problem, active, runs, fit.p, move));
-                if (bend.norm() < (unit.asDiagonal() * move(active)).norm()) {
-                    Eigen::VectorXd bent = moved;
-                    bent(active) += inverse.asDiagonal() * bend;
-                    if (const Cost there = cost_at(bent); there.all < then.all) {
-                        moved = bent;
-                        then = there;
-                    }
-                }
-            }
-            if (then.all <= now.all * (1 + 1e-9)) {
-                gain = now.all - then.all;
-                if (gain >= 0) {
-                    fit.p = moved;
-                    now = then;
-                }
-                break;
-            }
-            damping = std::max(10 * damping, 1e-7);
-        }
-        fit.last_gain = gain;
-        fit.converged = std::abs(gain) < least_gain * (1 + 1e-6 * now.all);
-        damping = std::max(damping / 30, least_damping);
+    std::size_t most = 0;
+    for (const ScaledRun& run : problem.runs) {
+        most = std::max(most, std::min(run.size(), windows));
     }
-    fit.cost = now.all;
-    fit.chi2 = now.data;
-    return fit;
+    const std::size_t every = most / first_of_many;
+    if (every < 2) {
+        return descend(problem, start, steps, job, windows);
+    }
+    std::vector<ScaledRun> runs;
+    for (const ScaledRun& run : problem.runs) {
+        runs.push_back(thinned(run, every, windows));
+    }
+    FitProblem thin = problem;
+    thin.runs = runs;
+    const MapFit near = descend(thin, start, steps, job, most);
+    return descend(problem, near.p, near.converged ? steps : std::min(steps, last_steps), job,
+                   windows);
 }
 
 double longest_s(const FitProblem& problem) {

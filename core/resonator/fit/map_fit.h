@@ -97,7 +97,8 @@ struct MapFit {
 // Levenberg and Marquardt from p, the normal matrix scaled to a unit diagonal, at most `steps` of
 // them; later steps are bent by the second derivative along them where that lowers the cost
 // (Transtrum and Sethna, arXiv:1201.5885). Ends when a step lowers the cost by less than 1e-5, a
-// three-hundredth of a standard deviation. `windows`: uses only as many first windows of each run.
+// three-hundredth of a standard deviation. With many windows it begins on some of them, and ends on
+// all. `windows`: uses only as many first windows of each run.
 // One thread, reproducible bits. A cancelled job ends it early. Precondition: the cost at p is
 // finite.
 MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& p, int steps,

@@ -99,7 +99,7 @@ class Judgement {
 public:
     Judgement(std::span<const PhasorRun> runs, const FitOptions& options, const JobControl& job,
               ResonatorFit& fit)
-        : options_(options), job_(job), fit_(fit) {
+        : options_(with_assumed(options)), job_(job), fit_(fit) {
         for (const PhasorRun& run : runs) {
             runs_.push_back(usable_windows(run));
             laws_.push_back(decay_law(runs_.back()));
@@ -349,7 +349,7 @@ private:
 
     std::vector<PhasorRun> runs_;
     std::vector<DecayLaw> laws_;
-    const FitOptions& options_;
+    FitOptions options_;  // what the usual errors of channels explain is no motion
     const JobControl& job_;
     ResonatorFit& fit_;
 };

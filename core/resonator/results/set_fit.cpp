@@ -50,6 +50,10 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
     return merged;
 }
 
+std::size_t number_of_windows(const PhasorRun& run) {
+    return run.time_s.size();
+}
+
 }  // namespace
 
 SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
@@ -346,29 +350,39 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
 
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const FitTask& task,
                                    Effort effort) {
-    const auto fit_of = [&](std::size_t windows, std::span<const Eigen::Matrix2d> by) {
-        return std::make_unique<SetFit>(merged(good, windows), good, by, task, effort);
-    };
-    std::unique_ptr<SetFit> set = fit_of(enough_windows, {});
-    NeededWindows needed = set->solve();
-    const std::vector<Eigen::Matrix2d> by = whitenings(set->motion(), good);
-    if (std::ranges::any_of(by, [](const auto& one) { return !one.isIdentity(0); })) {
-        set = fit_of(enough_windows, by);
-        needed = set->solve();
-    }
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
-    const double windows = std::min(std::max(needed.by_motion, needed.by_line), most_windows);
-    if (windows > static_cast<double>(enough_windows) && !task.job.cancelled()) {
-        std::unique_ptr<SetFit> finer = fit_of(static_cast<std::size_t>(windows) + 1, by);
-        finer->solve();
-        // A line may be a disturbance far from the carrier, which longer windows suppress.
-        if (needed.by_motion > static_cast<double>(enough_windows) ||
-            finer->explains_as_much_as(*set)) {
-            return finer;
+    std::unique_ptr<SetFit> set;
+    std::vector<Eigen::Matrix2d> whitenings;
+    NeededWindows needed;
+    const auto solve = [&](const std::vector<PhasorRun>& runs) {
+        set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
+        needed = set->solve();
+        // What a fit this far from the noise leaves does not show the noise.
+        if (!whitenings.empty() || set->chi2_per_dof() > hopeless) {
+            return;
         }
+        whitenings = vybeg::whitenings(set->motion(), good);
+        if (std::ranges::any_of(whitenings, [](const auto& one) { return !one.isIdentity(0); })) {
+            set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
+            needed = set->solve();
+        }
+    };
+    const std::vector<PhasorRun> runs = merged(good, enough_windows);
+    solve(runs);
+    const double windows = std::min(std::max(needed.by_motion, needed.by_line), most_windows);
+    if (!(windows > static_cast<double>(enough_windows)) || task.job.cancelled()) {
+        return set;
     }
-    return set;
+    const std::vector<PhasorRun> finer = merged(good, static_cast<std::size_t>(windows) + 1);
+    if (std::ranges::equal(runs, finer, {}, number_of_windows, number_of_windows)) {
+        return set;
+    }
+    // A line may be a disturbance far from the carrier, which longer windows suppress.
+    const bool by_motion = needed.by_motion > static_cast<double>(enough_windows);
+    std::unique_ptr<SetFit> coarse = std::move(set);
+    solve(finer);
+    return by_motion || set->explains_as_much_as(*coarse) ? std::move(set) : std::move(coarse);
 }
 
 }  // namespace vybeg
