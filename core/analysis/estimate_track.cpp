@@ -47,21 +47,21 @@ std::int64_t windows_of_chunk(const WindowPlan& plan) {
 void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& estimate,
               double rate_relative_sd) {
     const WaveState& state = estimate.state;
-    const WaveState& sd = estimate.sd;
+    const WaveErrors& sd = estimate.sd;
     track.time_s()[row] = time_s;
     track.put(row, SlowVariable::a_A, state.a_A, sd.a_A);
     track.put(row, SlowVariable::a_B, state.a_B, sd.a_B);
     track.put(row, SlowVariable::two_theta_A, state.two_theta_A, sd.two_theta_A);
     track.put(row, SlowVariable::alpha, state.alpha, sd.alpha);
-    track.put(row, SlowVariable::f, estimate.f_hz,
-              rate_relative_sd > 0 ? std::hypot(estimate.sd_f_hz, rate_relative_sd * estimate.f_hz)
-                                   : estimate.sd_f_hz);
-    track.put(row, SlowVariable::delta_phi_CD, estimate.delta_phi_CD, estimate.sd_delta_phi_CD);
+    track.put(
+        row, SlowVariable::f, estimate.f_hz,
+        rate_relative_sd > 0 ? std::hypot(sd.f_hz, rate_relative_sd * estimate.f_hz) : sd.f_hz);
+    track.put(row, SlowVariable::delta_phi_CD, estimate.delta_phi_CD, sd.delta_phi_CD);
     track.values(SlowVariable::noise)[row] = estimate.noise;
     track.values(SlowVariable::rms)[row] = estimate.rms;
     track.values(SlowVariable::orthogonality)[row] = estimate.orthogonality;
     track.flags()[row] = estimate.flags;
-    track.leakage_f_hz()[row] = estimate.leakage_f_hz;
+    track.leakage_f_hz()[row] = estimate.leakage.f_hz;
 }
 
 // A chunk of samples, the windows in it, and their rows once they are estimated.

@@ -15,7 +15,8 @@
 namespace vybeg {
 
 // Individual wave pattern of a gyro: resonator with covariance, motion of its waves, and sources.
-struct Passport {
+// Files of before have no runs.
+struct Passport : ResonatorNumbers {
     // Schema of its file. 2 adds the uncertainties u, modes_by and runs.
     static constexpr int schema = 2;
 
@@ -25,13 +26,8 @@ struct Passport {
     std::vector<std::pair<std::string, std::string>> conditions;  // columns of a list, those told
     std::vector<RecordingRef> inputs;                             // name and content
     std::vector<std::pair<std::string, std::string>> settings;    // name and value, as options
-    ResonatorModel model{};
-    ResonatorEstimate resonator;
-    std::vector<ModeEstimate> modes;
     // Order of the modes; empty: unknown, in an old file.
     std::optional<ModeOrder> mode_order = ModeOrder::frequency;
-    std::vector<RunEstimate> runs;  // one for each input; none in an old file
-    RawParameters raw;
     std::vector<RunTrack> tracks;  // one for each input
 };
 

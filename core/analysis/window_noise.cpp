@@ -268,7 +268,7 @@ double NoiseLevel::excess_of(std::span<const WaveEstimate> in_runs) const {
         add(0, a_A, middle.sd.a_A);
         add(1, a_B, middle.sd.a_B);
         add(2, angle, middle.sd.two_theta_A);
-        add(3, f, middle.sd_f_hz);
+        add(3, f, middle.sd.f_hz);
     }
     double largest = 1;
     for (std::vector<double>& of : squares) {

@@ -8,7 +8,7 @@
 #include "core/base/finding.h"
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "core/analysis/passport.h"
 #include "core/base/result.h"
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <filesystem>
 #include <string>

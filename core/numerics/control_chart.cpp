@@ -62,6 +62,14 @@ struct Scatter {
     double share = 1;
 };
 
+double mean_of(std::span<const double> z) {
+    double mean = 0;
+    for (const double each : z) {
+        mean += each / static_cast<double>(z.size());
+    }
+    return mean;
+}
+
 Scatter scatter_of(const Baseline& baseline) {
     const auto freedom = static_cast<double>(baseline.values.size() - 1);
     if (std::ranges::all_of(baseline.variances, [](double v) { return v > 0; })) {
@@ -70,10 +78,7 @@ Scatter scatter_of(const Baseline& baseline) {
             return {0, chi2 / freedom};
         }
     }
-    double mean = 0;
-    for (const double value : baseline.values) {
-        mean += value / static_cast<double>(baseline.values.size());
-    }
+    const double mean = mean_of(baseline.values);
     double squares = 0;
     for (const double value : baseline.values) {
         squares += (value - mean) * (value - mean);
@@ -105,14 +110,6 @@ Baseline baseline_of(std::span<const double> values, std::span<const double> u, 
         }
     }
     return baseline;
-}
-
-double mean_of(std::span<const double> z) {
-    double mean = 0;
-    for (const double each : z) {
-        mean += each / static_cast<double>(z.size());
-    }
-    return mean;
 }
 
 // Of z against the order: Student's t of its slope, with freedom z.size() - 2.

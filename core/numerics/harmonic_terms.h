@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/numerics/dense_solvers.h"
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -46,6 +48,15 @@ std::vector<Terms> term_integrals(std::span<const int> harmonics, std::span<cons
 // Whether an information matrix separates all terms: its least eigenvalue in units of the
 // information on the first one, a constant. Of a drift function six starts 15 degrees apart have
 // more; four starts 22.5 degrees apart do not show the eighth harmonic.
-bool separates_terms(const Eigen::MatrixXd& information);
+inline bool separates_terms(const Eigen::MatrixXd& information) {
+    constexpr double least_information = 0.02;
+    const double unit = information(0, 0);
+    if (!(unit > 0)) {
+        return false;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Eigen::MatrixXd(information / unit),
+                                                               Eigen::EigenvaluesOnly);
+    return eigen.eigenvalues()[0] >= least_information;
+}
 
 }  // namespace vybeg

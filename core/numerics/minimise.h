@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace vybeg {
 
@@ -16,5 +18,31 @@ struct Minimum {
 // epsilon) for a parabola of width `step`.
 Minimum minimise(const std::function<double(double)>& f, double low, double start, double high,
                  double step, double tolerance);
+
+struct DampedRules {
+    int steps = 0;  // at most
+    double least_damping = 0;
+    double most_damping = 0;  // beyond it no step lowers chi^2
+};
+
+// Levenberg's and Marquardt's steps: from `at` to the points trial(at, damping) that lower the
+// member chi2, until one lowers it by less than a millionth.
+template <class Point, class Trial>
+void descend_damped(Point& at, const DampedRules& rules, const Trial& trial) {
+    double damping = 1e-3;
+    for (int step = 0; step < rules.steps && damping <= rules.most_damping; ++step) {
+        Point next = trial(at, damping);
+        if (!(next.chi2 < at.chi2)) {
+            damping *= 10;
+            continue;
+        }
+        const bool done = at.chi2 - next.chi2 < 1e-6 * std::max(1.0, next.chi2);
+        at = std::move(next);
+        damping = std::max(damping / 10, rules.least_damping);
+        if (done) {
+            return;
+        }
+    }
+}
 
 }  // namespace vybeg

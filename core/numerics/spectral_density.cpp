@@ -48,6 +48,18 @@ void SpectralDensity::add_to(Densities& sums, std::span<const double> x,
     }
 }
 
+std::vector<double> bin_powers(std::vector<std::complex<double>> c,
+                               std::vector<std::complex<double>> d) {
+    const Fft transform(c.size());
+    transform.forward(c);
+    transform.forward(d);
+    std::vector<double> power(c.size());
+    for (std::size_t bin = 0; bin < power.size(); ++bin) {
+        power[bin] = std::norm(c[bin]) + std::norm(d[bin]);
+    }
+    return power;
+}
+
 std::vector<std::size_t> segments_of(std::size_t length, std::size_t segment) {
     std::vector<std::size_t> begins;
     if (length < segment) {

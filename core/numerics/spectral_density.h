@@ -38,6 +38,10 @@ private:
     std::vector<std::complex<double>> data_;
 };
 
+// Power of two complex signals together by frequency bin, unnormalised. Precondition: equal sizes.
+std::vector<double> bin_powers(std::vector<std::complex<double>> c,
+                               std::vector<std::complex<double>> d);
+
 // Begins of the segments that cover a run of `length` samples, with an overlap of half a segment at
 // most; none where the run is shorter than a segment.
 std::vector<std::size_t> segments_of(std::size_t length, std::size_t segment);

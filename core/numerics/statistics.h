@@ -59,14 +59,64 @@ struct Histogram {
 // width of a bin follows D. W. Scott (1979), with at most 201 bins. Empty without an sd above 0.
 Histogram histogram_of(std::span<const double> x, const Moments& moments);
 
+// Number of values that count as one, because what a fit leaves of them is correlated: the sum of
+// its autocorrelation up to its first zero, at least one. product(lag): the sum of the products of
+// values so far apart; `power`: that of the squares.
+template <class Product>
+double correlated_values(std::size_t count, double power, const Product& product) {
+    double sum = 1;
+    for (std::size_t lag = 1; lag < count / 4; ++lag) {
+        const double at = product(lag);
+        if (!(at > 0.1 * power)) {
+            break;
+        }
+        sum += 2 * at / power;
+    }
+    return sum;
+}
+
 // The straight line y = mean_y + slope (x - mean_x) of least squares.
 struct LineFit {
     double mean_x = 0;
     double mean_y = 0;
-    double slope = 0;  // units of y per unit of x; 0 where all x are the same
+    double slope = 0;   // units of y per unit of x
+    double weight = 0;  // sum of the weights
+    double spread = 0;  // sum of weight (x - mean_x)^2
 };
 
-// Pairs in which x or y is NaN do not count. Precondition: equal lengths, at least one valid pair.
+struct LinePoint {
+    double x = 0;
+    double y = 0;
+    double weight = 1;  // without one it does not count
+};
+
+// Of the points point(0) to point(count - 1).
+template <class Point>
+LineFit fit_line(std::size_t count, const Point& point) {
+    LineFit fit;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (const LinePoint at = point(k); at.weight > 0) {
+            fit.weight += at.weight;
+            fit.mean_x += at.weight * at.x;
+            fit.mean_y += at.weight * at.y;
+        }
+    }
+    fit.mean_x /= fit.weight;
+    fit.mean_y /= fit.weight;
+    double moment = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (const LinePoint at = point(k); at.weight > 0) {
+            const double x = at.x - fit.mean_x;
+            fit.spread += at.weight * x * x;
+            moment += at.weight * x * (at.y - fit.mean_y);
+        }
+    }
+    fit.slope = moment / fit.spread;
+    return fit;
+}
+
+// Pairs in which x or y is NaN do not count; slope 0 where all x are the same. Precondition: equal
+// lengths, at least one valid pair.
 LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
 }  // namespace vybeg

@@ -4,7 +4,7 @@
 #include "core/analysis/measurement_list.h"
 #include "core/base/error.h"
 #include "core/output/identify_json.h"
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <filesystem>
 #include <optional>

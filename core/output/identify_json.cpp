@@ -350,6 +350,7 @@ std::string identify_json(const SetResult& result) {
 Passport passport_of(const SetResult& result) {
     const Identification& identification = result.identification;
     Passport passport;
+    static_cast<ResonatorNumbers&>(passport) = identification.fit;
     passport.program = result.program;
     passport.gyro = gyro_of(result.set);
     passport.date = list_date_of(result.set);
@@ -360,12 +361,7 @@ Passport passport_of(const SetResult& result) {
     }
     passport.inputs = result.set.recordings;
     passport.settings = settings_list(identification.settings);
-    passport.model = identification.fit.model;
-    passport.resonator = identification.fit.resonator;
-    passport.modes = identification.fit.modes;
     passport.mode_order = identification.fit.mode_order;
-    passport.runs = identification.fit.runs;
-    passport.raw = identification.fit.raw;
     refer_to_recorded(identification.settings.signal.calibration.kappa, passport.raw);
     for (const IdentifiedRun& run : identification.runs) {
         passport.tracks.push_back(run.track);

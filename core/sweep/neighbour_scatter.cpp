@@ -1,6 +1,6 @@
 #include "core/sweep/neighbour_scatter.h"
 
-#include "core/estimators/wave/precision_bound.h"
+#include "core/estimators/wave/wave_formulas.h"
 #include "core/numerics/statistics.h"
 
 #include <algorithm>
@@ -124,10 +124,9 @@ void NeighbourScatter::judge_middle() {
     const Row& at = held_[middle];
     const double a_B = std::isnan(at.values[1]) ? 0 : at.values[1];  // algorithm 1 has none
     const WaveState state{at.values[0], a_B, at.values[2] + angle_zero_, at.alpha};
-    const Precision unit =
+    const WaveErrors unit =
         precision_bound(to_phasors(state), at.values[3], rate_hz_, plan_.length, 1);
-    const std::array bounds{unit.sd.a_A, unit.sd.a_B, unit.sd.two_theta_A, unit.sd_f_hz,
-                            unit.sd_delta_phi_CD};
+    const std::array bounds{unit.a_A, unit.a_B, unit.two_theta_A, unit.f_hz, unit.delta_phi_CD};
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {
         const double period =
             main_slow_variables[v] == SlowVariable::delta_phi_CD ? 2 * std::numbers::pi : 0;

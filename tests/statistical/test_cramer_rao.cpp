@@ -1,7 +1,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
-#include "core/estimators/wave/precision_bound.h"
+#include "core/estimators/wave/wave_formulas.h"
 #include "core/simulation/true_track.h"
 #include "core/track/track.h"
 #include "tests/closeness.h"
@@ -39,9 +39,9 @@ std::array<double, 5> exact_bound(const FreeDecay& wave, std::int64_t window) {
     constexpr int phases = 36;
     for (int k = 0; k < phases; ++k) {
         const WaveState state{wave.a_A, wave.a_B, wave.two_theta_A, k * std::numbers::pi / phases};
-        const Precision p =
+        const WaveErrors p =
             precision_bound(to_phasors(state), wave.f0_hz, wave.rate_hz, window, wave.noise);
-        const std::array sds{p.sd.a_A, p.sd.a_B, p.sd.two_theta_A, p.sd.alpha, p.sd_f_hz};
+        const std::array sds{p.a_A, p.a_B, p.two_theta_A, p.alpha, p.f_hz};
         for (std::size_t v = 0; v < 5; ++v) {
             variance[v] += sds[v] * sds[v] / phases;
         }

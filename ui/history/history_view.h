@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "ui/history/history_charts.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/resonator/parameter_text.h"

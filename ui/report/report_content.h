@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/drift/drift_settings.h"
 #include "core/recording/samples/recording.h"
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
 #include "ui/document/drift_store.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_file.h"
 #include "ui/values/recording_set.h"

@@ -2,7 +2,7 @@
 
 #include "core/analysis/measurement_list.h"
 #include "core/base/finding.h"
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "ui/values/recording_set.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/theme.h"

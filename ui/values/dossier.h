@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/describe.h"
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <QString>
 

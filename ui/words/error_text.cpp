@@ -140,7 +140,7 @@ QString reasonText(const Reason& reason) {
     // Core writes for terminals, too.
     return reason.code == ReasonCode::none
                ? QString()
-               : filled("Reason", reason_row(reason.code).sentence, reason.args)
+               : filled("Reason", message_row(reason.code).sentence, reason.args)
                      .replace(QLatin1String("theta_A"), QStringLiteral("θ_A"));
 }
 

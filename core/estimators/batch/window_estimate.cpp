@@ -3,6 +3,7 @@
 #include "core/estimators/batch/profile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,22 +25,18 @@ double reduced(double difference, double period) {
     return difference;
 }
 
-template <class Take>
-void for_each_deviation(WaveEstimate& estimate, Take take) {
-    take(estimate.leakage_f_hz, estimate.sd_f_hz);
-    take(estimate.leakage.a_A, estimate.sd.a_A);
-    take(estimate.leakage.a_B, estimate.sd.a_B);
-    take(estimate.leakage.two_theta_A, estimate.sd.two_theta_A);
-    take(estimate.leakage.alpha, estimate.sd.alpha);
-    take(estimate.leakage_delta_phi_CD, estimate.sd_delta_phi_CD);
-}
+constexpr std::array<double WaveErrors::*, 6> all_errors{
+    &WaveErrors::f_hz,        &WaveErrors::a_A,   &WaveErrors::a_B,
+    &WaveErrors::two_theta_A, &WaveErrors::alpha, &WaveErrors::delta_phi_CD};
 
 void add_leakage(WaveEstimate& estimate) {
     bool beyond = false;
-    for_each_deviation(estimate, [&beyond](double leakage, double& sd) {
+    for (double WaveErrors::*error : all_errors) {
+        const double leakage = estimate.leakage.*error;
+        double& sd = estimate.sd.*error;
         beyond = beyond || std::abs(leakage) > sd;
         sd = std::sqrt(sd * sd + leakage * leakage);
-    });
+    }
     estimate.flags = static_cast<Flags>(estimate.flags & ~static_cast<Flags>(Flag::leakage));
     if (beyond) {
         set(estimate.flags, Flag::leakage);
@@ -53,13 +50,13 @@ void add_leakage(WaveEstimate& estimate) {
 // difference exceeds its standard deviation.
 void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz) {
     // (2theta_A, alpha) and (2theta_A + pi, alpha + pi) are the same wave.
-    estimate.leakage_f_hz = estimate.f_hz - best.w / (2 * pi) * rate_hz;
-    estimate.leakage = {estimate.state.a_A - best.state.a_A, estimate.state.a_B - best.state.a_B,
-                        reduced(estimate.state.two_theta_A - best.state.two_theta_A, pi),
-                        reduced(estimate.state.alpha - best.state.alpha, pi)};
-    estimate.leakage_delta_phi_CD = reduced(estimate.delta_phi_CD - best.delta_phi_CD, 2 * pi);
+    estimate.leakage = {{estimate.state.a_A - best.state.a_A, estimate.state.a_B - best.state.a_B,
+                         reduced(estimate.state.two_theta_A - best.state.two_theta_A, pi),
+                         reduced(estimate.state.alpha - best.state.alpha, pi)},
+                        estimate.f_hz - best.w / (2 * pi) * rate_hz,
+                        reduced(estimate.delta_phi_CD - best.delta_phi_CD, 2 * pi)};
     if (has(estimate.flags, Flag::no_quadrature)) {
-        estimate.leakage.a_B = estimate.leakage_delta_phi_CD = 0;
+        estimate.leakage.a_B = estimate.leakage.delta_phi_CD = 0;
     }
     add_leakage(estimate);
 }
@@ -70,7 +67,7 @@ void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz) {
 void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n) {
     if (has(estimate.flags, Flag::no_quadrature)) {
         estimate.state.a_B = estimate.sd.a_B = nan;
-        estimate.delta_phi_CD = estimate.sd_delta_phi_CD = nan;
+        estimate.delta_phi_CD = estimate.sd.delta_phi_CD = nan;
         return;
     }
     // The smaller travelling wave, u+ or u-, has a standard deviation of sigma sqrt(4/n) in
@@ -98,7 +95,7 @@ Window window_of(const WindowBlock& block, std::size_t k) {
 
 WaveEstimate no_estimate(Flag flag) {
     const WaveState none{nan, nan, nan, nan};
-    WaveEstimate estimate{none, nan, nan, nan, nan, nan, nan, none, nan, nan, {}, nan, nan, 0};
+    WaveEstimate estimate{none, nan, nan, nan, nan, nan, nan, {none, nan, nan}, {{}, nan, nan}, 0};
     set(estimate.flags, flag);
     return estimate;
 }
@@ -108,10 +105,12 @@ void set_noise(WaveEstimate& estimate, double noise) {
     if (!(ratio > 0 && std::isfinite(ratio))) {
         return;  // no estimate, or one without noise
     }
-    const bool leaks = estimate.leakage_f_hz != 0;
-    for_each_deviation(estimate, [ratio, leaks](double leakage, double& sd) {
+    const bool leaks = estimate.leakage.f_hz != 0;
+    for (double WaveErrors::*error : all_errors) {
+        const double leakage = estimate.leakage.*error;
+        double& sd = estimate.sd.*error;
         sd = ratio * (leaks ? std::sqrt(std::max(sd * sd - leakage * leakage, 0.0)) : sd);
-    });
+    }
     if (leaks) {
         add_leakage(estimate);
     }
@@ -157,16 +156,12 @@ WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fi
     estimate.steady_noise = std::sqrt(fit.steady / steady_freedom(options.length));
     const EquivalentNoise noise =
         options.noise.value_or(EquivalentNoise{estimate.steady_noise, estimate.steady_noise});
-    const WaveState& unit = wave.unit_sd.sd;
     estimate.state = wave.state;
     estimate.f_hz = wave.w * hertz;
     estimate.delta_phi_CD = wave.delta_phi_CD;
     estimate.rms = std::sqrt(fit.residual / n);
     estimate.orthogonality = wave.orthogonality;
-    estimate.sd = {noise.phasors * unit.a_A, noise.phasors * unit.a_B,
-                   noise.phasors * unit.two_theta_A, noise.phasors * unit.alpha};
-    estimate.sd_f_hz = noise.frequency * wave.unit_sd.w * hertz;
-    estimate.sd_delta_phi_CD = noise.phasors * wave.unit_sd.delta_phi_CD;
+    estimate.sd = errors_of(wave.unit_sd, noise.phasors, noise.frequency, hertz);
     estimate.flags = fit.flags;
     if (fit.best) {
         add_leakage(estimate, *fit.best, options.rate_hz);

@@ -2,7 +2,7 @@
 
 #include "core/estimators/batch/taylor_window.h"
 #include "core/estimators/wave/estimator.h"
-#include "core/estimators/wave/precision_bound.h"
+#include "core/estimators/wave/wave_formulas.h"
 
 #include <algorithm>
 

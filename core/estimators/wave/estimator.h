@@ -102,13 +102,8 @@ struct WaveEstimate {
     // - 8 degrees of freedom: the deviations are those of this noise.
     double steady_noise = 0;
     double orthogonality = 0;  // <S_A S_B> / (<S_A^2> + <S_B^2>), the check of (30)
-    WaveState sd;              // one standard deviation each
-    double sd_f_hz = 0;
-    double sd_delta_phi_CD = 0;
-    // Algorithms 1 to 4: values less those of the best wave; 0 for 5 and 6.
-    WaveState leakage;
-    double leakage_f_hz = 0;
-    double leakage_delta_phi_CD = 0;
+    WaveErrors sd;             // one standard deviation each
+    WaveErrors leakage;  // algorithms 1 to 4: values less those of the best wave; 0 for 5 and 6
     Flags flags = 0;
 };
 

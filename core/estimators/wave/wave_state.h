@@ -25,6 +25,12 @@ struct WaveStateOf {
 };
 using WaveState = WaveStateOf<double>;
 
+// Errors of a wave and its frequency: standard deviations, or differences.
+struct WaveErrors : WaveState {
+    double f_hz = 0;
+    double delta_phi_CD = 0;  // rad
+};
+
 // The inversion of METHOD section 1. two_theta_A lies in (-pi/2, pi/2] and alpha in (-pi, pi],
 // chosen together. At a_A = |a_B| the angles are undefined; the caller checks the amplitudes.
 WaveState to_wave_state(const Phasors& phasors);

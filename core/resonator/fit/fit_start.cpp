@@ -1,5 +1,6 @@
 #include "core/resonator/fit/fit_start.h"
 
+#include "core/numerics/statistics.h"
 #include "core/resonator/fit/pencil_start.h"
 
 #include <algorithm>
@@ -27,26 +28,11 @@ constexpr double hopeless = 100;
 
 // 1/tau from the envelope: a straight line through log |z|, weighted with |z|.
 double envelope_decay(const ScaledRun& run) {
-    double weight = 0;
-    double mean_t = 0;
-    double mean = 0;
-    for (std::size_t k = 0; k < run.size(); ++k) {
+    const LineFit line = fit_line(run.size(), [&run](std::size_t k) {
         const double size = run.z[k].norm();
-        weight += size;
-        mean_t += size * run.time_s[k];
-        mean += size > 0 ? size * std::log(size) : 0;
-    }
-    mean_t /= weight;
-    mean /= weight;
-    double spread = 0;
-    double moment = 0;
-    for (std::size_t k = 0; k < run.size(); ++k) {
-        const double size = run.z[k].norm();
-        const double t = run.time_s[k] - mean_t;
-        spread += size * t * t;
-        moment += size > 0 ? size * t * (std::log(size) - mean) : 0;
-    }
-    return -moment / spread;
+        return LinePoint{run.time_s[k], std::log(size), size};
+    });
+    return -line.slope;
 }
 
 // Sets a still wave: frequency and start from the first windows.
@@ -64,16 +50,11 @@ void set_still_wave(const FitProblem& problem, std::size_t index, Eigen::VectorX
                             -2 * pi * f * (run.time_s[k] - run.reference_s)) *
                  run.z[k];
     }
-    const Eigen::Index at = problem.layout.at(index, 0);
-    p.segment<5>(at) << start[0].real(), start[0].imag(), start[1].real(), start[1].imag(), f;
+    p.segment<5>(problem.layout.at(index, 0)) << real_parts(start), f;
 }
 
 std::size_t longest(const FitProblem& problem) {
-    std::size_t most = 0;
-    for (const ScaledRun& run : problem.runs) {
-        most = std::max(most, run.size());
-    }
-    return most;
+    return std::ranges::max_element(problem.runs, {}, &ScaledRun::size)->size();
 }
 
 // Number of residuals of the first `windows` windows of each run.

@@ -102,9 +102,7 @@ Eigen::Matrix<double, 4, effect_columns> effects_on(const ScaledRun& run, const 
     Eigen::Matrix<double, 4, effect_columns> by;
     const Eigen::Vector2cd expected = expected_phasor(run, here, window);
     const auto put = [&](Index column, const Eigen::Vector2cd& change) {
-        const Eigen::Vector2cd weighted = run.weighted(window, change);
-        by.col(column) << weighted[0].real(), weighted[0].imag(), weighted[1].real(),
-            weighted[1].imag();
+        by.col(column) = real_parts(run.weighted(window, change));
     };
     put(phase_column, Complex(0, 1) * expected);
     put(gain_column, {expected[0], 0});

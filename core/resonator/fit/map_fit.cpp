@@ -54,12 +54,6 @@ Cost cost_of(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t wi
     return cost;
 }
 
-// Normal matrix and right-hand side of the active parameters.
-struct Normal {
-    Eigen::MatrixXd matrix;
-    Eigen::VectorXd right;
-};
-
 // J^T J, of which half is computed.
 Eigen::MatrixXd square_of(const Linearised& at) {
     const Eigen::Index columns = at.by_parameter.cols();
@@ -69,18 +63,10 @@ Eigen::MatrixXd square_of(const Linearised& at) {
     return square;
 }
 
-// `runs`: linearised at p.
-Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& active,
-                 std::span<const Linearised> runs, const Eigen::VectorXd& p) {
-    const ParameterLayout& layout = problem.layout;
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(p.size(), p.size());
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(p.size());
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const Linearised& at = runs[k];
-        add_symmetric(layout, k, square_of(at), matrix);
-        const Eigen::VectorXd toward = at.by_parameter.transpose() * at.residual;
-        add_rows(layout, k, toward, right);
-    }
+// Of the active parameters, with priors and held directions. `runs`: linearised at p.
+NormalEquations normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& active,
+                          std::span<const Linearised> runs, const Eigen::VectorXd& p) {
+    auto [matrix, right] = normal_equations(problem, runs);
     for (const Eigen::Index k : active) {
         const double weight = 1 / (problem.priors.sd[k] * problem.priors.sd[k]);
         matrix(k, k) += weight;
@@ -130,7 +116,7 @@ MapFit descend(const FitProblem& problem, const Eigen::VectorXd& start, int step
     for (int step = 0; step < steps && !fit.converged && !job.cancelled(); ++step) {
         const std::vector<Linearised> runs =
             linearised(problem, fit.p, problem.priors.sd[cubic_at] > 0, windows);
-        const Normal normal = normal_of(problem, active, runs, fit.p);
+        const NormalEquations normal = normal_of(problem, active, runs, fit.p);
         // Unit diagonal, because the units of the parameters differ by many powers of ten.
         const Eigen::VectorXd unit =
             normal.matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
@@ -282,12 +268,23 @@ std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::Vecto
     return runs;
 }
 
-Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearised> runs) {
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.layout.size(), problem.layout.size());
+NormalEquations normal_equations(const FitProblem& problem, std::span<const Linearised> runs) {
+    const Eigen::Index size = problem.layout.size();
+    NormalEquations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        add_symmetric(problem.layout, k, square_of(runs[k]), sum);
+        const Linearised& at = runs[k];
+        add_symmetric(problem.layout, k, square_of(at), sum.matrix);
+        const Eigen::VectorXd toward = at.by_parameter.transpose() * at.residual;
+        add_rows(problem.layout, k, toward, sum.right);
     }
     return sum;
+}
+
+Eigen::VectorXd to_unit_diagonal(const Eigen::MatrixXd& matrix) {
+    return matrix.diagonal()
+        .cwiseMax(std::numeric_limits<double>::min())
+        .cwiseSqrt()
+        .cwiseInverse();
 }
 
 MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int steps,
@@ -312,11 +309,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
 }
 
 double longest_s(const FitProblem& problem) {
-    double longest = 0;
-    for (const ScaledRun& run : problem.runs) {
-        longest = std::max(longest, run.duration_s);
-    }
-    return longest;
+    return std::ranges::max_element(problem.runs, {}, &ScaledRun::duration_s)->duration_s;
 }
 
 double degrees_of_freedom(const FitProblem& problem) {

@@ -71,8 +71,16 @@ std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::Vecto
                                    bool with_cubic,
                                    std::size_t windows = std::numeric_limits<std::size_t>::max());
 
-// The information matrix J^T J of all parameters, held ones too, from those derivatives.
-Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearised> runs);
+// J^T J and J^T r of the windows for all parameters, held ones too, from those derivatives.
+struct NormalEquations {
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd right;
+};
+NormalEquations normal_equations(const FitProblem& problem, std::span<const Linearised> runs);
+
+// Factors that give a positive matrix a unit diagonal: the units of its rows differ by many powers
+// of ten.
+Eigen::VectorXd to_unit_diagonal(const Eigen::MatrixXd& matrix);
 
 struct MapFit {
     Eigen::VectorXd p;

@@ -151,8 +151,7 @@ Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rat
             right += basis.adjoint() * (run.weight[k] * run.z[k]);
         }
         const Vector2cd start = normal.inverse() * right;
-        p.segment<5>(problem.layout.at(index, 0)) << start[0].real(), start[0].imag(),
-            start[1].real(), start[1].imag(), f;
+        p.segment<5>(problem.layout.at(index, 0)) << real_parts(start), f;
     }
     return p;
 }

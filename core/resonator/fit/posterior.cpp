@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace vybeg {
 namespace {
 
-// R with R R^T the inverse of a positive matrix whose rows have units that differ by many powers of
-// ten. Eigenvalues below 1e-14 of the matrix are raised to that value, so that the inverse is huge,
-// not infinite.
+// R with R R^T the inverse of a positive matrix. Eigenvalues below 1e-14 of the matrix are raised
+// to that value, so that the inverse is huge, not infinite.
 Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& matrix) {
-    const Eigen::VectorXd unit =
-        matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
+    const Eigen::VectorXd unit = to_unit_diagonal(matrix);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
         Eigen::MatrixXd(unit.asDiagonal() * matrix * unit.asDiagonal()));
     return unit.asDiagonal() * eigen.eigenvectors() *
@@ -44,16 +42,6 @@ Eigen::MatrixXd score_covariance(const FitProblem& problem, const Posterior& pos
             add_symmetric(problem.layout, k,
                           correlated_part(problem.runs[k], posterior.runs[k].by_parameter), sum);
         }
-    }
-    return sum;
-}
-
-// J^T r of all parameters.
-Eigen::VectorXd toward_residual(const FitProblem& problem, std::span<const Linearised> runs) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(problem.layout.size());
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const Eigen::VectorXd toward = runs[k].by_parameter.transpose() * runs[k].residual;
-        add_rows(problem.layout, k, toward, sum);
     }
     return sum;
 }
@@ -206,7 +194,8 @@ Posterior posterior(const FitProblem& problem, const MapFit& fit) {
     out.p = fit.p;
     out.active = problem.priors.active();
     out.runs = linearised(problem, fit.p, true);
-    out.information = information(problem, out.runs);
+    NormalEquations normal = normal_equations(problem, out.runs);
+    out.information = std::move(normal.matrix);
     const auto count = static_cast<Eigen::Index>(out.active.size());
     Eigen::VectorXd wide = Eigen::VectorXd::Zero(count);
     Eigen::VectorXd told = Eigen::VectorXd::Zero(count);
@@ -224,7 +213,7 @@ Posterior posterior(const FitProblem& problem, const MapFit& fit) {
     precision.diagonal() += wide + told;
     out.alone_sd = precision.diagonal().cwiseSqrt().cwiseInverse();
     out.root = inverse_root(precision);
-    out.toward = out.root.transpose() * toward_residual(problem, out.runs)(out.active);
+    out.toward = out.root.transpose() * normal.right(out.active);
     out.covariance = out.root * out.root.transpose();
     const auto in_root = [&out](const Eigen::MatrixXd& precise) {
         return Eigen::MatrixXd(out.root.transpose() * precise * out.root);

@@ -15,21 +15,23 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// The limit of disagreement() for runs that agree: exceeded by chance in one of 1500 sets.
+constexpr double most_disagreement = 3.2;
+
+// Information of a run on the active shared parameters and, after them, on its deviations, at one
+// point of the parameters; J^T r of its residual there. Both divided by the run's `noise`.
+struct RunInformation {
+    MatrixXd information;
+    VectorXd toward;
+};
+
 VectorXd shared_precision(const FitProblem& problem, const std::vector<Index>& active) {
     return problem.priors.sd(active).cwiseAbs2().cwiseInverse();
 }
 
-// Unit vectors of a positive matrix, without zeros.
-VectorXd unit_of(const MatrixXd& matrix) {
-    return matrix.diagonal()
-        .cwiseMax(std::numeric_limits<double>::min())
-        .cwiseSqrt()
-        .cwiseInverse();
-}
-
 // Inverse of a positive matrix; directions below `least` of the largest are left out.
 MatrixXd positive_inverse(const MatrixXd& matrix, double least) {
-    const VectorXd unit = unit_of(matrix);
+    const VectorXd unit = to_unit_diagonal(matrix);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
         MatrixXd(unit.asDiagonal() * matrix * unit.asDiagonal()));
     const VectorXd& values = eigen.eigenvalues();
@@ -80,6 +82,18 @@ RunInformation reduced(const FitProblem& problem, std::size_t k, const VectorXd&
     const MatrixXd q = qr.householderQ() * MatrixXd::Identity(rows + count, count);
     rest -= q * (q.transpose() * rest);
     return {rest.transpose() * rest / noise, rest.transpose() * residual / noise};
+}
+
+// Of each run at p.
+std::vector<RunInformation> run_information(const FitProblem& problem, const VectorXd& p,
+                                            std::span<const double> noise) {
+    const std::vector<Index> active = active_shared(problem);
+    std::vector<RunInformation> all;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        all.push_back(reduced(problem, k, p, active, own_of(problem.layout, p, k),
+                              noise.empty() ? 1 : noise[k]));
+    }
+    return all;
 }
 
 // Sum over the runs of the information on the shared parameters and its right-hand side, priors
@@ -149,6 +163,26 @@ double disagreement_of(const std::vector<VectorXd>& b, const std::vector<MatrixX
     return (std::cbrt(t / mean) - 1 + scatter) / std::sqrt(scatter);
 }
 
+// T of all runs at p as a normal deviate; zero where they gain nothing.
+double disagreement(const FitProblem& problem, const VectorXd& p,
+                    std::span<const RunInformation> runs) {
+    const std::vector<Index> active = active_shared(problem);
+    const VectorXd precision = shared_precision(problem, active);
+    const SharedNormal sum = shared_normal(problem, p, active, runs, {}, nullptr);
+    const MatrixXd covariance = positive_inverse(sum.matrix, 1e-15);
+    const VectorXd step = covariance * sum.right;
+    const Index n = precision.size();
+    std::vector<VectorXd> b;
+    std::vector<MatrixXd> a;
+    MatrixXd all(n * static_cast<Index>(runs.size()), n);
+    for (const RunInformation& run : runs) {
+        a.emplace_back(run.information.topLeftCorner(n, n));
+        b.emplace_back(run.toward.head(n) - a.back() * step);
+        all.middleRows(n * static_cast<Index>(a.size() - 1), n) = a.back();
+    }
+    return disagreement_of(b, a, precision, all * covariance * all.transpose());
+}
+
 std::vector<Eigen::Vector3d> deviations_of(std::span<const ScaledRun> runs) {
     std::vector<Eigen::Vector3d> all;
     for (const ScaledRun& run : runs) {
@@ -180,37 +214,13 @@ MatrixXd by_deviation(const ScaledRun& run, const Linearised& at, const VectorXd
     return by;
 }
 
-std::vector<RunInformation> run_information(const FitProblem& problem, const VectorXd& p,
-                                            std::span<const double> noise) {
-    const std::vector<Index> active = active_shared(problem);
-    std::vector<RunInformation> all;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        all.push_back(reduced(problem, k, p, active, own_of(problem.layout, p, k), noise[k]));
-    }
-    return all;
-}
-
-double disagreement(const FitProblem& problem, const VectorXd& p,
-                    std::span<const RunInformation> runs) {
-    const std::vector<Index> active = active_shared(problem);
-    const VectorXd precision = shared_precision(problem, active);
-    const SharedNormal sum = shared_normal(problem, p, active, runs, {}, nullptr);
-    const MatrixXd covariance = positive_inverse(sum.matrix, 1e-15);
-    const VectorXd step = covariance * sum.right;
-    const Index n = precision.size();
-    std::vector<VectorXd> b;
-    std::vector<MatrixXd> a;
-    MatrixXd all(n * static_cast<Index>(runs.size()), n);
-    for (const RunInformation& run : runs) {
-        a.emplace_back(run.information.topLeftCorner(n, n));
-        b.emplace_back(run.toward.head(n) - a.back() * step);
-        all.middleRows(n * static_cast<Index>(a.size() - 1), n) = a.back();
-    }
-    return disagreement_of(b, a, precision, all * covariance * all.transpose());
+bool runs_agree(const FitProblem& problem, const VectorXd& p, std::span<const double> noise) {
+    return disagreement(problem, p, run_information(problem, p, noise)) < most_disagreement;
 }
 
 std::vector<double> falls_without(const FitProblem& problem, const VectorXd& p,
-                                  std::span<const RunInformation> runs) {
+                                  std::span<const double> noise) {
+    const std::vector<RunInformation> runs = run_information(problem, p, noise);
     const std::vector<Index> active = active_shared(problem);
     const SharedNormal sum = shared_normal(problem, p, active, runs, {}, nullptr);
     const MatrixXd covariance = positive_inverse(sum.matrix, 1e-15);
@@ -252,7 +262,7 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
             return shared_normal(problem, found.p, active, runs, deviation, &sd);
         };
         const auto likelihood = [&](const SharedNormal& sum, const Eigen::Vector3d& sd) {
-            const VectorXd unit = unit_of(sum.matrix);
+            const VectorXd unit = to_unit_diagonal(sum.matrix);
             const Eigen::LDLT<MatrixXd> solver(unit.asDiagonal() * sum.matrix * unit.asDiagonal());
             const VectorXd right = unit.cwiseProduct(sum.right);
             const double log_determinant =

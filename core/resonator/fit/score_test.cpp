@@ -173,15 +173,13 @@ Score score(const FitProblem& problem, const Posterior& at, const Effect& effect
 
 Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std::size_t window) {
     const auto left = at.residual.segment<4>(4 * static_cast<Index>(window));
-    return run.z[window] -
-           run.unweighted(window, {Complex(left[0], left[1]), Complex(left[2], left[3])});
+    return run.z[window] - run.unweighted(window, of_real_parts(left));
 }
 
 void put_effect(MatrixXd& effect, const ScaledRun& run, std::size_t window, Index column,
                 const Vector2cd& change) {
-    const Vector2cd weighted = run.weighted(window, change);
-    effect.block<4, 1>(4 * static_cast<Index>(window), column) << weighted[0].real(),
-        weighted[0].imag(), weighted[1].real(), weighted[1].imag();
+    effect.block<4, 1>(4 * static_cast<Index>(window), column) =
+        real_parts(run.weighted(window, change));
 }
 
 Score parameter_score(const FitProblem& problem, const Posterior& posterior,

@@ -50,6 +50,10 @@ struct PhasorRun {
     // The phase common to c and d is unknown in each window: it says nothing, nor does f_ref.
     bool phase_lost = false;
 
+    // z_j^H z_k: its angle is the phase from window j to window k.
+    std::complex<double> product(std::size_t j, std::size_t k) const {
+        return std::conj(c[j]) * c[k] + std::conj(d[j]) * d[k];
+    }
     // |z|^2 of a window.
     double power(std::size_t window) const { return std::norm(c[window]) + std::norm(d[window]); }
 };

@@ -67,13 +67,8 @@ struct Estimate {
 // Name of a reason in JSON, e.g. "one-direction".
 std::string reason_name(ReasonCode code);
 
-// Its name in JSON and its English sentence, %1, %2, ... are the arguments; translated like those
-// of error.h (context "Reason").
-struct ReasonRow {
-    const char* name;
-    const char* sentence;
-};
-ReasonRow reason_row(ReasonCode code);
+// With its English sentence, %1, %2, ... are the arguments (context "Reason"), and no grade.
+MessageRow message_row(ReasonCode code);
 
 // The whole English sentence.
 std::string english(const Reason& reason);

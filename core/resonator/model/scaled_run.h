@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -71,6 +72,14 @@ struct ScaledRun {
         return count;
     }
 };
+
+// Re c, Im c, Re d, Im d of a phasor, the order of residuals and starts, and back.
+inline Eigen::Vector4d real_parts(const Eigen::Vector2cd& z) {
+    return {z[0].real(), z[0].imag(), z[1].real(), z[1].imag()};
+}
+inline Eigen::Vector2cd of_real_parts(const Eigen::Vector4d& parts) {
+    return {std::complex(parts[0], parts[1]), std::complex(parts[2], parts[3])};
+}
 
 // Precondition: at least two windows, all sd > 0.
 ScaledRun scaled_run(const PhasorRun& run, double scale);

@@ -45,10 +45,10 @@ MatrixXd in_root(const MatrixXd& by_parameter, const MatrixXd& root) {
 std::vector<ClaimedSeries> claimed_series(const NoiseEstimate& noise, const Posterior& posterior,
                                           const JobControl& job) {
     std::vector<ClaimedSeries> all;
-    for (const ResidualSeries& run : noise.series()) {
+    for (const ResidualSeries& run : noise.series) {
         const Index n = run.size.size();
         std::array<MatrixXd, 2> parts;  // common, of the phase
-        for (const ResidualNoise::Part& part : noise.noise().parts) {
+        for (const ResidualNoise::Part& part : noise.parts) {
             if (job.cancelled()) {
                 return all;
             }
@@ -114,6 +114,8 @@ double rise_of_half(const ClaimedSeries& series, Index first, Index count) {
     return std::isfinite(best - claimed) ? best - claimed : 0;
 }
 
+// Normal deviate of the rise of the likelihood if each half of each series has its own amount of
+// colour.
 double deviate_of_likelihood(const std::vector<ClaimedSeries>& all, const JobControl& job) {
     double rise = 0;
     double count = 0;
@@ -130,8 +132,9 @@ double deviate_of_likelihood(const std::vector<ClaimedSeries>& all, const JobCon
     return count > 0 ? (rise - count) / std::sqrt(2 * count) : 0;
 }
 
-void compare_parameters(const std::vector<ClaimedSeries>& all, const Posterior& posterior,
-                        NoiseClaim& claim) {
+// The difference of the parameters between the halves, and its normal deviate.
+double deviate_of_parameters(const std::vector<ClaimedSeries>& all, const Posterior& posterior,
+                             VectorXd& difference) {
     // A direction that a half does not show stays within thirty deviations of the whole.
     constexpr double ridge = 1e-3;
     const Index size = posterior.covariance.rows();
@@ -154,7 +157,7 @@ void compare_parameters(const std::vector<ClaimedSeries>& all, const Posterior& 
     for (const std::size_t half : {0, 1}) {
         inverse[half] = square[half].ldlt().solve(MatrixXd::Identity(size, size));
     }
-    claim.difference = inverse[0] * toward[0] - inverse[1] * toward[1];
+    difference = inverse[0] * toward[0] - inverse[1] * toward[1];
     // The difference as a function of the noise of all rows, less what the whole fit absorbs.
     std::vector<MatrixXd> by_row;
     MatrixXd along = MatrixXd::Zero(size, size);
@@ -174,7 +177,7 @@ void compare_parameters(const std::vector<ClaimedSeries>& all, const Posterior& 
         covariance += left.transpose() * all[k].covariance() * left;
     }
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
-    const VectorXd turned = eigen.eigenvectors().transpose() * claim.difference;
+    const VectorXd turned = eigen.eigenvectors().transpose() * difference;
     double square_sum = 0;
     double count = 0;
     for (Index k = 0; k < size; ++k) {
@@ -184,9 +187,7 @@ void compare_parameters(const std::vector<ClaimedSeries>& all, const Posterior& 
             count += 1;
         }
     }
-    if (count > 0) {
-        claim.by_parameters = chi2_deviations(square_sum, count);
-    }
+    return count > 0 ? chi2_deviations(square_sum, count) : 0;
 }
 
 }  // namespace
@@ -199,11 +200,12 @@ NoiseClaim noise_claim(const NoiseEstimate& noise, const Posterior& posterior,
     if (job.cancelled() || all.empty()) {
         return claim;
     }
-    claim.by_likelihood = deviate_of_likelihood(all, job);
+    claim.holds = deviate_of_likelihood(all, job) < 8;
     // The cost grows with the cube of the number of recordings.
     constexpr Index most_parameters = 150;
     if (posterior.covariance.rows() <= most_parameters) {
-        compare_parameters(all, posterior, claim);
+        const double apart = deviate_of_parameters(all, posterior, claim.difference);
+        claim.holds = claim.holds && apart < 5;
     }
     return claim;
 }

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <memory>
+#include <numbers>
 #include <optional>
 
 namespace vybeg {
@@ -25,6 +25,45 @@ constexpr Complex i{0, 1};
 
 // Amplitude in deviations below which the linear part replaces the logarithm of the phasor.
 constexpr double clear_amplitude = 10;
+
+// The mean of -ln|lag| over two windows whose centres are x windows apart, up to a constant.
+double one_over_f(double x) {
+    const auto g = [](double at) {
+        const double square = at * at;
+        return square > 0 ? 0.25 * square * std::log(square) - 0.75 * square : 0;
+    };
+    return 2 * g(x) - g(x + 1) - g(x - 1);
+}
+
+// Covariances of the means over windows of `window_s` at the given instants. A line: variance 1,
+// exp(-b |lag|), b = 2 pi half_width. 1/f: -ln |lag|, up to a constant, which is that of the phase.
+Eigen::MatrixXd shape_covariance(const NoiseShape& shape, const std::vector<double>& time_s,
+                                 double window_s) {
+    const auto n = static_cast<Eigen::Index>(time_s.size());
+    if (std::isinf(shape.half_width_hz)) {
+        return Eigen::MatrixXd::Identity(n, n);
+    }
+    Eigen::MatrixXd covariance(n, n);
+    const double rate = 2 * std::numbers::pi * shape.half_width_hz;
+    const double turn = rate * window_s;
+    const double apart = std::pow(std::sinh(turn / 2) / (turn / 2), 2);
+    const double same = 2 * (turn + std::expm1(-turn)) / (turn * turn);
+    const double constant = std::log(1 + static_cast<double>(n));
+    for (Eigen::Index k = 0; k < n; ++k) {
+        for (Eigen::Index l = 0; l <= k; ++l) {
+            const double lag =
+                time_s[static_cast<std::size_t>(k)] - time_s[static_cast<std::size_t>(l)];
+            double value = 0;
+            if (shape.half_width_hz == 0) {
+                value = constant + one_over_f(lag / window_s);
+            } else {
+                value = lag < window_s / 2 ? same : apart * std::exp(-rate * lag);
+            }
+            covariance(k, l) = covariance(l, k) = value;
+        }
+    }
+    return covariance;
+}
 
 // Correlation of points that are sums of `merge` windows over their root.
 Eigen::MatrixXd merged_correlation(const std::vector<double>& correlation, std::size_t merge,
@@ -388,17 +427,8 @@ private:
     std::vector<Candidate> phase_;
 };
 
-}  // namespace
-
-Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
-    const Eigen::VectorXd scale =
-        shape.of_phase ? Eigen::VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
-                                                              static_cast<double>(run.size.size())))
-                       : run.noise;
-    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
-           scale.asDiagonal();
-}
-
+// The series of a run, `merge` consecutive windows averaged into one; a remainder at the end is
+// ignored. Averages keep unit white noise and reduce correlated noise.
 ResidualSeries residual_series(const FitProblem& problem, const Posterior& posterior,
                                std::size_t index, std::size_t merge) {
     const ScaledRun& run = problem.runs[index];
@@ -434,8 +464,7 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
         const auto left = at.residual.segment<4>(4 * k);
         // Noise of both channels is alike in the frame of the whitened channels.
         const Vector2cd y = run.whitening * run.z[window];
-        const Vector2cd z =
-            y - Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])) / weight;
+        const Vector2cd z = y - of_real_parts(left) / weight;
         const double size = z.norm();
         const Vector2cd u = z / size;
         const Vector2cd v(-std::conj(u[1]), std::conj(u[0]));
@@ -452,8 +481,7 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
         out.noise[point] += share * usual_sd * weight;
         for (std::size_t s = 0; s < 4; ++s) {
             out.residual[s][point] += keeps_noise * residual[s];
-            const Eigen::RowVector4d row(axis[s][0].real(), axis[s][0].imag(), axis[s][1].real(),
-                                         axis[s][1].imag());
+            const Eigen::RowVector4d row = real_parts(axis[s]).transpose();
             const Eigen::RowVectorXd by = row * at.by_parameter.middleRows<4>(4 * k);
             out.by_parameter[s].row(point) += keeps_noise * by(column_of);
         }
@@ -461,27 +489,39 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
     return out;
 }
 
+}  // namespace
+
+Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
+    const Eigen::VectorXd scale =
+        shape.of_phase ? Eigen::VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
+                                                              static_cast<double>(run.size.size())))
+                       : run.noise;
+    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
+           scale.asDiagonal();
+}
+
 NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posterior,
                              const JobControl& job) {
     for (std::size_t k = 0; k < problem.runs.size() && !job.cancelled(); ++k) {
         const std::size_t merge = (problem.runs[k].size() + most_points - 1) / most_points;
-        series_.push_back(residual_series(problem, posterior, k, merge));
+        series.push_back(residual_series(problem, posterior, k, merge));
     }
     if (!job.cancelled()) {
-        noise_ = Search(series_, posterior, longest_s(problem), job).find();
+        static_cast<ResidualNoise&>(*this) =
+            Search(series, posterior, longest_s(problem), job).find();
     }
 }
 
 MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
-    if (noise_.as_expected()) {
+    if (as_expected()) {
         return posterior.data;
     }
     const Index size = posterior.covariance.rows();
     MatrixXd sum = MatrixXd::Zero(size, size);
-    for (const ResidualSeries& run : series_) {
+    for (const ResidualSeries& run : series) {
         MatrixXd common = MatrixXd::Zero(run.size.size(), run.size.size());
         MatrixXd of_phase = common;
-        for (const ResidualNoise::Part& part : noise_.parts) {
+        for (const ResidualNoise::Part& part : parts) {
             (part.shape.of_phase ? of_phase : common) +=
                 part.variance * part_covariance(part.shape, run);
         }

@@ -1,14 +1,45 @@
 #pragma once
 
 #include "core/resonator/fit/posterior.h"
-#include "core/resonator/noise/noise_shape.h"
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace vybeg {
+
+// Shape of a part of the noise about the carrier: a Lorentz line with a half width, 1/f, or white.
+struct NoiseShape {
+    double half_width_hz = 0;  // 0: 1/f; infinite: white
+    bool of_phase = false;     // in the phase only, in proportion to the amplitude
+};
+
+// Parts of the residual besides white noise. Variances in units of the white noise of a window.
+struct ResidualNoise {
+    struct Part {
+        NoiseShape shape;
+        double variance = 0;
+    };
+    // Each part is the mean over widths and variances, weighted with their likelihood, because a
+    // single recording does not determine them sharply. Empty for a white residual.
+    std::vector<Part> parts;
+    // The narrowest line of the grid fits best: narrower noise is one more phasor, constant over
+    // the run, which no residual shows.
+    bool narrowest = false;
+    // Rise of the logarithm of the likelihood by all parts.
+    double rise = 0;
+
+    // Whether the residual is the noise of the windows only.
+    bool as_expected() const { return parts.empty(); }
+    // Whether all further parts are white.
+    bool white() const {
+        return std::ranges::all_of(
+            parts, [](const Part& part) { return std::isinf(part.shape.half_width_hz); });
+    }
+};
 
 // Residual of a run in the frame of its fitted wave, and its derivatives: four real series in units
 // of the windows' noise. Along the wave: amplitude and phase, log(<z, y>/|z|^2) |z|; across it:
@@ -33,30 +64,18 @@ struct ResidualSeries {
 // The covariance of a part of the noise in a run's series, in units of their white noise.
 Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run);
 
-// The series of a run, `merge` consecutive windows averaged into one; a remainder at the end is
-// ignored. Averages keep unit white noise and reduce correlated noise.
-ResidualSeries residual_series(const FitProblem& problem, const Posterior& posterior,
-                               std::size_t run, std::size_t merge);
-
 // Noise of the residual by restricted maximum likelihood: the part absorbed by the fit is projected
 // out (FIT section 4). A line of one of eight widths common to all series, and a line or 1/f in the
 // phase only, are each included if they raise the logarithm of the likelihood by four.
-class NoiseEstimate {
-public:
+struct NoiseEstimate : ResidualNoise {
     // A cancelled job ends it early, with white noise.
     NoiseEstimate(const FitProblem& problem, const Posterior& posterior, const JobControl& job);
-
-    const ResidualNoise& noise() const { return noise_; }
 
     // The data's part of the covariance under this noise, in the basis of the posterior's root:
     // that of the windows' noise as in the posterior, and R' (sum X'VX) R.
     Eigen::MatrixXd covariance(const Posterior& posterior) const;
 
-    const std::vector<ResidualSeries>& series() const { return series_; }
-
-private:
-    std::vector<ResidualSeries> series_;
-    ResidualNoise noise_;
+    std::vector<ResidualSeries> series;
 };
 
 // Largest factor by which the colour of a fit's residual widens the variances of its rates.

@@ -1,6 +1,7 @@
 #include "core/resonator/results/channel_findings.h"
 
 #include "core/numerics/dense_solvers.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/fit/score_test.h"
 
 #include <algorithm>
@@ -51,30 +52,21 @@ struct Followed {
 template <class Shape>
 Followed followed_by(const std::vector<Quadrature>& all, const Shape& shape) {
     const auto count = static_cast<double>(all.size());
-    double mean_x = 0;
-    double mean_y = 0;
+    const LineFit line = fit_line(all.size(), [&](std::size_t k) {
+        return LinePoint{shape(all[k].two_theta), all[k].ratio, 1};
+    });
     double floor = 0;
+    double square = 0;
     for (const Quadrature& each : all) {
-        mean_x += shape(each.two_theta) / count;
-        mean_y += each.ratio / count;
         floor += each.variance * (count - 2) / count;
+        square += (each.ratio - line.mean_y) * (each.ratio - line.mean_y);
     }
-    double xx = 0;
-    double xy = 0;
-    double yy = 0;
-    for (const Quadrature& each : all) {
-        const double x = shape(each.two_theta) - mean_x;
-        const double y = each.ratio - mean_y;
-        xx += x * x;
-        xy += x * y;
-        yy += y * y;
-    }
-    if (!(xx > least_spread) || !(yy > 0)) {
+    if (!(line.spread > least_spread) || !(square > 0)) {
         return {};
     }
-    const double explained = xy * xy / xx;
-    const double rest = std::max(yy - explained, floor);
-    return {xy / xx, chance_of(rest / (explained + rest), all.size())};
+    const double explained = line.slope * line.slope * line.spread;
+    const double rest = std::max(square - explained, floor);
+    return {line.slope, chance_of(rest / (explained + rest), all.size())};
 }
 
 class Findings {

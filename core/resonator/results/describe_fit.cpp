@@ -155,32 +155,32 @@ private:
         const double scatter = residual_scatter * std::sqrt(2 / dof);
         std::optional<MisfitCause> cause;
         if (ratio > 1 + scatter) {
-            cause = misfit_cause(problem_, at, set_.fine, set_.scale, Causes::all, job_);
+            cause = misfit_cause(set_, at, Causes::all, job_);
             if (cause) {
                 fit_.warnings.push_back(cause->diagnostic);
             }
         }
         const NoiseEstimate noise(problem_, at, job_);
-        fit_.noise = noise.noise();
+        fit_.noise = noise;
         const NoiseClaim claim = noise_claim(noise, at, job_);
-        if (!noise.noise().white()) {
+        if (!noise.white()) {
             at.data = noise.covariance(at);
             set_.split_needs = vector_needs_coloured;
         } else if (ratio > 1 + scatter) {
             at.data *= ratio;
         }
-        if (!claim.holds()) {
+        if (!claim.holds) {
             at.data += claim.difference * claim.difference.transpose();
             if (!cause) {
                 fit_.warnings.push_back({DiagnosticKind::motion_not_model, {}});
             }
-        } else if (!noise.noise().white()) {
-            const bool evident = noise.noise().rise > evident_rise;
+        } else if (!noise.white()) {
+            const bool evident = noise.rise > evident_rise;
             if (evident) {
                 fit_.warnings.push_back(
                     {DiagnosticKind::residual_coloured, {number_arg(ratio, 3)}});
             }
-            if (evident && noise.noise().narrowest) {
+            if (evident && noise.narrowest) {
                 fit_.warnings.push_back(
                     {DiagnosticKind::noise_too_narrow, {number_arg(0.2 / longest_s(problem_), 2)}});
             }
@@ -247,7 +247,7 @@ private:
             return;
         }
         const double factor = std::numbers::pi * f_hz;
-        const Estimate tau = decay_time(envelope.per_s, sd, sd);
+        const Estimate tau = decay_time({envelope.per_s, sd, {}, sd});
         q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
         // A gain of D that drifts changes the envelope alone.
         const double by_channel = set_.tolerance.gain_drift / problem_.runs[run].duration_s;

@@ -3,6 +3,7 @@
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/harmonic_terms.h"
 #include "core/numerics/phase.h"
+#include "core/numerics/statistics.h"
 
 #include <Eigen/LU>
 
@@ -177,30 +178,18 @@ void add_eighth(const Normal& normal, const DriftTerms& terms, DriftFunction& fo
 // wave at their mean angle.
 DriftPoint point_of(std::size_t run, const Segment& segment, std::size_t first, std::size_t end,
                     const Eigen::Matrix2cd& m) {
-    double weight = 0;
-    double mean_t = 0;
+    const auto weight_of = [&](std::size_t k) { return 1 / (segment[k].sd * segment[k].sd); };
+    const LineFit line = fit_line(end - first, [&](std::size_t k) {
+        const AngleWindow& at = segment[first + k];
+        return LinePoint{at.time_s, at.residual[0], weight_of(first + k)};
+    });
     double mean_theta = 0;
-    double mean = 0;
     for (std::size_t k = first; k < end; ++k) {
-        const double w = 1 / (segment[k].sd * segment[k].sd);
-        weight += w;
-        mean_t += w * segment[k].time_s;
-        mean_theta += w * (segment[k].theta + segment[k].residual[0]);
-        mean += w * segment[k].residual[0];
+        mean_theta += weight_of(k) * (segment[k].theta + segment[k].residual[0]);
     }
-    mean_t /= weight;
-    mean_theta /= weight;
-    mean /= weight;
-    double spread = 0;
-    double moment = 0;
-    for (std::size_t k = first; k < end; ++k) {
-        const double w = 1 / (segment[k].sd * segment[k].sd);
-        const double t = segment[k].time_s - mean_t;
-        spread += w * t * t;
-        moment += w * t * (segment[k].residual[0] - mean);
-    }
-    return {run, wrap(4 * mean_theta) / 4, drift_of_dynamics(m, mean_theta) + moment / spread,
-            1 / std::sqrt(spread)};
+    mean_theta /= line.weight;
+    return {run, wrap(4 * mean_theta) / 4, drift_of_dynamics(m, mean_theta) + line.slope,
+            1 / std::sqrt(line.spread)};
 }
 
 // Segments are cut by time so that the angle moves by point_reach in each on the average.

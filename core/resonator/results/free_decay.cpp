@@ -386,8 +386,7 @@ private:
 ModeEstimate mode_of(const Mean& f_hz, const Mean& decay_per_s) {
     ModeEstimate mode;
     mode.f_hz = f_hz.estimate();
-    const Estimate decay = decay_per_s.estimate();
-    mode.tau_s = decay_time(decay.value, decay.sd, decay.u);
+    mode.tau_s = decay_time(decay_per_s.estimate());
     mode.q = mode.tau_s;
     if (mode.q.given()) {
         const double by = std::numbers::pi * mode.f_hz.value;

@@ -1,6 +1,7 @@
 #include "core/resonator/results/given_or_refused.h"
 
 #include "core/base/number_text.h"
+#include "core/numerics/phase.h"
 #include "core/resonator/results/fitted_set.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/decay.h"
@@ -94,20 +95,14 @@ private:
     double turned_deg() const {
         double most = 0;
         for (std::size_t run = 0; run < runs_.size(); ++run) {
-            double low = 0;
-            double high = 0;
-            double angle = 0;
-            double last = 0;
-            bool first = true;
+            std::vector<double> two_theta;
             for (const Phasors& wave :
                  predicted_waves(fit_.motion, run, set_.problem->runs[run].time_s)) {
-                const double two_theta = to_wave_state(wave).two_theta_A;
-                angle = first ? two_theta : angle + std::remainder(two_theta - last, pi);
-                last = two_theta;
-                low = first ? angle : std::min(low, angle);
-                high = first ? angle : std::max(high, angle);
-                first = false;
+                const double angle = to_wave_state(wave).two_theta_A;
+                two_theta.push_back(
+                    two_theta.empty() ? angle : nearest_branch(angle, two_theta.back(), pi));
             }
+            const auto [low, high] = std::ranges::minmax(two_theta);
             most = std::max(most, (high - low) / 2 * 180 / pi);
         }
         return most;
@@ -169,11 +164,8 @@ private:
     }
 
     Estimate decay_time_of(Index decay, const Reason& reason) const {
-        if (unseen(decay, derived_share)) {
-            return {.reason = reason};
-        }
-        const Estimate rate = number(decay);
-        return decay_time(rate.value, rate.sd, rate.u);
+        return unseen(decay, derived_share) ? Estimate{.reason = reason}
+                                            : decay_time(number(decay));
     }
 
     // Whether the decay only reflects an undetermined anisotropy: no run shows the anisotropy, and

@@ -1,6 +1,6 @@
 #include "core/resonator/results/misfit_cause.h"
 
-#include "core/numerics/fft.h"
+#include "core/numerics/spectral_density.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/results/channel_findings.h"
 
@@ -10,6 +10,8 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -68,8 +70,7 @@ std::vector<DampedResidual> damped_residuals(const FitProblem& problem, const Po
             const double size =
                 run.weight[window] * std::exp(-std::abs(at.p[decay_at]) * run.time_s[window]);
             const auto left = at.runs[k].residual.segment<4>(4 * static_cast<Index>(window));
-            damped.left.push_back(size *
-                                  Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])));
+            damped.left.push_back(size * of_real_parts(left));
             damped.norm += size * size;
         }
         all.push_back(std::move(damped));
@@ -121,18 +122,13 @@ public:
         if (places.empty() || places.back() > most_gaps * places.size()) {
             return;
         }
-        const Fft transform(std::bit_ceil(finer * (places.back() + 1)));
-        power_.resize(transform.size());
-        for (const Eigen::Index channel : {0, 1}) {
-            std::vector<Complex> left(transform.size());
-            for (std::size_t window = 0; window < places.size(); ++window) {
-                left[places[window]] = run.left[window][channel];
-            }
-            transform.forward(left);
-            for (std::size_t bin = 0; bin < left.size(); ++bin) {
-                power_[bin] += std::norm(left[bin]) / run.norm;
-            }
+        std::vector<Complex> c(std::bit_ceil(finer * (places.back() + 1)));
+        std::vector<Complex> d(c.size());
+        for (std::size_t window = 0; window < places.size(); ++window) {
+            c[places[window]] = run.left[window][0];
+            d[places[window]] = run.left[window][1];
         }
+        power_ = bin_powers(std::move(c), std::move(d));
     }
 
     double at(double f_hz) const {
@@ -142,7 +138,7 @@ public:
         const auto size = std::ssize(power_);
         const auto bin =
             std::lround((f_hz - run_.f_ref_hz) * run_.step_s * static_cast<double>(size)) % size;
-        return power_[static_cast<std::size_t>(bin < 0 ? bin + size : bin)];
+        return power_[static_cast<std::size_t>(bin < 0 ? bin + size : bin)] / run_.norm;
     }
 
 private:
@@ -152,12 +148,14 @@ private:
 
 // Frequency of a line in the fine windows, among those `spacing_hz` apart that merged windows do
 // not distinguish.
-double unaliased(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
-                 double scale, double f_hz, double spacing_hz, const JobControl& job) {
+double unaliased(const SolvedSet& set, const Posterior& at, double f_hz, double spacing_hz,
+                 const JobControl& job) {
+    const FitProblem& problem = *set.problem;
+    const std::span<const PhasorRun> fine = set.fine;
     std::vector<DampedResidual> residuals;
     double band_hz = 0;
     for (std::size_t k = 0; k < fine.size(); ++k) {
-        ScaledRun frame = scaled_run(fine[k], scale);  // of the fit, with the fine windows
+        ScaledRun frame = scaled_run(fine[k], set.scale);  // of the fit, with the fine windows
         band_hz = std::max(band_hz, 0.5 / frame.step_s);
         frame.duration_s = problem.runs[k].duration_s;
         frame.reference_s = problem.runs[k].reference_s;
@@ -196,8 +194,9 @@ struct Line {
 };
 
 // The strongest line within the windows' band, away from the wave.
-Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
-                    std::span<const double> f_ref_hz, double scale, const JobControl& job) {
+Line strongest_line(const SolvedSet& set, const Posterior& at, std::span<const double> f_ref_hz,
+                    const JobControl& job) {
+    const FitProblem& problem = *set.problem;
     const double longest = longest_s(problem);
     const double step_s = std::ranges::min(problem.runs, {}, &ScaledRun::step_s).step_s;
     const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
@@ -241,7 +240,7 @@ Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<co
     const Score line =
         score(problem, at, line_effect(problem, f_ref_hz, best.f_hz, std::abs(at.p[decay_at])));
     best.fall = line.fall;
-    best.f_hz = unaliased(problem, at, fine, scale, best.f_hz, 1 / step_s, job);
+    best.f_hz = unaliased(set, at, best.f_hz, 1 / step_s, job);
     const double turn = pi * (best.f_hz - wave_hz) * problem.runs[0].window_s;
     const double kept = turn == 0 ? 1 : std::abs(std::sin(turn) / turn);
     best.per_cent = 100 * line.size.head(4).norm() / kept / problem.runs[0].z[0].norm();
@@ -285,11 +284,11 @@ MessageArg friction_words(double exponent) {
                           : words(VYBEG_MESSAGE("Words", "the squared amplitude"));
 }
 
-std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posterior& posterior,
-                                        std::span<const PhasorRun> fine, double scale,
+std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& posterior,
                                         Causes causes, const JobControl& job) {
+    const FitProblem& problem = *set.problem;
     std::vector<double> f_ref_hz;
-    for (const PhasorRun& run : fine) {
+    for (const PhasorRun& run : set.fine) {
         f_ref_hz.push_back(run.f_ref_hz);
     }
     const double beyond = posterior.chi2() - degrees_of_freedom(problem);
@@ -350,7 +349,7 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
     if (cause || no_lines || job.cancelled()) {
         return cause;
     }
-    const Line line = strongest_line(problem, posterior, fine, f_ref_hz, scale, job);
+    const Line line = strongest_line(set, posterior, f_ref_hz, job);
     best = std::max(most_by_line * beyond, least_fall);
     consider(line.fall, DiagnosticKind::misfit_neighbour,
              {number_arg(line.f_hz, 6), number_arg(line.per_cent, 2)});

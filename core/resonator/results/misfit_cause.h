@@ -2,10 +2,9 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
-#include "core/resonator/fit/posterior.h"
+#include "core/resonator/results/fitted_set.h"
 
 #include <optional>
-#include <span>
 
 namespace vybeg {
 
@@ -14,16 +13,14 @@ namespace vybeg {
 // follows the amplitude, a frequency that settles, a channel error that is held at zero, springs
 // unlike along the axes, another mode within the windows' band or, where it leaves only noise,
 // nearer than three cycles to the wave. None if no cause explains the larger part, or if chi^2 is
-// that of noise. `fine`: the runs before merging of windows, which distinguish a mode's frequency
-// from its aliases; `scale`: recording units of a scaled unit. A cancelled job ends the search
-// early.
+// that of noise. The runs before merging of windows distinguish a mode's frequency from its
+// aliases. A cancelled job ends the search early.
 struct MisfitCause {
     Diagnostic diagnostic;
     double fall = 0;  // of chi^2
 };
 enum class Causes { all, without_lines };
-std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posterior& posterior,
-                                        std::span<const PhasorRun> fine, double scale,
+std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& posterior,
                                         Causes causes, const JobControl& job);
 
 // Words for a damping whose rate follows the amplitude to a power.

@@ -1,6 +1,7 @@
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace vybeg {
 
@@ -28,6 +29,56 @@ std::vector<ErrorSource> sources_of(std::span<const ParameterBudget> budget) {
         }
     }
     return found;
+}
+
+Conformity conformity(const Estimate& estimate, const ParameterLimit& limit) {
+    const double half = coverage_factor * estimate.uncertainty();
+    if (!estimate.given() || !(half >= 0)) {
+        return Conformity::unknown;
+    }
+    const double least = estimate.value - half;
+    const double most = estimate.value + half;
+    if ((limit.lower && most < *limit.lower) || (limit.upper && least > *limit.upper)) {
+        return Conformity::outside;
+    }
+    const bool keeps =
+        (!limit.lower || least >= *limit.lower) && (!limit.upper || most <= *limit.upper);
+    return keeps ? Conformity::within : Conformity::unknown;
+}
+
+const ParameterLimit* limit_of(const std::vector<ParameterLimit>& limits, const char* parameter) {
+    const auto found = std::ranges::find(limits, parameter, &ParameterLimit::parameter);
+    return found == limits.end() ? nullptr : &*found;
+}
+
+LimitVerdict keeps_limits(const ResonatorEstimate& resonator,
+                          const std::vector<ParameterLimit>& limits) {
+    LimitVerdict verdict;
+    if (!limits.empty()) {
+        verdict.conformity = Conformity::within;
+    }
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        const ParameterLimit* const limit = limit_of(limits, parameter.name);
+        if (limit == nullptr) {
+            continue;
+        }
+        const Conformity one = conformity(resonator.*parameter.member, *limit);
+        if (one != Conformity::within) {
+            verdict.failed.emplace_back(parameter.name);
+            const bool outside =
+                one == Conformity::outside || verdict.conformity == Conformity::outside;
+            verdict.conformity = outside ? Conformity::outside : Conformity::unknown;
+        }
+    }
+    return verdict;
+}
+
+std::vector<ResonatorParameter> limited_parameters() {
+    std::vector<ResonatorParameter> limited;
+    limited.reserve(resonator_parameters.size());
+    std::ranges::copy_if(resonator_parameters, std::back_inserter(limited),
+                         [](const ResonatorParameter& each) { return each.period == 0; });
+    return limited;
 }
 
 }  // namespace vybeg

@@ -5,42 +5,39 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vybeg {
 
-// Parameters of a resonator, with their names in identify JSON. Files and comparison iterate over
-// this list.
-struct ResonatorParameter {
-    const char* name;
-    const char* unit;  // "" for a ratio
-    Estimate ResonatorEstimate::*member;
-    double period;  // of an axis, rad; 0 for values that are no angles
-};
-
-inline constexpr std::array<ResonatorParameter, 12> resonator_parameters{{
-    {"f_mean_hz", "Hz", &ResonatorEstimate::f_mean_hz, 0},
-    {"split_hz", "Hz", &ResonatorEstimate::split_hz, 0},
-    {"theta_w_rad", "rad", &ResonatorEstimate::theta_w_rad, std::numbers::pi / 2},
-    {"tau_s", "s", &ResonatorEstimate::tau_s, 0},
-    {"q", "", &ResonatorEstimate::q, 0},
-    {"damping_anisotropy_per_s", "1/s", &ResonatorEstimate::damping_anisotropy_per_s, 0},
-    {"theta_tau_rad", "rad", &ResonatorEstimate::theta_tau_rad, std::numbers::pi / 2},
-    {"angle_rate_rad_s", "rad/s", &ResonatorEstimate::angle_rate_rad_s, 0},
-    {"kappa", "", &ResonatorEstimate::kappa, 0},
-    {"non_orthogonality_rad", "rad", &ResonatorEstimate::non_orthogonality_rad, 0},
-    {"delay_s", "s", &ResonatorEstimate::delay_s, 0},
-    {"frequency_per_power", "Hz per squared unit", &ResonatorEstimate::frequency_per_power, 0},
-}};
-
-// A parameter of something else.
+// A parameter, with its name in identify JSON.
 template <class Owner>
 struct ParameterOf {
     const char* name;
-    const char* unit;
+    const char* unit;  // "" for a ratio
     Estimate Owner::*member;
+    double period = 0;  // of an axis, rad; 0 for values that are no angles
 };
+
+// Of a resonator. Files and comparison iterate over this list.
+using ResonatorParameter = ParameterOf<ResonatorEstimate>;
+
+inline constexpr std::array<ResonatorParameter, 12> resonator_parameters{{
+    {"f_mean_hz", "Hz", &ResonatorEstimate::f_mean_hz},
+    {"split_hz", "Hz", &ResonatorEstimate::split_hz},
+    {"theta_w_rad", "rad", &ResonatorEstimate::theta_w_rad, std::numbers::pi / 2},
+    {"tau_s", "s", &ResonatorEstimate::tau_s},
+    {"q", "", &ResonatorEstimate::q},
+    {"damping_anisotropy_per_s", "1/s", &ResonatorEstimate::damping_anisotropy_per_s},
+    {"theta_tau_rad", "rad", &ResonatorEstimate::theta_tau_rad, std::numbers::pi / 2},
+    {"angle_rate_rad_s", "rad/s", &ResonatorEstimate::angle_rate_rad_s},
+    {"kappa", "", &ResonatorEstimate::kappa},
+    {"non_orthogonality_rad", "rad", &ResonatorEstimate::non_orthogonality_rad},
+    {"delay_s", "s", &ResonatorEstimate::delay_s},
+    {"frequency_per_power", "Hz per squared unit", &ResonatorEstimate::frequency_per_power},
+}};
 
 // Puts a reason in place of all numbers of an owner, by the table of its parameters.
 template <class Table, class Owner>
@@ -65,9 +62,7 @@ inline const char* mode_order_name(ModeOrder order) {
 }
 
 // Parameters of each run. Those of the direction refer to the start angle of the wave.
-using RunParameter = ParameterOf<RunEstimate>;
-
-inline constexpr std::array<RunParameter, 9> run_parameters{{
+inline constexpr std::array<ParameterOf<RunEstimate>, 9> run_parameters{{
     {"f_offset_hz", "Hz", &RunEstimate::f_offset_hz},
     {"a_A", "", &RunEstimate::a_A},
     {"a_B", "", &RunEstimate::a_B},
@@ -132,5 +127,36 @@ std::vector<ParameterBudget> uncertainty_budget(const ResonatorFit& fit);
 
 // The sources that contribute to any of the parameters.
 std::vector<ErrorSource> sources_of(std::span<const ParameterBudget> budget);
+
+// What a resonator's parameter has to keep, in its unit; ends included.
+struct ParameterLimit {
+    std::string parameter;  // its name there; of no axis, which has no least or greatest value
+    std::optional<double> lower;
+    std::optional<double> upper;
+
+    friend bool operator==(const ParameterLimit&, const ParameterLimit&) = default;
+};
+
+// unknown: the parameter has no value, or its coverage interval reaches over a limit.
+enum class Conformity { unknown, within, outside };
+
+// Whether the whole coverage interval lies on one side of the limits: guarded acceptance and
+// guarded rejection with guard bands U = 2u, JCGM 106:2012, 8.3.2 and 8.3.3. unknown, too, for a
+// value without an uncertainty.
+Conformity conformity(const Estimate& estimate, const ParameterLimit& limit);
+
+// Whether a resonator keeps all of its limits.
+struct LimitVerdict {
+    std::optional<Conformity> conformity;  // outside where one parameter is; none: it has no limits
+    std::vector<std::string> failed;       // parameters that are not shown to be within
+};
+LimitVerdict keeps_limits(const ResonatorEstimate& resonator,
+                          const std::vector<ParameterLimit>& limits);
+
+// Of this parameter; nullptr: none.
+const ParameterLimit* limit_of(const std::vector<ParameterLimit>& limits, const char* parameter);
+
+// The parameters that can have limits.
+std::vector<ResonatorParameter> limited_parameters();
 
 }  // namespace vybeg

@@ -6,7 +6,7 @@
 #include "core/resonator/model/derived_quantities.h"
 #include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/reason.h"
-#include "core/resonator/noise/noise_shape.h"
+#include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/runs/decay.h"
 
 #include <array>
@@ -84,12 +84,18 @@ struct DriftTerms {
     bool given = false;
 };
 
-struct ResonatorFit {
+// What a passport keeps of a fit.
+struct ResonatorNumbers {
     ResonatorModel model{};
-    std::vector<ModeEstimate> modes;  // two in mode_order, or none
+    ResonatorEstimate resonator;      // each with reason free_model for the free model
+    std::vector<ModeEstimate> modes;  // two in the order of the modes, or none
+    std::vector<RunEstimate> runs;    // in the order of the given runs
+    RawParameters raw;
+};
+
+struct ResonatorFit : ResonatorNumbers {
     ModeOrder mode_order{};
-    Reason no_modes;              // reason for their absence
-    ResonatorEstimate resonator;  // each with reason free_model for the free model
+    Reason no_modes;  // reason for the absence of modes
     // By how much each of the resonator's parameters, in the order of resonator_parameters.h, is
     // wrong per unit of an error of which the fit does not know, in the units of usual_errors; NaN
     // if the parameter is not given. Springs and the eighth harmonic: in their worst direction.
@@ -97,14 +103,12 @@ struct ResonatorFit {
     // Contribution of each tolerance to u, in the same order and in the parameter's unit: u^2 is
     // the sum of their squares and of sd^2. Zeros if the parameter is not given.
     std::vector<BySource> shares;
-    std::vector<RunEstimate> runs;  // in the order of the given runs
     DriftTerms drift_terms;
     double residual_rms = 0;          // of the windows' phasors per signal, recording units
     double chi2_per_dof = 0;          // squared residuals in units of the windows' sd
     double free_over_structured = 0;  // fall of chi^2 (over chi^2/dof of the free fit, if above 1)
                                       // from structured to free M; about 1 by chance
     ResidualNoise noise;
-    RawParameters raw;
     FittedMotion motion;
     std::vector<FittedBreak> breaks;      // found by the fit, with parameters of their own
     std::optional<std::size_t> left_out;  // the run that does not belong to the set

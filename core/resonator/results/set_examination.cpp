@@ -21,6 +21,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Sets of fewer runs do not show whether they belong together: free parameters absorb what differs.
+constexpr std::size_t least_to_show = 4;
 // Chi^2 between the first suspect and the next; by which an exchange has to lower it.
 constexpr double margin = 12;
 // Chi^2 above that of its own fit up to which a run counts as brought back.
@@ -78,16 +80,14 @@ std::vector<std::size_t> all_but(std::size_t count, std::size_t out) {
 
 // The variance of a run's noise in units of that of its windows, by its own fit: what it misses
 // itself is a matter of its model and noise, not of the set.
-double own_noise(const PartFit& alone, const JobControl& job) {
+double own_noise(const PartFit& alone, const Posterior& at, const JobControl& job) {
     const double ratio = alone.fit.chi2 / degrees_of_freedom(alone.problem);
-    return std::max(std::isfinite(ratio) ? ratio : 1.0,
-                    widening(alone.problem, posterior(alone.problem, alone.fit), job));
+    return std::max(std::isfinite(ratio) ? ratio : 1.0, widening(alone.problem, at, job));
 }
 
 // What a run alone shows of the rates: the logarithm of their volume under the priors over that
 // after the fit.
-double known_by(const PartFit& alone) {
-    const Posterior at = posterior(alone.problem, alone.fit);
+double known_by(const Posterior& at) {
     double sum = 0;
     for (std::size_t k = 0; k < at.active.size() && at.active[k] < rate_count; ++k) {
         const auto row = static_cast<Index>(k);
@@ -113,18 +113,23 @@ ScaledRun transformed(ScaledRun run, const Eigen::Matrix2d& of_channels) {
     return run;
 }
 
-ScaledRun exchanged(const ScaledRun& run) {
-    return transformed(run, Eigen::Matrix2d{{0, 1}, {1, 0}});
+// The run with its channels exchanged, and with the other sign of D, each with its words.
+std::array<std::pair<const char*, ScaledRun>, 2> with_other_channels(const ScaledRun& run) {
+    return {{{VYBEG_MESSAGE("Words", "the channels C and D of %1 are exchanged"),
+              transformed(run, Eigen::Matrix2d{{0, 1}, {1, 0}})},
+             {VYBEG_MESSAGE("Words", "the sign of channel D of %1 is reversed"),
+              transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}})}}};
 }
 
-ScaledRun with_sign(const ScaledRun& run) {
-    return transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}});
-}
-
-// How far the runs of a fit disagree with `noise`, the variance of each run's noise in units of
-// that of its windows.
-double disagree(const FitProblem& problem, const VectorXd& p, const std::vector<double>& noise) {
-    return disagreement(problem, p, run_information(problem, p, noise));
+// Words for a run whose decay rate is not that of the others.
+MessageArg decay_words(const MessageArg& run, double its, double theirs) {
+    if (!(its > 0.1 * theirs)) {
+        return words(
+            VYBEG_MESSAGE("Words", "%1 hardly decays, the decay time of the others is %2 s"),
+            {run, number_arg(1 / theirs, 3)});
+    }
+    return words(VYBEG_MESSAGE("Words", "the decay time of %1 is %2 s, that of the others %3 s"),
+                 {run, number_arg(1 / its, 4), number_arg(1 / theirs, 4)});
 }
 
 class Examination {
@@ -144,19 +149,20 @@ public:
         if (!possible()) {
             return out;
         }
-        if (runs_agree(problem_, joint_)) {
+        if (runs_agree(problem_, joint_.p)) {
             return agreeing();
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
             alone_.push_back(part_fit(problem_, joint_, std::array{k}, job_));
-            noise_[k] = own_noise(alone_.back(), job_);
-            known_.push_back(known_by(alone_.back()));
+            const Posterior at = posterior(alone_.back().problem, alone_.back().fit);
+            noise_[k] = own_noise(alone_.back(), at, job_);
+            known_.push_back(known_by(at));
         }
         if (job_.cancelled()) {
             return out;
         }
         out.own_noise = std::ranges::max(noise_);
-        if (disagree(problem_, joint_.p, noise_) < most_disagreement) {
+        if (runs_agree(problem_, joint_.p, noise_)) {
             return agreeing();
         }
         if (structured_) {
@@ -202,18 +208,15 @@ private:
             return false;
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
-            for (const auto& [cause, run] :
-                 {std::pair{ForeignCause::exchanged, exchanged(problem_.runs[k])},
-                  {ForeignCause::sign, with_sign(problem_.runs[k])}}) {
+            for (const auto& [cause, run] : with_other_channels(problem_.runs[k])) {
                 std::vector<ScaledRun> runs(problem_.runs.begin(), problem_.runs.end());
                 runs[k] = run;
                 const PartFit turned =
                     part_fit(problem_, joint_, all_of(count_), std::move(runs), job_, joint_.cost);
                 const double fall = joint_.cost - turned.fit.cost;
-                if (fall > margin &&
-                    disagree(turned.problem, turned.fit.p, noise_) < most_disagreement) {
+                if (fall > margin && runs_agree(turned.problem, turned.fit.p, noise_)) {
                     out.foreign.push_back(k);
-                    out.cause = cause;
+                    out.cause = words(cause, {recording_arg(out.foreign.front())});
                 }
             }
         }
@@ -225,8 +228,7 @@ private:
     std::vector<std::size_t> suspects() const {
         std::vector<std::size_t> order = all_of(count_);
         if (count_ > most_trials) {
-            const std::vector<double> falls =
-                falls_without(problem_, joint_.p, run_information(problem_, joint_.p, noise_));
+            const std::vector<double> falls = falls_without(problem_, joint_.p, noise_);
             std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
                 return falls[a] > falls[b];  // NaN before none
             });
@@ -287,7 +289,7 @@ private:
             std::vector<double> noise = noise_;
             noise.erase(noise.begin() + static_cast<std::ptrdiff_t>(k));
             const PartFit& rest = rest_.emplace(k, without(k)).first->second;
-            if (count_ == 2 || disagree(rest.problem, rest.fit.p, noise) < most_disagreement) {
+            if (count_ == 2 || runs_agree(rest.problem, rest.fit.p, noise)) {
                 fitting.push_back({k, rest.fit.cost + alone_[k].fit.cost});
             }
         }
@@ -365,38 +367,38 @@ private:
         const double plain = predicted(k, run, own, {}).beyond;
         const double enough = std::min(brought_back, plain - margin);
         double best = enough;
-        const auto consider = [&](double beyond, ForeignCause cause) {
+        const MessageArg name = recording_arg(k);
+        out.cause = words(VYBEG_MESSAGE("Words", "more than one number of %1 differs"), {name});
+        const auto consider = [&](double beyond, MessageArg cause) {
             if (beyond < best) {
                 best = beyond;
-                out.cause = cause;
+                out.cause = std::move(cause);
             }
         };
-        for (const auto& [cause, turned] : {std::pair{ForeignCause::exchanged, exchanged(run)},
-                                            {ForeignCause::sign, with_sign(run)}}) {
+        for (const auto& [cause, turned] : with_other_channels(run)) {
             const PartFit alone = part_fit(problem_, joint_, std::array{k}, {turned}, job_);
-            consider(predicted(k, turned, alone.fit, {}).beyond, cause);
+            consider(predicted(k, turned, alone.fit, {}).beyond, words(cause, {name}));
         }
-        if (out.cause != ForeignCause::unknown || problem_.priors.sd[free_rotation_at] != 0) {
+        if (best < enough || !structured_) {
             return;
         }
         // A parameter of its own: each of them costs one.
+        const VectorXd& others = rest_.at(k).fit.p;
         const Prediction kappa = predicted(k, run, own, {kappa_at});
         const Prediction decay = predicted(k, run, own, {decay_at});
         const Prediction split = predicted(k, run, own, {split_cos_at, split_sin_at});
         const Prediction turn = predicted(k, run, own, {rotation_at});
         best = brought_back;
-        consider(kappa.beyond, ForeignCause::kappa);
-        consider(decay.beyond, ForeignCause::decay);
-        consider(split.beyond, ForeignCause::split);
-        consider(turn.beyond, ForeignCause::turn);
-        const PartFit& others = rest_.at(k);
-        if (out.cause == ForeignCause::kappa) {
-            out.its_value = kappa.p[kappa_at] / others.fit.p[kappa_at];
-            out.their_value = 1;
-        } else if (out.cause == ForeignCause::decay) {
-            out.its_value = decay.p[decay_at];
-            out.their_value = others.fit.p[decay_at];
-        }
+        consider(
+            kappa.beyond,
+            words(VYBEG_MESSAGE("Words", "the gain ratio of %1 is %2 times that of the others"),
+                  {name, number_arg(kappa.p[kappa_at] / others[kappa_at], 4)}));
+        consider(decay.beyond, decay_words(name, decay.p[decay_at], others[decay_at]));
+        consider(split.beyond,
+                 words(VYBEG_MESSAGE("Words", "the split or the stiffness axis of %1 is another"),
+                       {name}));
+        consider(turn.beyond,
+                 words(VYBEG_MESSAGE("Words", "the wave of %1 turns at another rate"), {name}));
     }
 
     const FitProblem& problem_;
@@ -420,47 +422,11 @@ MessageArg either(const std::vector<std::size_t>& runs) {
     return list;
 }
 
-MessageArg cause_words(const SetExamination& examination) {
-    const MessageArg run = recording_arg(examination.foreign.front());
-    switch (examination.cause) {
-        case ForeignCause::exchanged:
-            return words(VYBEG_MESSAGE("Words", "the channels C and D of %1 are exchanged"), {run});
-        case ForeignCause::sign:
-            return words(VYBEG_MESSAGE("Words", "the sign of channel D of %1 is reversed"), {run});
-        case ForeignCause::kappa:
-            return words(
-                VYBEG_MESSAGE("Words", "the gain ratio of %1 is %2 times that of the others"),
-                {run, number_arg(examination.its_value, 4)});
-        case ForeignCause::decay:
-            if (!(examination.its_value > 0.1 * examination.their_value)) {
-                return words(VYBEG_MESSAGE(
-                                 "Words", "%1 hardly decays, the decay time of the others is %2 s"),
-                             {run, number_arg(1 / examination.their_value, 3)});
-            }
-            return words(
-                VYBEG_MESSAGE("Words", "the decay time of %1 is %2 s, that of the others %3 s"),
-                {run, number_arg(1 / examination.its_value, 4),
-                 number_arg(1 / examination.their_value, 4)});
-        case ForeignCause::split:
-            return words(VYBEG_MESSAGE("Words", "the split or the stiffness axis of %1 is another"),
-                         {run});
-        case ForeignCause::turn:
-            return words(VYBEG_MESSAGE("Words", "the wave of %1 turns at another rate"), {run});
-        case ForeignCause::unknown: break;
-    }
-    return words(VYBEG_MESSAGE("Words", "more than one number of %1 differs"), {run});
-}
-
 }  // namespace
 
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job) {
     return Examination(problem, joint, spread, job).made();
-}
-
-bool runs_agree(const FitProblem& problem, const MapFit& joint) {
-    return disagree(problem, joint.p, std::vector<double>(problem.runs.size(), 1)) <
-           most_disagreement;
 }
 
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
@@ -488,7 +454,7 @@ void add_findings(const SetExamination& examination, bool assumed, ResonatorFit&
         case SetVerdict::several:
             add(examination.verdict == SetVerdict::foreign ? DiagnosticKind::foreign_recording
                                                            : DiagnosticKind::foreign_among,
-                {either(examination.foreign), cause_words(examination)});
+                {either(examination.foreign), examination.cause});
             break;
     }
 }

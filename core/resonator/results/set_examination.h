@@ -20,16 +20,12 @@ enum class SetVerdict {
     refused   // no single run makes the difference
 };
 
-// What makes a foreign run one of the set again, and which of its numbers disagrees otherwise.
-enum class ForeignCause { unknown, exchanged, sign, kappa, decay, split, turn };
-
 struct SetExamination {
     SetVerdict verdict = SetVerdict::fits;
-    std::vector<std::size_t> foreign;            // the suspects, the likeliest first
-    double cost = 0;                             // of the others and the likeliest, each alone
-    ForeignCause cause = ForeignCause::unknown;  // of the likeliest
-    double its_value = 0;                        // of kappa (over that of the set) or of 1/tau
-    double their_value = 0;
+    std::vector<std::size_t> foreign;  // the suspects, the likeliest first
+    double cost = 0;                   // of the others and the likeliest, each alone
+    // What makes the likeliest one of the set again, or which of its numbers disagrees: words.
+    MessageArg cause;
     std::vector<RunDeviation> deviation;  // of each run; of verdict `spread`
     Eigen::VectorXd p;                    // likewise: the set's parameters
     RunDeviation spread;                  // sd of the deviations; of small sets, too
@@ -40,17 +36,11 @@ struct SetExamination {
     bool agrees() const { return verdict == SetVerdict::fits || verdict == SetVerdict::spread; }
 };
 
-// Sets of fewer runs do not show whether they belong together: free parameters absorb what differs.
-inline constexpr std::size_t least_to_show = 4;
-
 // `joint`: the fit of `problem`. A set whose runs agree takes one look at the information of each;
 // otherwise each run is fitted alone, and the set without each of the four that disagree most.
 // `spread`: of FitOptions, for sets that agree.
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job);
-
-// Whether the runs of the fit agree within the noise of their windows.
-bool runs_agree(const FitProblem& problem, const MapFit& joint);
 
 // Result for a set whose misfit has a cause that all runs share.
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,

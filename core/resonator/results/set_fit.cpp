@@ -59,14 +59,13 @@ std::size_t number_of_windows(const PhasorRun& run) {
 SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
                std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort)
     : runs_(std::move(runs)),
-      fine_(fine),
       scaled_(whitened_runs(runs_, task.scale, whitenings)),
-      scale_(task.scale),
-      options_(task.options),
-      job_(task.job),
+      task_(task),
       effort_(effort),
-      problem_{scaled_, layout_of(scaled_), {}} {
-    problem_.priors = structured_priors(scaled_, problem_.layout, options_.tolerance);
+      problem_{scaled_, layout_of(scaled_), {}},
+      set_{runs_,      fine, &problem_, {}, {},
+           task.scale, {},   false,     {}, with_assumed(task.options).tolerance} {
+    problem_.priors = structured_priors(scaled_, problem_.layout, task_.options.tolerance);
     if (effort == Effort::trial) {
         problem_.noise_ratio = std::numeric_limits<double>::infinity();
     }
@@ -74,26 +73,26 @@ SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
 
 NeededWindows SetFit::solve() {
     find_main();
-    const MapFit plain = main_;
+    const MapFit plain = set_.fit;
     const Priors plain_priors = problem_.priors;
     try_cubic();
     if (!explained_without_cubic(plain, plain_priors)) {
         polish_cubic();
-        if (options_.model != FitOptions::Model::free) {
+        if (task_.options.model != FitOptions::Model::free) {
             examine();
         }
     }
     if (!agrees() && is_of_free_runs()) {
-        examination_ = agreeing_set(problem_, main_, options_.spread, job_);
+        examination_ = agreeing_set(problem_, set_.fit, task_.options.spread, task_.job);
     }
     if (agrees()) {
         choose_model();
-        if (model_ == ResonatorModel::free) {
+        if (set_.model == ResonatorModel::free) {
             examine();
         }
-        main_ = refit_in_phase(problem_, main_, job_);
+        set_.fit = refit_in_phase(problem_, set_.fit, task_.job);
     }
-    return needed_windows(motion_of(solved()), fine_);
+    return needed_windows(motion(), set_.fine);
 }
 
 Eigen::VectorXd SetFit::own_given(const Eigen::VectorXd& shared, std::size_t run) const {
@@ -101,25 +100,22 @@ Eigen::VectorXd SetFit::own_given(const Eigen::VectorXd& shared, std::size_t run
     one.priors.mean.head(shared_count) = shared;
     one.priors.sd.head(shared_count).setZero();
     Eigen::VectorXd start(one.layout.size());
-    start << shared, own_of(problem_.layout, main_.p, run);
-    return own_of(one.layout, minimise(one, start, own_steps, job_).p, 0);
+    start << shared, own_of(problem_.layout, set_.fit.p, run);
+    return own_of(one.layout, minimise(one, start, own_steps, task_.job).p, 0);
 }
 
 bool SetFit::explains_as_much_as(const SetFit& other) const {
     const double dof = degrees_of_freedom(problem_);
-    const bool structured = model_ == other.model_ || other.model_ == ResonatorModel::free;
+    const bool structured =
+        set_.model == other.set_.model || other.set_.model == ResonatorModel::free;
     return structured && chi2_per_dof() < std::max(1.5 * other.chi2_per_dof(), noise_bound(dof));
-}
-
-std::vector<Eigen::Matrix2d> SetFit::noise_whitenings() const {
-    return whitenings(motion_of(solved()), fine_);
 }
 
 std::vector<FittedBreak> SetFit::unexplained_breaks() const {
     constexpr double least_share = 0.3;  // of the excess of chi^2 above the noise
     constexpr double least_of_best = 0.5;
     constexpr double close = 16;
-    const Posterior at = posterior(problem_, main_);
+    const Posterior at = posterior(problem_, set_.fit);
     std::vector<FittedBreak> likely = likely_breaks(problem_, at);
     double most = at_noise() ? 0 : least_share * excess();
     for (const FittedBreak& each : likely) {
@@ -132,10 +128,10 @@ std::vector<FittedBreak> SetFit::unexplained_breaks() const {
     const double fall = std::ranges::max(likely, {}, &FittedBreak::fall).fall;
     const double settling = settling_score(problem_, at).fall;
     const double dof = degrees_of_freedom(problem_);
-    const bool settles =
-        settling > fall && main_.chi2 - settling < std::max(noise_bound(dof) * dof, main_.chi2 / 5);
+    const bool settles = settling > fall && set_.fit.chi2 - settling <
+                                                std::max(noise_bound(dof) * dof, set_.fit.chi2 / 5);
     const std::optional<MisfitCause> smooth =
-        misfit_cause(problem_, at, fine_, scale_, Causes::without_lines, job_);
+        misfit_cause(set_, at, Causes::without_lines, task_.job);
     const bool bends = smooth && smooth->fall > fall - close;
     return settles || bends ? std::vector<FittedBreak>{} : likely;
 }
@@ -144,139 +140,127 @@ bool SetFit::is_white() const {
     if (!at_noise()) {
         return false;
     }
-    const Posterior at = posterior(problem_, main_);
-    const NoiseEstimate noise(problem_, at, job_);
-    return noise.noise().as_expected() && noise_claim(noise, at, job_).holds();
+    const Posterior at = posterior(problem_, set_.fit);
+    const NoiseEstimate noise(problem_, at, task_.job);
+    return noise.as_expected() && noise_claim(noise, at, task_.job).holds;
 }
 
 bool SetFit::has_usual_channels() const {
     constexpr double most_tolerances = 3;
     const Priors& priors = problem_.priors;
     return std::ranges::all_of(channel_errors, [&](const ChannelError& error) {
-        const double off = main_.p[error.parameter] - priors.mean[error.parameter];
+        const double off = set_.fit.p[error.parameter] - priors.mean[error.parameter];
         return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
     });
 }
 
 bool SetFit::explains() const {
-    return main_.finished() && !structured_refused_ && examination_.verdict == SetVerdict::fits &&
-           at_noise() && has_usual_channels();
+    return set_.fit.finished() && !structured_refused_ &&
+           examination_.verdict == SetVerdict::fits && at_noise() && has_usual_channels();
 }
 
-ResonatorFit SetFit::described() const {
-    ResonatorFit fit = describe(solved(), job_);
+ResonatorFit SetFit::described() {
+    set_.spread = examination_.spread;
+    ResonatorFit fit = describe(set_, task_.job);
     fit.free_over_structured = free_over_structured_;
     fit.warnings.insert(fit.warnings.begin(), warnings_.begin(), warnings_.end());
-    conclude(examination_, !options_.spread, fit);
+    conclude(examination_, !task_.options.spread, fit);
     return fit;
 }
 
-SolvedSet SetFit::solved() const {
-    return {runs_,
-            fine_,
-            &problem_,
-            main_,
-            model_,
-            scale_,
-            cubic_limit_,
-            amplitude_or_time_,
-            examination_.spread,
-            with_assumed(options_).tolerance};
-}
-
 void SetFit::examine() {
-    examination_ = examine_set(problem_, main_, options_.spread, job_);
+    examination_ = examine_set(problem_, set_.fit, task_.options.spread, task_.job);
     // Recordings that disagree look coloured together; noise is coloured in some of them alone,
     // too.
     constexpr double white = 1.3;
     if (examination_.verdict != SetVerdict::fits && examination_.own_noise > white && is_noise()) {
-        examination_ = agreeing_set(problem_, main_, options_.spread, job_);
+        examination_ = agreeing_set(problem_, set_.fit, task_.options.spread, task_.job);
     }
     if (examination_.verdict == SetVerdict::spread) {
         for (std::size_t k = 0; k < scaled_.size(); ++k) {
             scaled_[k].deviation = examination_.deviation[k];
         }
-        main_ = minimise(problem_, examination_.p, cubic_steps, job_);
+        set_.fit = minimise(problem_, examination_.p, cubic_steps, task_.job);
     }
-    if (agrees() || model_ == ResonatorModel::free) {
+    if (agrees() || set_.model == ResonatorModel::free) {
         return;
     }
-    const std::optional<MisfitCause> cause = misfit_cause(
-        problem_, posterior(problem_, main_), fine_, scale_, Causes::without_lines, job_);
+    const std::optional<MisfitCause> cause =
+        misfit_cause(set_, posterior(problem_, set_.fit), Causes::without_lines, task_.job);
     const double dof = degrees_of_freedom(problem_);
-    const double left = cause ? main_.chi2 - cause->fall : main_.chi2;
+    const double left = cause ? set_.fit.chi2 - cause->fall : set_.fit.chi2;
     // One parameter that explains that much is no chance, unless it takes channels beyond their
     // tolerances.
     constexpr double nearly_all = 0.05;
     if (left < noise_bound(dof) * dof ||
         (examination_.verdict == SetVerdict::refused && has_usual_channels() &&
-         left - dof < nearly_all * (main_.chi2 - dof))) {
-        examination_ = agreeing_set(problem_, main_, options_.spread, job_);
+         left - dof < nearly_all * (set_.fit.chi2 - dof))) {
+        examination_ = agreeing_set(problem_, set_.fit, task_.options.spread, task_.job);
     }
 }
 
 bool SetFit::is_noise() const {
-    const Posterior at = posterior(problem_, main_);
-    const NoiseEstimate noise(problem_, at, job_);
-    return !noise.noise().white() && noise_claim(noise, at, job_).holds();
+    const Posterior at = posterior(problem_, set_.fit);
+    const NoiseEstimate noise(problem_, at, task_.job);
+    return !noise.white() && noise_claim(noise, at, task_.job).holds;
 }
 
 void SetFit::find_main() {
-    const StillFit wave = fit_waves(problem_, job_);
-    std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, job_);
+    const StillFit wave = fit_waves(problem_, task_.job);
+    std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, task_.job);
     phase_left_ = still.has_value();
-    main_ = still ? *std::move(still) : fit_modes(problem_, wave, job_);
+    set_.fit = still ? *std::move(still) : fit_modes(problem_, wave, task_.job);
 }
 
 void SetFit::try_cubic() {
-    const Posterior at = posterior(problem_, main_);
+    const Posterior at = posterior(problem_, set_.fit);
     const Score score = parameter_score(problem_, at, cubic_at);
     const double dof = degrees_of_freedom(problem_);
-    double scale = std::max(1.0, (main_.chi2 - score.fall) / dof);
-    cubic_limit_ = {score.size[0], std::sqrt(score.inverse(0, 0) * scale), {}};
+    double scale = std::max(1.0, (set_.fit.chi2 - score.fall) / dof);
+    set_.cubic_limit = {score.size[0], std::sqrt(score.inverse(0, 0) * scale), {}};
     if (score.fall < cubic_fall * scale / 4) {
         return;
     }
     FitProblem with = problem_;
     open_cubic(with.priors, scaled_);
     // A frequency that settles falls with the amplitude, too.
-    const double settling = main_.chi2 - settling_score(problem_, at).fall;
-    MapFit fit = minimise(with, main_.p, first_cubic_steps, job_);
+    const double settling = set_.fit.chi2 - settling_score(problem_, at).fall;
+    MapFit fit = minimise(with, set_.fit.p, first_cubic_steps, task_.job);
     if (!fit.converged) {
-        const double reach = main_.chi2 - fit.chi2 + later_cubic_steps * fit.last_gain;
+        const double reach = set_.fit.chi2 - fit.chi2 + later_cubic_steps * fit.last_gain;
         if (settling < fit.chi2 / hopeless || reach < cubic_fall * scale) {
             return;
         }
-        fit = minimise(with, fit.p, later_cubic_steps, job_);
+        fit = minimise(with, fit.p, later_cubic_steps, task_.job);
     }
     scale = std::max(1.0, fit.chi2 / degrees_of_freedom(with));
-    if (main_.chi2 - fit.chi2 <= cubic_fall * scale) {
+    if (set_.fit.chi2 - fit.chi2 <= cubic_fall * scale) {
         return;
     }
     if (settling < fit.chi2 - cubic_fall * scale) {
         return;
     }
-    amplitude_or_time_ = settling < fit.chi2 + cubic_fall * scale;
-    main_ = std::move(fit);
+    set_.amplitude_or_time = settling < fit.chi2 + cubic_fall * scale;
+    set_.fit = std::move(fit);
     problem_.priors = with.priors;
 }
 
 void SetFit::polish_cubic() {
-    if (main_.converged || problem_.priors.sd[cubic_at] == 0) {
+    if (set_.fit.converged || problem_.priors.sd[cubic_at] == 0) {
         return;
     }
     Eigen::VectorXd anew = still_waves(problem_);
-    anew[cubic_at] = main_.p[cubic_at];
-    for (const Eigen::VectorXd& start : {main_.p, anew}) {
-        MapFit fit = minimise(problem_, start, cubic_steps, job_);
-        if (fit.cost < main_.cost) {
-            main_ = std::move(fit);
+    anew[cubic_at] = set_.fit.p[cubic_at];
+    for (const Eigen::VectorXd& start : {set_.fit.p, anew}) {
+        MapFit fit = minimise(problem_, start, cubic_steps, task_.job);
+        if (fit.cost < set_.fit.cost) {
+            set_.fit = std::move(fit);
         }
     }
 }
 
 bool SetFit::is_of_free_runs() const {
-    if (options_.model != FitOptions::Model::automatic || effort_ == Effort::trial ||
+    if (task_.options.model != FitOptions::Model::automatic || effort_ == Effort::trial ||
         runs_.size() < 2) {
         return false;
     }
@@ -286,9 +270,9 @@ bool SetFit::is_of_free_runs() const {
         return false;
     }
     for (std::size_t k = 0; k < runs_.size(); ++k) {
-        SetFit alone({runs_[k]}, fine_.subspan(k, 1), {}, {scale_, options_, job_}, Effort::whole);
+        SetFit alone({runs_[k]}, set_.fine.subspan(k, 1), {}, task_, Effort::whole);
         alone.solve();
-        if (alone.model_ != ResonatorModel::free) {
+        if (alone.set_.model != ResonatorModel::free) {
             return false;
         }
     }
@@ -297,7 +281,7 @@ bool SetFit::is_of_free_runs() const {
 
 MapFit SetFit::fit_freely(FitProblem& free) const {
     free.priors = free_priors(scaled_, problem_.layout);
-    Eigen::VectorXd start = main_.p;
+    Eigen::VectorXd start = set_.fit.p;
     for (const ChannelError& error : channel_errors) {
         start[error.parameter] = free.priors.mean[error.parameter];
     }
@@ -307,28 +291,28 @@ MapFit SetFit::fit_freely(FitProblem& free) const {
 
 void SetFit::choose_model() {
     using Model = FitOptions::Model;
-    if (options_.model == Model::structured || effort_ == Effort::trial) {
+    if (task_.options.model == Model::structured || effort_ == Effort::trial) {
         return;
     }
     FitProblem free = problem_;
     MapFit free_fit = fit_freely(free);
     const StructuredVerdict verdict =
-        test_structured(problem_, main_, free, free_fit, options_.tolerance, job_);
+        test_structured(problem_, set_.fit, free, free_fit, task_.options.tolerance, task_.job);
     free_over_structured_ = verdict.free_over_structured;
-    if (options_.model == Model::automatic && verdict.structured) {
+    if (task_.options.model == Model::automatic && verdict.structured) {
         return;
     }
-    if (options_.model == Model::automatic) {
+    if (task_.options.model == Model::automatic) {
         warnings_.push_back({DiagnosticKind::structured_refused, {verdict.reason}});
         structured_refused_ = true;
     }
-    model_ = ResonatorModel::free;
+    set_.model = ResonatorModel::free;
     problem_.priors = std::move(free.priors);
-    main_ = std::move(free_fit);
+    set_.fit = std::move(free_fit);
 }
 
 MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
-    MapFit near = minimise(problem, start, 60, job_);
+    MapFit near = minimise(problem, start, 60, task_.job);
     const double dof = degrees_of_freedom(problem);
     const double ratio = noise_bound(dof);
     if (phase_left_ || near.chi2 < ratio * dof) {
@@ -338,28 +322,28 @@ MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::Vector
     FitProblem anew = problem;
     anew.noise_ratio = ratio;
     anew.damping_share = std::numeric_limits<double>::infinity();
-    MapFit fit = fit_from_nothing(anew, job_);
+    MapFit fit = fit_from_nothing(anew, task_.job);
     return fit.cost < near.cost ? fit : near;
 }
 
 bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_priors) {
     const bool opened = problem_.priors.sd[cubic_at] > plain_priors.sd[cubic_at];
-    if (!opened || scaled_.size() < 2 || options_.model == FitOptions::Model::free ||
-        runs_agree(problem_, main_)) {
+    if (!opened || scaled_.size() < 2 || task_.options.model == FitOptions::Model::free ||
+        runs_agree(problem_, set_.fit.p)) {
         return false;
     }
-    const MapFit with = std::exchange(main_, plain);
+    const MapFit with = std::exchange(set_.fit, plain);
     const Priors with_priors = std::exchange(problem_.priors, plain_priors);
     examine();
     const double dof = degrees_of_freedom(problem_);
     const double least = examination_.verdict == SetVerdict::foreign  ? examination_.cost
-                         : examination_.verdict == SetVerdict::spread ? main_.cost
+                         : examination_.verdict == SetVerdict::spread ? set_.fit.cost
                                                                       : with.cost;
     if (least < with.cost - cubic_fall && least < noise_bound(dof) * dof) {
-        amplitude_or_time_ = false;
+        set_.amplitude_or_time = false;
         return true;
     }
-    main_ = with;
+    set_.fit = with;
     problem_.priors = with_priors;
     examination_ = {};
     for (ScaledRun& run : scaled_) {
@@ -382,7 +366,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         if (!whitenings.empty() || set->chi2_per_dof() > hopeless) {
             return;
         }
-        whitenings = set->noise_whitenings();
+        whitenings = vybeg::whitenings(set->motion(), good);
         if (std::ranges::any_of(whitenings, [](const auto& one) { return !one.isIdentity(0); })) {
             set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
             needed = set->solve();

@@ -48,13 +48,10 @@ public:
     // Whether this solution explains its windows about as well as `other`.
     bool explains_as_much_as(const SetFit& other) const;
 
-    double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
+    double chi2_per_dof() const { return set_.fit.chi2 / degrees_of_freedom(problem_); }
     bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
 
-    // Those of the noise beside this solution.
-    std::vector<Eigen::Matrix2d> noise_whitenings() const;
-
-    double excess() const { return main_.chi2 - degrees_of_freedom(problem_); }
+    double excess() const { return set_.fit.chi2 - degrees_of_freedom(problem_); }
 
     // Breaks, one of a kind, that may explain the residual; none if something smooth explains it as
     // well.
@@ -64,7 +61,7 @@ public:
     bool is_white() const;
 
     std::array<double, 2> size_of(const FittedBreak& each) const {
-        return fitted_size(problem_, main_.p, each);
+        return fitted_size(problem_, set_.fit.p, each);
     }
 
     // Whether the channel errors lie within three of their tolerances.
@@ -74,14 +71,12 @@ public:
     // structured model is not refused, and the channels are usual.
     bool explains() const;
 
-    FittedMotion motion() const { return motion_of(solved()); }
+    FittedMotion motion() const { return motion_of(set_); }
 
     // Results of the present parameters.
-    ResonatorFit described() const;
+    ResonatorFit described();
 
 private:
-    SolvedSet solved() const;
-
     // Whether the set is one at all. A cause common to all runs that leaves only noise is named
     // instead; nearly so where no single run makes the difference.
     void examine();
@@ -117,19 +112,13 @@ private:
     MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const;
 
     std::vector<PhasorRun> runs_;
-    std::span<const PhasorRun> fine_;
     std::vector<ScaledRun> scaled_;
-    double scale_;
-    const FitOptions& options_;
-    const JobControl& job_;
+    FitTask task_;
     Effort effort_;
     FitProblem problem_;
-    MapFit main_;
+    SolvedSet set_;            // refers to the runs and the problem
     bool phase_left_ = false;  // still waves explain everything except the phase
     SetExamination examination_;
-    Estimate cubic_limit_;
-    bool amplitude_or_time_ = false;
-    ResonatorModel model_{};
     double free_over_structured_ = 0;
     bool structured_refused_ = false;  // with a finding
     std::vector<Diagnostic> warnings_;

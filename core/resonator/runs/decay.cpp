@@ -1,5 +1,8 @@
 #include "core/resonator/runs/decay.h"
 
+#include "core/numerics/minimise.h"
+#include "core/numerics/statistics.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -97,36 +100,25 @@ Normal normal_of(const LogAmplitude& series, const Vector3d& law) {
     return normal;
 }
 
-// Levenberg and Marquardt in v0, r and q.
-Vector3d fitted(const LogAmplitude& series, Vector3d law) {
-    double damping = 1e-3;
-    double chi2 = chi2_of(series, law);
-    for (int step = 0; step < law_steps; ++step) {
-        Normal normal = normal_of(series, law);
+struct TriedLaw {
+    Vector3d law;
+    double chi2 = 0;
+};
+
+// In v0, r and q.
+Vector3d fitted(const LogAmplitude& series, const Vector3d& start) {
+    TriedLaw at{start, chi2_of(series, start)};
+    descend_damped(at, {law_steps, 1e-9, 1e8}, [&](const TriedLaw& from, double damping) {
+        Normal normal = normal_of(series, from.law);
         normal.square.diagonal() *= 1 + damping;
-        Vector3d next = law + normal.square.ldlt().solve(normal.side);
+        Vector3d next = from.law + normal.square.ldlt().solve(normal.side);
         next[2] = std::clamp(next[2], 1 - most_power, most_power - 1);
-        const double tried = chi2_of(series, next);
-        if (!(tried < chi2)) {
-            damping *= 10;
-            if (damping > 1e8) {
-                break;
-            }
-            continue;
-        }
-        const bool done = chi2 - tried < 1e-6 * std::max(1.0, tried);
-        law = next;
-        chi2 = tried;
-        damping = std::max(damping / 10, 1e-9);
-        if (done) {
-            break;
-        }
-    }
-    return law;
+        return TriedLaw{next, chi2_of(series, next)};
+    });
+    return at.law;
 }
 
-// Factor of the variance of slow parameters: the sum of the residual's autocorrelation up to its
-// first zero, at least one.
+// Factor of the variance of slow parameters.
 double correlation_time(const LogAmplitude& series, const Vector3d& law) {
     std::vector<double> left;
     double power = 0;
@@ -134,28 +126,24 @@ double correlation_time(const LogAmplitude& series, const Vector3d& law) {
         left.push_back(series.weight[k] * (series.value[k] - law_at(law, series.time_s[k]).value));
         power += left.back() * left.back();
     }
-    double sum = 1;
-    for (std::size_t lag = 1; lag < left.size() / 4; ++lag) {
+    return correlated_values(left.size(), power, [&left](std::size_t lag) {
         double product = 0;
         for (std::size_t k = lag; k < left.size(); ++k) {
             product += left[k] * left[k - lag];
         }
-        if (!(product > 0.1 * power)) {
-            break;
-        }
-        sum += 2 * product / power;
-    }
-    return sum;
+        return product;
+    });
 }
 
 }  // namespace
 
-Estimate decay_time(double per_s, double sd, double u) {
+Estimate decay_time(const Estimate& rate) {
     constexpr double given_from = 5;
     constexpr double limit = 2;
-    const double width = u > sd ? u : sd;
+    const double per_s = rate.value;
+    const double width = rate.uncertainty();
     if (per_s >= given_from * width) {
-        return {1 / per_s, sd / (per_s * per_s), {}, u / (per_s * per_s)};
+        return {1 / per_s, rate.sd / (per_s * per_s), {}, rate.u / (per_s * per_s)};
     }
     const double fastest = per_s + limit * width;
     if (fastest <= 0) {

@@ -12,10 +12,10 @@
 
 namespace vybeg {
 
-// Decay time of a decay rate (1/s) with its standard deviation and combined uncertainty, given from
-// five deviations on, because 1/x is biased below. Otherwise the reason: limits of two deviations,
-// or a growing motion.
-Estimate decay_time(double per_s, double sd, double u);
+// Decay time of a decay rate (1/s), given from five combined uncertainties on, because 1/x is
+// biased below. Otherwise the reason: limits of two of them, or a growing motion. Precondition: it
+// is given.
+Estimate decay_time(const Estimate& rate);
 
 // How the amplitude a = |z| of a recording falls: da/dt = -k a^p, by least squares of log a over
 // the windows from the first to the last before a falls below ten deviations. p = 1 is the free

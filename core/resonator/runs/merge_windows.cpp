@@ -1,7 +1,7 @@
 #include "core/resonator/runs/merge_windows.h"
 
-#include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
+#include "core/numerics/spectral_density.h"
 #include "core/numerics/statistics.h"
 #include "core/resonator/model/parameters.h"
 #include "core/resonator/model/phasor_run.h"
@@ -12,6 +12,7 @@
 #include <complex>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -106,7 +107,7 @@ constexpr std::size_t least_points = 128;
 constexpr double beta = 12;
 
 // Power of both channels' residual by frequency bin, windows on the grid of their times.
-std::vector<double> bin_powers(const PhasorRun& run, const std::vector<Phasors>& expected) {
+std::vector<double> residual_powers(const PhasorRun& run, const std::vector<Phasors>& expected) {
     const auto place = [&run](std::size_t k) {
         return static_cast<std::size_t>(
             std::lround((run.time_s[k] - run.time_s[0]) / run.window_s));
@@ -122,14 +123,7 @@ std::vector<double> bin_powers(const PhasorRun& run, const std::vector<Phasors>&
         c[at] = weight * (run.c[k] - expected[k].c);
         d[at] = weight * (run.d[k] - expected[k].d);
     }
-    const Fft transform(size);
-    transform.forward(c);
-    transform.forward(d);
-    std::vector<double> power(size);
-    for (std::size_t bin = 0; bin < size; ++bin) {
-        power[bin] = std::norm(c[bin]) + std::norm(d[bin]);
-    }
-    return power;
+    return bin_powers(std::move(c), std::move(d));
 }
 
 double noise_around(const std::vector<double>& power, std::ptrdiff_t bin) {
@@ -174,7 +168,8 @@ double line_beyond(const FittedMotion& motion, std::span<const PhasorRun> fine) 
         if (run.time_s.size() < least_points || band_hz >= 0.49 / run.window_s) {
             continue;
         }
-        const std::vector<double> power = bin_powers(run, predicted_phasors(motion, k, run.time_s));
+        const std::vector<double> power =
+            residual_powers(run, predicted_phasors(motion, k, run.time_s));
         const auto size = std::ssize(power);
         for (std::ptrdiff_t bin = 0; bin < size; ++bin) {
             const double f_hz = static_cast<double>(std::min(bin, size - bin)) /

@@ -1,6 +1,8 @@
 #include "core/resonator/runs/sum_of_modes.h"
 
 #include "core/numerics/dense_solvers.h"
+#include "core/numerics/minimise.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/runs/merge_windows.h"
 
 #include <Eigen/Dense>
@@ -10,7 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -38,7 +40,7 @@ Data data_of(const PhasorRun& run) {
     Complex steps = 0;
     for (std::size_t k = 1; k < run.time_s.size(); ++k) {
         if (run.time_s[k] - run.time_s[k - 1] < 1.5 * run.window_s) {
-            steps += std::conj(run.c[k - 1]) * run.c[k] + std::conj(run.d[k - 1]) * run.d[k];
+            steps += run.product(k - 1, k);
         }
     }
     data.step_s = run.window_s;
@@ -98,54 +100,41 @@ std::vector<Complex> predicted_rates(const Data& data, std::size_t lag, std::siz
     return rates;
 }
 
-// Gauss and Newton from start values of the rates. The model is holomorphic in rates and
-// amplitudes, so that its equations are complex ones.
-class Solution {
-public:
-    Solution(const Data& data, std::vector<Complex> rates) : data_(data), rates_(std::move(rates)) {
-        chi2_ = with_amplitudes(rates_, amplitudes_);
+// Modes with the amplitudes that fit them best. The model is holomorphic in rates and amplitudes,
+// so that its equations are complex ones.
+struct Solution {
+    // chi2 is infinite where there are no amplitudes.
+    Solution(const Data& of, std::vector<Complex> at) : data(&of), rates(std::move(at)) {
+        const MatrixXcd all = waves();
+        const MatrixXcd square = all.adjoint() * all;
+        for (std::size_t channel = 0; channel < 2; ++channel) {
+            const VectorXcd& z = data->z[channel];
+            amplitudes[channel] = square.fullPivLu().solve(all.adjoint() * z);
+            chi2 += (z - all * amplitudes[channel]).squaredNorm();
+        }
+        chi2 = std::isfinite(chi2) ? chi2 : std::numeric_limits<double>::infinity();
     }
 
-    double chi2() const { return chi2_; }
-
-    void refine() {
-        double damping = 1e-3;
-        for (int step = 0; step < sum_steps && std::isfinite(chi2_); ++step) {
-            const MatrixXcd jacobian = derivatives();
-            MatrixXcd square = jacobian.adjoint() * jacobian;
-            const VectorXcd side = jacobian.adjoint() * residual();
-            square.diagonal() *= 1 + damping;
-            const VectorXcd change = square.fullPivLu().solve(side);
-            std::vector<Complex> next = rates_;
-            for (std::size_t mode = 0; mode < next.size(); ++mode) {
-                next[mode] += change[static_cast<Index>(mode)];
-            }
-            std::array<VectorXcd, 2> amplitudes;
-            const double chi2 = with_amplitudes(next, amplitudes);
-            if (!(chi2 < chi2_)) {
-                damping *= 10;
-                if (damping > 1e6) {
-                    return;
-                }
-                continue;
-            }
-            const bool done = chi2_ - chi2 < 1e-6 * std::max(1.0, chi2);
-            rates_ = std::move(next);
-            amplitudes_ = std::move(amplitudes);
-            chi2_ = chi2;
-            damping = std::max(damping / 10, 1e-12);
-            if (done) {
-                return;
-            }
+    // After one step of Gauss and Newton.
+    Solution next(double damping) const {
+        const MatrixXcd jacobian = derivatives();
+        MatrixXcd square = jacobian.adjoint() * jacobian;
+        const VectorXcd side = jacobian.adjoint() * residual();
+        square.diagonal() *= 1 + damping;
+        const VectorXcd change = square.fullPivLu().solve(side);
+        std::vector<Complex> moved = rates;
+        for (std::size_t mode = 0; mode < moved.size(); ++mode) {
+            moved[mode] += change[static_cast<Index>(mode)];
         }
+        return {*data, std::move(moved)};
     }
 
     ModeSum found() const {
-        const auto modes = static_cast<Index>(rates_.size());
+        const auto modes = static_cast<Index>(rates.size());
         ModeSum sum;
-        sum.chi2 = chi2_;
-        sum.freedom = 4 * static_cast<double>(data_.time_s.size()) - 6 * static_cast<double>(modes);
-        const double scale = std::max(1.0, chi2_ / sum.freedom) * correlation_windows();
+        sum.chi2 = chi2;
+        sum.freedom = 4 * static_cast<double>(data->time_s.size()) - 6 * static_cast<double>(modes);
+        const double scale = std::max(1.0, chi2 / sum.freedom) * correlation_windows();
         const MatrixXcd jacobian = derivatives();
         const MatrixXcd covariance =
             (jacobian.adjoint() * jacobian)
@@ -159,51 +148,35 @@ public:
         for (Index mode = 0; mode < modes; ++mode) {
             order.push_back(mode);
         }
-        std::ranges::sort(order, std::ranges::greater{}, [&](Index mode) {
-            return rates_[static_cast<std::size_t>(mode)].imag();
-        });
+        std::ranges::sort(order, std::ranges::greater{},
+                          [&](Index mode) { return rates[static_cast<std::size_t>(mode)].imag(); });
         for (const Index mode : order) {
-            sum.rates.push_back(rates_[static_cast<std::size_t>(mode)] + Complex(0, data_.turn));
+            sum.rates.push_back(rates[static_cast<std::size_t>(mode)] + Complex(0, data->turn));
             sum.rate_sd.push_back(sd(mode));
-            sum.shapes.emplace_back(amplitudes_[0][mode], amplitudes_[1][mode]);
+            sum.shapes.emplace_back(amplitudes[0][mode], amplitudes[1][mode]);
             sum.shape_sd.push_back(std::max(sd(modes + mode), sd(2 * modes + mode)) /
                                    sum.shapes.back().norm());
         }
         return sum;
     }
 
-private:
-    MatrixXcd waves(std::span<const Complex> rates) const {
-        const auto rows = static_cast<Index>(data_.time_s.size());
+    MatrixXcd waves() const {
+        const auto rows = static_cast<Index>(data->time_s.size());
         MatrixXcd waves(rows, static_cast<Index>(rates.size()));
         for (Index mode = 0; mode < waves.cols(); ++mode) {
             const Complex rate = rates[static_cast<std::size_t>(mode)];
             for (Index k = 0; k < rows; ++k) {
                 const auto at = static_cast<std::size_t>(k);
-                waves(k, mode) = data_.weight[at] * std::exp(rate * data_.time_s[at]);
+                waves(k, mode) = data->weight[at] * std::exp(rate * data->time_s[at]);
             }
         }
         return waves;
     }
 
-    // The best amplitudes for the rates; returns chi^2, infinite where there are none.
-    double with_amplitudes(std::span<const Complex> rates,
-                           std::array<VectorXcd, 2>& amplitudes) const {
-        const MatrixXcd all = waves(rates);
-        const MatrixXcd square = all.adjoint() * all;
-        double chi2 = 0;
-        for (std::size_t channel = 0; channel < 2; ++channel) {
-            const VectorXcd& z = data_.z[channel];
-            amplitudes[channel] = square.fullPivLu().solve(all.adjoint() * z);
-            chi2 += (z - all * amplitudes[channel]).squaredNorm();
-        }
-        return std::isfinite(chi2) ? chi2 : std::numeric_limits<double>::infinity();
-    }
-
     VectorXcd residual() const {
-        const MatrixXcd all = waves(rates_);
+        const MatrixXcd all = waves();
         VectorXcd left(2 * all.rows());
-        left << data_.z[0] - all * amplitudes_[0], data_.z[1] - all * amplitudes_[1];
+        left << data->z[0] - all * amplitudes[0], data->z[1] - all * amplitudes[1];
         return left;
     }
 
@@ -212,34 +185,30 @@ private:
     double correlation_windows() const {
         const VectorXcd left = residual();
         const Index rows = left.size() / 2;
-        const double power = left.squaredNorm();
-        double sum = 1;
-        for (Index lag = 1; lag < rows / 4; ++lag) {
-            double product = 0;
+        const auto product = [&](std::size_t lag) {
+            const Index length = rows - static_cast<Index>(lag);
+            double sum = 0;
             for (const Index first : {Index{0}, rows}) {
-                product += left.segment(first, rows - lag)
-                               .dot(left.segment(first + lag, rows - lag))
-                               .real();
+                sum += left.segment(first, length)
+                           .dot(left.segment(first + rows - length, length))
+                           .real();
             }
-            if (!(product > 0.1 * power)) {
-                break;
-            }
-            sum += 2 * product / power;
-        }
-        return sum;
+            return sum;
+        };
+        return correlated_values(static_cast<std::size_t>(rows), left.squaredNorm(), product);
     }
 
     // By the rates, then the amplitudes in C, then those in D.
     MatrixXcd derivatives() const {
-        const MatrixXcd all = waves(rates_);
+        const MatrixXcd all = waves();
         const Index rows = all.rows();
         const Index modes = all.cols();
         MatrixXcd by = MatrixXcd::Zero(2 * rows, 3 * modes);
         for (Index mode = 0; mode < modes; ++mode) {
             for (Index k = 0; k < rows; ++k) {
-                const Complex moved = data_.time_s[static_cast<std::size_t>(k)] * all(k, mode);
-                by(k, mode) = moved * amplitudes_[0][mode];
-                by(rows + k, mode) = moved * amplitudes_[1][mode];
+                const Complex moved = data->time_s[static_cast<std::size_t>(k)] * all(k, mode);
+                by(k, mode) = moved * amplitudes[0][mode];
+                by(rows + k, mode) = moved * amplitudes[1][mode];
                 by(k, modes + mode) = all(k, mode);
                 by(rows + k, 2 * modes + mode) = all(k, mode);
             }
@@ -247,10 +216,10 @@ private:
         return by;
     }
 
-    const Data& data_;
-    std::vector<Complex> rates_;
-    std::array<VectorXcd, 2> amplitudes_;
-    double chi2_ = 0;
+    const Data* data;
+    std::vector<Complex> rates;
+    std::array<VectorXcd, 2> amplitudes{};
+    double chi2 = 0;
 };
 
 // Whether the channels have nearly one shape, and a power that rises again: what a beat in one
@@ -377,14 +346,15 @@ std::optional<ModeSum> sum_of_modes(const PhasorRun& run, std::size_t count) {
             continue;
         }
         Solution next(data, std::move(rates));
-        if (std::isfinite(next.chi2()) && (!best || next.chi2() < best->chi2())) {
+        if (std::isfinite(next.chi2) && (!best || next.chi2 < best->chi2)) {
             best.emplace(std::move(next));
         }
     }
     if (!best) {
         return {};
     }
-    best->refine();
+    descend_damped(*best, {sum_steps, 1e-12, 1e6},
+                   [](const Solution& at, double damping) { return at.next(damping); });
     return best->found();
 }
 

@@ -18,7 +18,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,12 +37,6 @@ constexpr double outlier = 6;
 // Step of 2theta_A, of period pi, that may as well be one the other way. A wave that passes near
 // the circular state turns by almost pi/2.
 constexpr double ambiguous_step = std::numbers::pi / 4;
-
-// z_j^H z_k: its angle is the phase from window j to window k.
-template <class Windows>
-Complex product(const Windows& run, std::size_t j, std::size_t k) {
-    return std::conj(run.c[j]) * run.c[k] + std::conj(run.d[j]) * run.d[k];
-}
 
 // Series of the listed windows, and the windows of the angle.
 struct Motion {
@@ -91,6 +84,11 @@ struct Middles {
     std::vector<Complex> c;
     std::vector<Complex> d;
     std::vector<double> noise_gain;  // in units of the variance of one window
+
+    // As PhasorRun.
+    Complex product(std::size_t j, std::size_t k) const {
+        return std::conj(c[j]) * c[k] + std::conj(d[j]) * d[k];
+    }
 };
 
 Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
@@ -123,7 +121,7 @@ double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, st
     const double power = run.power(k);
     const auto across = [&](std::size_t j) {
         return (run.c[k] * run.d[j] - run.d[k] * run.c[j]) *
-               std::polar(1.0, -std::arg(product(run, k, j)));
+               std::polar(1.0, -std::arg(run.product(k, j)));
     };
     const double variance = run.sd[k] * run.sd[k];
     const double noise = 2 * (run.sd[before] * run.sd[before] + run.sd[behind] * run.sd[behind]);
@@ -136,7 +134,7 @@ double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows)
     Complex sum = 0;
     for (std::size_t i = 1; i < windows.size(); ++i) {
         if (run.time_s[windows[i]] - run.time_s[windows[i - 1]] < 1.5 * run.window_s) {
-            sum += product(run, windows[i - 1], windows[i]);
+            sum += run.product(windows[i - 1], windows[i]);
         }
     }
     return std::arg(sum) / run.window_s;
@@ -171,119 +169,103 @@ constexpr double regularisation = 1e-6;
 // of four windows and more) passes unchanged within 1e-6.
 class BetweenWindows {
 public:
-    static constexpr std::size_t reach = 8;   // windows on each side
-    static constexpr std::size_t parts = 16;  // of the way from a window to the next
+    static constexpr std::size_t reach = 8;  // windows on each side
 
-    BetweenWindows();
+    BetweenWindows() {
+        constexpr auto taps = static_cast<Index>(2 * reach);
+        Eigen::MatrixXd passed = Eigen::MatrixXd::Zero(2 * frequencies + taps, taps);
+        Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(passed.rows(), parts + 1);
+        for (Index k = 0; k < frequencies; ++k) {
+            const double turn = 2 * pi * band * (static_cast<double>(k) + 0.5) /
+                                static_cast<double>(frequencies);  // per window
+            const double mean = std::sin(turn / 2) / (turn / 2);
+            for (Index tap = 0; tap < taps; ++tap) {
+                const double off = static_cast<double>(tap) - (static_cast<double>(reach) - 1);
+                passed(2 * k, tap) = mean * std::cos(turn * off);
+                passed(2 * k + 1, tap) = mean * std::sin(turn * off);
+            }
+            for (Index part = 0; part <= static_cast<Index>(parts); ++part) {
+                const double off = static_cast<double>(part) / static_cast<double>(parts);
+                wanted(2 * k, part) = std::cos(turn * off);
+                wanted(2 * k + 1, part) = std::sin(turn * off);
+            }
+        }
+        passed.bottomRows(taps).diagonal().setConstant(regularisation *
+                                                       std::sqrt(static_cast<double>(frequencies)));
+        weights_ = passed.colPivHouseholderQr().solve(wanted).transpose();
+    }
 
     // The phasor `part` parts after the centre of the window before the last `reach` means.
-    std::complex<double> at(std::size_t part, std::span<const std::complex<double>> means) const;
+    Complex at(std::size_t part, std::span<const Complex> means) const {
+        Complex sum = 0;
+        for (std::size_t tap = 0; tap < 2 * reach; ++tap) {
+            sum += weights_(static_cast<Index>(part), static_cast<Index>(tap)) * means[tap];
+        }
+        return sum;
+    }
 
     // Phase from that centre to the next one, weighted by the power of both channels; summed over
     // steps so short that unequal modes are weighted by their power.
-    double phase(std::span<const std::complex<double>> c,
-                 std::span<const std::complex<double>> d) const;
+    double phase(std::span<const Complex> c, std::span<const Complex> d) const {
+        std::array<Complex, parts + 1> by_c;
+        std::array<Complex, parts + 1> by_d;
+        for (std::size_t part = 0; part <= parts; ++part) {
+            by_c[part] = at(part, c);
+            by_d[part] = at(part, d);
+        }
+        const auto sum = [&](std::size_t step) {
+            double phase = 0;
+            for (std::size_t part = 0; part < parts; part += step) {
+                phase += std::arg(std::conj(by_c[part]) * by_c[part + step] +
+                                  std::conj(by_d[part]) * by_d[part + step]);
+            }
+            return phase;
+        };
+        // A step weights unequal modes by their power, with an error of third order.
+        return (4 * sum(1) - sum(2)) / 3;
+    }
 
     // Noise gain at a centre, in units of a window's noise variance.
     double noise_gain() const { return weights_.row(0).squaredNorm(); }
 
 private:
+    static constexpr std::size_t parts = 16;  // of the way from a window to the next
+
     Eigen::MatrixXd weights_;  // a row for each part
 };
 
-BetweenWindows::BetweenWindows() {
-    constexpr auto taps = static_cast<Index>(2 * reach);
-    Eigen::MatrixXd passed = Eigen::MatrixXd::Zero(2 * frequencies + taps, taps);
-    Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(passed.rows(), parts + 1);
-    for (Index k = 0; k < frequencies; ++k) {
-        const double turn = 2 * pi * band * (static_cast<double>(k) + 0.5) /
-                            static_cast<double>(frequencies);  // per window
-        const double mean = std::sin(turn / 2) / (turn / 2);
-        for (Index tap = 0; tap < taps; ++tap) {
-            const double off = static_cast<double>(tap) - (static_cast<double>(reach) - 1);
-            passed(2 * k, tap) = mean * std::cos(turn * off);
-            passed(2 * k + 1, tap) = mean * std::sin(turn * off);
+// Of a fast beat: phasors, with enough consecutive windows on both sides, by interpolation. Returns
+// the phase from the window before to each of the list likewise; NaN near ends and gaps.
+std::vector<double> interpolate_beat(const PhasorRun& run, const std::vector<std::size_t>& windows,
+                                     Middles& z) {
+    constexpr std::size_t reach = BetweenWindows::reach;
+    const BetweenWindows between;
+    std::vector<double> phases(windows.size(), std::numeric_limits<double>::quiet_NaN());
+    std::size_t in_row = 0;  // consecutive windows up to this one
+    for (std::size_t last = 0; last < windows.size(); ++last) {
+        const bool follows =
+            last > 1 && in_a_row(run, windows[last - 2], windows[last - 1], windows[last]);
+        in_row = follows ? in_row + 1 : 2;
+        if (in_row < 2 * reach) {
+            continue;
         }
-        for (Index part = 0; part <= static_cast<Index>(parts); ++part) {
-            const double off = static_cast<double>(part) / static_cast<double>(parts);
-            wanted(2 * k, part) = std::cos(turn * off);
-            wanted(2 * k + 1, part) = std::sin(turn * off);
-        }
+        const std::size_t first = windows[last + 1 - 2 * reach];
+        const std::size_t k = last + 1 - reach;  // in the list, after the centre
+        const auto c = std::span(run.c).subspan(first, 2 * reach);
+        const auto d = std::span(run.d).subspan(first, 2 * reach);
+        phases[k] = between.phase(c, d);
+        z.c[windows[k - 1]] = between.at(0, c);
+        z.d[windows[k - 1]] = between.at(0, d);
+        z.noise_gain[windows[k - 1]] = between.noise_gain();
     }
-    passed.bottomRows(taps).diagonal().setConstant(regularisation *
-                                                   std::sqrt(static_cast<double>(frequencies)));
-    weights_ = passed.colPivHouseholderQr().solve(wanted).transpose();
+    return phases;
 }
-
-Complex BetweenWindows::at(std::size_t part, std::span<const Complex> means) const {
-    Complex sum = 0;
-    for (std::size_t tap = 0; tap < 2 * reach; ++tap) {
-        sum += weights_(static_cast<Index>(part), static_cast<Index>(tap)) * means[tap];
-    }
-    return sum;
-}
-
-double BetweenWindows::phase(std::span<const Complex> c, std::span<const Complex> d) const {
-    std::array<Complex, parts + 1> by_c;
-    std::array<Complex, parts + 1> by_d;
-    for (std::size_t part = 0; part <= parts; ++part) {
-        by_c[part] = at(part, c);
-        by_d[part] = at(part, d);
-    }
-    const auto sum = [&](std::size_t step) {
-        double phase = 0;
-        for (std::size_t part = 0; part < parts; part += step) {
-            phase += std::arg(std::conj(by_c[part]) * by_c[part + step] +
-                              std::conj(by_d[part]) * by_d[part + step]);
-        }
-        return phase;
-    };
-    // A step weights unequal modes by their power, with an error of third order.
-    return (4 * sum(1) - sum(2)) / 3;
-}
-
-// Windows of a fast beat: with enough consecutive windows on both sides, phasors and phase steps
-// follow by interpolation.
-class FastBeat {
-public:
-    FastBeat(const PhasorRun& run, const std::vector<std::size_t>& windows, Middles& z)
-        : phases_(windows.size(), std::numeric_limits<double>::quiet_NaN()) {
-        constexpr std::size_t reach = BetweenWindows::reach;
-        const BetweenWindows between;
-        std::size_t in_row = 0;  // consecutive windows up to this one
-        for (std::size_t last = 0; last < windows.size(); ++last) {
-            const bool follows =
-                last > 1 && in_a_row(run, windows[last - 2], windows[last - 1], windows[last]);
-            in_row = follows ? in_row + 1 : 2;
-            if (in_row < 2 * reach) {
-                continue;
-            }
-            const std::size_t first = windows[last + 1 - 2 * reach];
-            const std::size_t k = last + 1 - reach;  // in the list, after the centre
-            const auto means = [first](const std::vector<Complex>& all) {
-                return std::span(all).subspan(first, 2 * reach);
-            };
-            phases_[k] = between.phase(means(run.c), means(run.d));
-            z.c[windows[k - 1]] = between.at(0, means(run.c));
-            z.d[windows[k - 1]] = between.at(0, means(run.d));
-            z.noise_gain[windows[k - 1]] = between.noise_gain();
-        }
-    }
-
-    // From the window before the i-th of the list to it; NaN near ends and gaps.
-    double phase(std::size_t i) const { return phases_[i]; }
-
-private:
-    std::vector<double> phases_;
-};
 
 Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
     const double rate = usual_rate(run, windows);
     Middles z = middles_of(run, windows);
-    std::optional<FastBeat> beat;
-    if (beats_fast(run, windows, rate)) {
-        beat.emplace(run, windows, z);
-    }
+    const std::vector<double> of_beat =
+        beats_fast(run, windows, rate) ? interpolate_beat(run, windows, z) : std::vector<double>{};
     Motion motion;
     double phase = 0;
     double two_theta = 0;
@@ -295,17 +277,17 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
         if (i > 0) {
             // Relative to the usual rate, so that gaps are bridged with the right number of turns.
             const double usual = rate * (t - run.time_s[windows[i - 1]]);
-            const double beyond = std::arg(product(z, windows[i - 1], k) * std::polar(1.0, -usual));
+            const double beyond = std::arg(z.product(windows[i - 1], k) * std::polar(1.0, -usual));
             phase += usual + (part == own ? beyond : 0);
         }
-        if (beat && i > 0 && !std::isnan(beat->phase(i))) {
-            phase = motion.phase.value.back() + beat->phase(i);
+        if (!of_beat.empty() && i > 0 && !std::isnan(of_beat[i])) {
+            phase = motion.phase.value.back() + of_beat[i];
         } else if (i > 1 && in_a_row(run, windows[i - 2], windows[i - 1], k)) {
             // A step underestimates the mean rate of unequal modes by a term of third order; a
             // double step shows that term eightfold.
             phase +=
-                std::arg(product(z, windows[i - 2], windows[i - 1]) *
-                         product(z, windows[i - 1], k) * std::conj(product(z, windows[i - 2], k))) /
+                std::arg(z.product(windows[i - 2], windows[i - 1]) * z.product(windows[i - 1], k) *
+                         std::conj(z.product(windows[i - 2], k))) /
                 6;
         }
         const double power = std::norm(z.c[k]) + std::norm(z.d[k]);
@@ -408,6 +390,7 @@ PhasorRun clear_windows(const PhasorRun& run) {
     return merge_windows(run, static_cast<std::size_t>(count / together));
 }
 
+// Without deviations, which are then NaN, at a fraction of the cost.
 WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobControl& job) {
     const PhasorRun run = clear_windows(windows);
     const Motion motion = motion_without_outliers(run, job);
@@ -428,8 +411,7 @@ WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobContr
         deviations ? mean_rates(series, inflation_of(run), job) : mean_slopes(series);
     found.f_hz = {run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi, {}};
     found.decay_per_s = {-rates[1].value, rates[1].sd, {}};
-    found.tau_s =
-        decay_time(-rates[1].value, rates[1].sd, std::numeric_limits<double>::quiet_NaN());
+    found.tau_s = decay_time(found.decay_per_s);
     const Estimate none{.reason = {ReasonCode::circular_wave, {}}};
     found.theta_rate_rad_s =
         circular || motion.branch_lost ? none : Estimate{rates[2].value, rates[2].sd, {}};
@@ -466,10 +448,6 @@ WaveMotion wave_motion(const PhasorRun& run, const JobControl& job) {
     return motion_with(run, true, job);
 }
 
-WaveMotion wave_values(const PhasorRun& run, const JobControl& job) {
-    return motion_with(run, false, job);
-}
-
 WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
                        const JobControl& job) {
     WaveMotion found = wave_motion(run, job);
@@ -479,7 +457,7 @@ WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
         if (size == 0 || job.cancelled()) {
             continue;
         }
-        const WaveMotion moved = wave_values(with_error(run, error.tolerance, size), job);
+        const WaveMotion moved = motion_with(with_error(run, error.tolerance, size), false, job);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const double change = (moved.*numbers[k]).value - (found.*numbers[k]).value;
             variance[k] += std::isfinite(change) ? change * change : 0;
@@ -489,9 +467,8 @@ WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
         Estimate& number = found.*numbers[k];
         number.u = std::sqrt(number.sd * number.sd + variance[k]);
     }
-    const Estimate& decay = found.decay_per_s;
-    if (decay.given()) {
-        found.tau_s = decay_time(decay.value, decay.sd, decay.u);
+    if (found.decay_per_s.given()) {
+        found.tau_s = decay_time(found.decay_per_s);
     }
     return found;
 }

@@ -34,9 +34,6 @@ struct WaveMotion {
 // unknown), those of decay_time(). Precondition: the vectors of a run have one length.
 WaveMotion wave_motion(const PhasorRun& run, const JobControl& job = {});
 
-// The values alone, their deviations NaN, at a fraction of the cost. tau has none.
-WaveMotion wave_values(const PhasorRun& run, const JobControl& job = {});
-
 // wave_motion() with `u` for each number: sd combined with the change by one deviation of each
 // channel error, errors independent. Preconditions: as there.
 WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,

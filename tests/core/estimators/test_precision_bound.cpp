@@ -1,4 +1,4 @@
-#include "core/estimators/wave/precision_bound.h"
+#include "core/estimators/wave/wave_formulas.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 
@@ -62,14 +62,14 @@ private slots:
                 for (const WaveState& state :
                      {WaveState{1, 0, 0.3, 0.4}, WaveState{2, 0.9, -1.2, 2},
                       WaveState{1, -0.6, 1.5, -3}}) {
-                    const Precision bound =
+                    const WaveErrors bound =
                         precision_bound(to_phasors(state), w / (2 * std::numbers::pi), 1, n, 0.01);
                     const auto expected = brute_force(state, w, n);
-                    VYBEG_CLOSE_RATIO(bound.sd.a_A, 0.01 * expected[0], 1e-6);
-                    VYBEG_CLOSE_RATIO(bound.sd.a_B, 0.01 * expected[1], 1e-6);
-                    VYBEG_CLOSE_RATIO(bound.sd.two_theta_A, 0.01 * expected[2], 1e-6);
-                    VYBEG_CLOSE_RATIO(bound.sd.alpha, 0.01 * expected[3], 1e-6);
-                    VYBEG_CLOSE_RATIO(bound.sd_f_hz, 0.01 * expected[4] / (2 * std::numbers::pi),
+                    VYBEG_CLOSE_RATIO(bound.a_A, 0.01 * expected[0], 1e-6);
+                    VYBEG_CLOSE_RATIO(bound.a_B, 0.01 * expected[1], 1e-6);
+                    VYBEG_CLOSE_RATIO(bound.two_theta_A, 0.01 * expected[2], 1e-6);
+                    VYBEG_CLOSE_RATIO(bound.alpha, 0.01 * expected[3], 1e-6);
+                    VYBEG_CLOSE_RATIO(bound.f_hz, 0.01 * expected[4] / (2 * std::numbers::pi),
                                       1e-6);
                 }
             }
@@ -85,7 +85,7 @@ private slots:
                 const WaveState state{1.5, a_B, 0.8, -2};
                 const double sigma = 0.02;
                 const auto count = static_cast<double>(n);
-                const Precision bound = precision_bound(to_phasors(state), f, rate, n, sigma);
+                const WaveErrors bound = precision_bound(to_phasors(state), f, rate, n, sigma);
                 const double power = 2.25 + a_B * a_B;
                 const double amplitude = sigma * std::sqrt(2 / count);
                 const double angle = amplitude * std::sqrt(power) / (2.25 - a_B * a_B);
@@ -93,11 +93,11 @@ private slots:
                     sigma * rate * std::sqrt(24 / (power * count * (count * count - 1)));
                 // What the method drops falls with the window like 1/n.
                 const double relative = 2 / count;
-                VYBEG_CLOSE_RATIO(bound.sd.a_A, amplitude, relative);
-                VYBEG_CLOSE_RATIO(bound.sd.a_B, amplitude, relative);
-                VYBEG_CLOSE_RATIO(bound.sd.two_theta_A, angle, relative);
-                VYBEG_CLOSE_RATIO(bound.sd.alpha, angle, relative);
-                VYBEG_CLOSE_RATIO(bound.sd_f_hz * 2 * std::numbers::pi, omega, relative);
+                VYBEG_CLOSE_RATIO(bound.a_A, amplitude, relative);
+                VYBEG_CLOSE_RATIO(bound.a_B, amplitude, relative);
+                VYBEG_CLOSE_RATIO(bound.two_theta_A, angle, relative);
+                VYBEG_CLOSE_RATIO(bound.alpha, angle, relative);
+                VYBEG_CLOSE_RATIO(bound.f_hz * 2 * std::numbers::pi, omega, relative);
             }
         }
     }

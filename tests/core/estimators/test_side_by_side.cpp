@@ -72,7 +72,7 @@ private slots:
                 continue;
             }
             ++compared;
-            const double flat = 1 + 10 * found[k].sd_f_hz * n / rate;
+            const double flat = 1 + 10 * found[k].sd.f_hz * n / rate;
             VYBEG_CLOSE(found[k].state.a_A, one.a_A, 1e-12 * flat);
             VYBEG_CLOSE(found[k].state.a_B, one.a_B, 1e-12 * flat);
             VYBEG_CLOSE(found[k].f_hz * 2 * pi / rate, descent.parameters.w, 1e-11 * flat / n);
@@ -151,8 +151,8 @@ private slots:
             same(one.rms, other.rms, tolerance);
             // The deviations hold the values' own distance from the best wave.
             same(one.sd.a_A, other.sd.a_A, tolerance * (1 + 100 * other.sd.a_A));
-            same(one.sd_f_hz * n / rate, other.sd_f_hz * n / rate,
-                 tolerance * (1 + 100 * other.sd_f_hz * n / rate));
+            same(one.sd.f_hz * n / rate, other.sd.f_hz * n / rate,
+                 tolerance * (1 + 100 * other.sd.f_hz * n / rate));
         }
     }
 };

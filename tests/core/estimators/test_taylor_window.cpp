@@ -113,7 +113,7 @@ private slots:
                 }
             };
             // The flatter the power's maximum, the less rounding tells where it is.
-            const double flat = 1 + one.sd_f_hz * n / rate * 10;
+            const double flat = 1 + one.sd.f_hz * n / rate * 10;
             const double thin = 1 / std::max(1e-3, one.state.a_A - std::abs(one.state.a_B));
             same(found[k].state.a_A, one.state.a_A, 1e-12 * flat, "a_A");
             same(found[k].state.a_B, one.state.a_B, 1e-12 * flat, "a_B");
@@ -140,8 +140,8 @@ private slots:
                     same(found[k].sd.two_theta_A / one.sd.two_theta_A, 1, tolerance, "sd 2theta_A");
                     same(found[k].sd.alpha / one.sd.alpha, 1, tolerance, "sd alpha");
                 }
-                same(found[k].sd_f_hz / one.sd_f_hz, 1, digits, "sd f");
-                same(found[k].sd_delta_phi_CD / one.sd_delta_phi_CD, 1, digits, "sd dphi");
+                same(found[k].sd.f_hz / one.sd.f_hz, 1, digits, "sd f");
+                same(found[k].sd.delta_phi_CD / one.sd.delta_phi_CD, 1, digits, "sd dphi");
             }
         }
     }

@@ -21,7 +21,7 @@ private slots:
             const auto code = static_cast<ReasonCode>(k);
             QVERIFY(names.insert(reason_name(code)).second);
             QVERIFY(!reason_name(code).empty());
-            QCOMPARE(std::string(reason_row(code).sentence).empty(), code == ReasonCode::none);
+            QCOMPARE(std::string(message_row(code).sentence).empty(), code == ReasonCode::none);
         }
         QCOMPARE(reason_name(static_cast<ReasonCode>(names.size())), std::string());
         QVERIFY(english({ReasonCode::one_direction, {"32.5", "28"}}).find("32.5 degrees") !=

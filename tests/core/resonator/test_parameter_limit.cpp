@@ -1,4 +1,4 @@
-#include "core/resonator/results/parameter_limit.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -326,7 +326,7 @@ private slots:
             FreeDecay clean = decay;
             clean.noise = 1e-9;
             const double truth =
-                wave_values(simulated_phasors(clean, window / 40, 1)).theta_rate_rad_s.value;
+                wave_motion(simulated_phasors(clean, window / 40, 1)).theta_rate_rad_s.value;
             for (std::uint64_t seed = 1; seed <= 8; ++seed) {
                 const Estimate rate =
                     wave_motion(simulated_phasors(decay, window, seed)).theta_rate_rad_s;

@@ -1,5 +1,5 @@
 #include "core/analysis/analyse.h"
-#include "core/estimators/wave/precision_bound.h"
+#include "core/estimators/wave/wave_formulas.h"
 #include "core/simulation/true_track.h"
 #include "core/sweep/sweep_windows.h"
 #include "core/sweep/window_sweep.h"
