@@ -2,10 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/recording/arrays/raw_reader.h"
-#include "core/recording/arrays/zetlab_reader.h"
 #include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/open/file_format.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/fuzz/memory_file.h"

@@ -5,7 +5,7 @@
 #include "core/analysis/settings.h"
 #include "core/base/error.h"
 #include "core/batch/identify_set.h"
-#include "core/recording/envelope/envelope_builder.h"
+#include "core/recording/envelope/envelope.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/open/quick_overview.h"
 #include "core/recording/samples/open_options.h"

@@ -2,7 +2,7 @@
 
 #include "core/base/message_arg.h"
 #include "core/recording/arrays/time_column.h"
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/reader_rules.h"
 
 #include <algorithm>

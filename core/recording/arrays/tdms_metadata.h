@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/recording/bytes/byte_order.h"
 #include "core/recording/bytes/number_type.h"
 
 #include <cstddef>

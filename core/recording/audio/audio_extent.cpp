@@ -1,7 +1,7 @@
 #include "core/recording/audio/audio_extent.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 
 #include <algorithm>
 #include <array>

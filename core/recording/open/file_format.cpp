@@ -1,18 +1,18 @@
 #include "core/recording/open/file_format.h"
 
 #include "core/recording/arrays/npy_reader.h"
+#include "core/recording/arrays/raw_reader.h"
 #include "core/recording/arrays/tdms_reader.h"
-#include "core/recording/arrays/zetlab_reader.h"
 #include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
+#include "core/recording/bytes/packed_parts.h"
 #include "core/recording/bytes/text_encoding.h"
-#include "core/recording/bytes/zip_directory.h"
 #include "core/recording/text/text_recording.h"
 #include "core/recording/text/uff_reader.h"
+#include "core/recording/variables/array_variables.h"
 #include "core/recording/variables/hdf5_reader.h"
 #include "core/recording/variables/mat_format.h"
 #include "core/recording/variables/mat_reader.h"
-#include "core/recording/variables/npz_reader.h"
 
 #include <algorithm>
 #include <array>

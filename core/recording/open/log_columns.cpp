@@ -5,7 +5,7 @@
 #include "core/base/read_value.h"
 #include "core/numerics/statistics.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/bytes/zip_directory.h"
+#include "core/recording/bytes/packed_parts.h"
 #include "core/recording/open/file_format.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/text_fields.h"

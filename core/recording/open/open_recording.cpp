@@ -8,7 +8,7 @@
 #include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/sample_source.h"
-#include "core/recording/text/text_clock.h"
+#include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_recording.h"
 #include "core/recording/times/time_grid.h"
 #include "core/recording/times/uniform_times.h"

@@ -1,7 +1,7 @@
 #include "core/recording/open/quick_overview.h"
 
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/envelope/envelope_builder.h"
+#include "core/recording/envelope/envelope.h"
 #include "core/recording/open/file_format.h"
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/text/text_recording.h"

@@ -4,7 +4,6 @@
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
-#include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_rate.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/recording/text/text_reading.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/samples/recent_blocks.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 
 #include <tbb/parallel_for.h>

@@ -3,7 +3,6 @@
 #include "core/base/plain_text.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_lines.h"
 
 #include <fast_float/fast_float.h>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/recording/bytes/byte_order.h"
 #include "core/recording/bytes/number_type.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "core/recording/variables/mat_reader.h"
 
-#include "core/recording/bytes/inflated_part.h"
+#include "core/recording/bytes/packed_parts.h"
 #include "core/recording/variables/array_variables.h"
 #include "core/recording/variables/mat_format.h"
 

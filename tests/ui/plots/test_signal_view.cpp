@@ -1,4 +1,4 @@
-#include "core/recording/envelope/envelope_builder.h"
+#include "core/recording/envelope/envelope.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "ui/plots/signal_view.h"

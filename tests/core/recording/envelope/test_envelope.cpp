@@ -1,4 +1,4 @@
-#include "core/recording/envelope/envelope_builder.h"
+#include "core/recording/envelope/envelope.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/source_reading.h"
 #include "tests/test_registry.h"
