@@ -1,6 +1,5 @@
 #include "core/recording/arrays/raw_reader.h"
 
-#include "core/base/message_arg.h"
 #include "core/base/plain_text.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/column_source.h"
@@ -16,30 +15,6 @@
 #include <utility>
 
 namespace vybeg {
-namespace {
-
-std::int64_t frame_count(const FileBytes& file, const RawLayout& layout) {
-    const std::int64_t stride = std::int64_t{bytes_of(number_type(layout.type))} * layout.channels;
-    return std::max<std::int64_t>(file.size() - layout.skip_bytes, 0) / stride;
-}
-
-// Precondition: a frame or more, so that the samples begin inside of the file.
-std::shared_ptr<const SampleSource> raw_source(const std::shared_ptr<const FileBytes>& file,
-                                               const OpenOptions& options, std::int64_t frames) {
-    const RawLayout& layout = *options.raw;
-    const NumberType type = number_type(layout.type);
-    const std::int64_t width = bytes_of(type);
-    const std::int64_t stride = width * layout.channels;
-    const auto bytes = file_part(file, 0, file->size());
-    const auto column = [&](int channel) {
-        const std::int64_t offset = layout.skip_bytes + (channel - 1) * width;
-        return SampleColumn{
-            bytes, type, {even_run(frames, offset, stride, layout.big_endian)}, 1, 0};
-    };
-    return column_source(column(options.channel_c), column(options.channel_d));
-}
-
-}  // namespace
 
 NumberType number_type(RawType type) {
     // In the order of RawType.
@@ -56,10 +31,12 @@ Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOpti
                     FormatPart::words(name_of(number_type(layout.type))),
                     byte_order_part(layout.big_endian), FormatPart::channels(layout.channels)};
     found.channels = numbered_channels(layout.channels);
-    found.present_frames = frame_count(*file, layout);
-    if (found.present_frames > 0) {
-        found.source = raw_source(file, options, found.present_frames);
-    }
+    InterleavedSamples samples{
+        number_type(layout.type), {}, layout.big_endian, layout.channels, layout.skip_bytes};
+    const std::int64_t frame_bytes = std::int64_t{bytes_of(samples.type)} * layout.channels;
+    samples.frames = std::max<std::int64_t>(file->size() - layout.skip_bytes, 0) / frame_bytes;
+    found.present_frames = samples.frames;
+    found.source = interleaved_source(file, samples, options.channel_c, options.channel_d);
     return complete_recording(*file, std::move(found), options);
 }
 
@@ -191,19 +168,15 @@ Result<Recording> open_zetlab(std::shared_ptr<const FileBytes> file, const OpenO
     auto beside = TRY(find_header(*file));
     const auto& [header_file, header] = beside;
     const NumberType type = NumberType::f32;
-    const std::int64_t frames = file->size() / bytes_of(type);
-    const auto bytes = file_part(file, 0, file->size());
-    const SampleColumn column{
-        bytes, type, {even_run(frames, 0, bytes_of(type), false)}, {header.scale, 0}};
+    const InterleavedSamples samples{
+        type, {header.scale, 0}, false, 1, 0, file->size() / bytes_of(type)};
     FoundSamples found;
     found.format = {FormatPart::name("ZETLAB"), FormatPart::words(name_of(type)),
                     FormatPart::channels(1)};
     found.channels = {{header.name.empty() ? "1" : header.name, header.unit}};
     found.own_rate = SampleRate{header.rate_hz, RateOrigin::file};
-    found.present_frames = frames;
-    if (frames > 0) {
-        found.source = column_source(column, column);
-    }
+    found.present_frames = samples.frames;
+    found.source = interleaved_source(file, samples, 1, 1);
     auto recording = complete_recording(*file, std::move(found), options);
     if (recording) {
         recording->more_files.push_back(header_file);

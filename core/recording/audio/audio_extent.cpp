@@ -265,6 +265,7 @@ private:
         extent_.plain = plain_;
         if (plain_) {
             const std::int64_t present = file_size_ - extent_.samples_at;
+            extent_.plain->offset = extent_.samples_at;
             extent_.plain->frames = std::clamp<std::int64_t>(bytes, 0, present) / frame_bytes_;
         }
     }

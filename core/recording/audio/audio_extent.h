@@ -2,7 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/bytes/number_type.h"
+#include "core/recording/samples/column_source.h"
 
 #include <cstdint>
 #include <optional>
@@ -26,16 +26,11 @@ struct HeaderPatch {
 };
 
 // Samples of a WAV, RF64 or W64 file that are plain numbers one behind the other, where the header
-// leaves no doubt of it: what is said twice agrees.
-struct PlainSamples {
+// leaves no doubt of it: what is said twice agrees. Integers are fractions of full scale.
+struct PlainSamples : InterleavedSamples {
     std::string container;  // "WAV", "WAVEX" (with an extensible header), "RF64" or "W64"
     std::string type_name;  // "Signed 16 bit PCM", "64 bit float", ...
-    NumberType type = NumberType::i16;
-    Scale scale{};  // integers are fractions of full scale
-    bool big_endian = false;
-    int channels = 0;
     std::int64_t rate_hz = 0;
-    std::int64_t frames = 0;  // present in the file
     std::string start;        // date and time from the file, or empty
 };
 

@@ -3,7 +3,7 @@
 #include "core/recording/audio/audio_extent.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
-#include "core/recording/variables/variable_reader.h"
+#include "core/recording/variables/library_variables.h"
 
 #include <algorithm>
 #include <array>
@@ -14,23 +14,7 @@
 namespace vybeg {
 namespace {
 
-// Plain samples in place, at the speed of memory and for several threads at once.
-std::shared_ptr<const SampleSource> samples_in_place(const std::shared_ptr<const FileBytes>& file,
-                                                     const AudioExtent& extent,
-                                                     const OpenOptions& options) {
-    const PlainSamples& plain = *extent.plain;
-    const std::int64_t width = bytes_of(plain.type);
-    const auto bytes = file_part(file, 0, file->size());
-    const auto column = [&](int channel) {
-        return SampleColumn{bytes,
-                            plain.type,
-                            {even_run(plain.frames, extent.samples_at + (channel - 1) * width,
-                                      width * plain.channels, plain.big_endian)},
-                            plain.scale};
-    };
-    return column_source(column(options.channel_c), column(options.channel_d));
-}
-
+// In place, at the speed of memory and for several threads at once.
 Result<Recording> open_plain(const std::shared_ptr<const FileBytes>& file,
                              const AudioExtent& header, const OpenOptions& options) {
     const PlainSamples& plain = *header.plain;
@@ -44,9 +28,7 @@ Result<Recording> open_plain(const std::shared_ptr<const FileBytes>& file,
     found.present_frames = plain.frames;
     found.promised_frames = std::max(header.promised_frames.value_or(0), plain.frames);
     found.never_closed = header.never_closed;
-    if (found.present_frames > 0) {
-        found.source = samples_in_place(file, header, options);
-    }
+    found.source = interleaved_source(file, plain, options.channel_c, options.channel_d);
     return complete_recording(*file, std::move(found), options);
 }
 
@@ -78,7 +60,7 @@ Result<std::int64_t> count_frames(const VariableReader& reader, std::int64_t pro
 Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
                                const std::string& container, const AudioExtent& header,
                                const OpenOptions& options, const JobControl& job) {
-    const LibraryFormat format{"audio", container};
+    const LibraryFormat format{"audio", container, true};
     auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
     const Catalogue catalogue = process->catalogue();
     if (catalogue.variables.size() != 1) {
@@ -108,8 +90,9 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
         std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
     if (found.present_frames > 0) {
-        found.source = variable_source(reader, {0, options.channel_c - 1},
-                                       {0, options.channel_d - 1}, found.present_frames, true);
+        auto source =
+            TRY(reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
+        found.source = std::move(source);
     }
     return complete_recording(*file, std::move(found), options);
 }

@@ -10,7 +10,7 @@
 #include "core/recording/text/text_recording.h"
 #include "core/recording/text/uff_reader.h"
 #include "core/recording/variables/array_variables.h"
-#include "core/recording/variables/hdf5_reader.h"
+#include "core/recording/variables/library_variables.h"
 #include "core/recording/variables/mat_format.h"
 #include "core/recording/variables/mat_reader.h"
 

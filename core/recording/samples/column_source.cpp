@@ -196,4 +196,22 @@ std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d
     return std::make_shared<ColumnSource>(std::move(c), std::move(d));
 }
 
+std::shared_ptr<const SampleSource> interleaved_source(const std::shared_ptr<const FileBytes>& file,
+                                                       const InterleavedSamples& samples, int c,
+                                                       int d) {
+    if (samples.frames == 0) {
+        return nullptr;
+    }
+    const std::int64_t width = bytes_of(samples.type);
+    const auto bytes = file_part(file, 0, file->size());
+    const auto column = [&](int channel) {
+        return SampleColumn{bytes,
+                            samples.type,
+                            {even_run(samples.frames, samples.offset + (channel - 1) * width,
+                                      width * samples.channels, samples.big_endian)},
+                            samples.scale};
+    };
+    return column_source(column(c), column(d));
+}
+
 }  // namespace vybeg
