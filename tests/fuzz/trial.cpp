@@ -5,7 +5,6 @@
 #include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/number_type.h"
-#include "core/recording/open/file_format.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/fuzz/memory_file.h"
 

@@ -7,7 +7,6 @@
 #include "core/batch/identify_set.h"
 #include "core/recording/envelope/envelope.h"
 #include "core/recording/open/preview.h"
-#include "core/recording/open/quick_overview.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
 #include "core/track/events.h"

@@ -4,8 +4,7 @@
 #include "core/base/guarded.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/recording/checks/clipping_check.h"
-#include "core/recording/checks/lost_samples_check.h"
+#include "core/recording/checks/fault_checks.h"
 #include "core/recording/samples/sample_source.h"
 
 #include <array>

@@ -6,7 +6,6 @@
 #include "core/numerics/statistics.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/packed_parts.h"
-#include "core/recording/open/file_format.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"

@@ -1,7 +1,6 @@
 #include "core/recording/text/text_recording.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"

@@ -1,6 +1,6 @@
 // What is seen of a long text file before it is open.
 #include "core/base/number_text.h"
-#include "core/recording/open/quick_overview.h"
+#include "core/recording/open/preview.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/largest_of.h"

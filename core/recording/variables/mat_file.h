@@ -1,8 +1,14 @@
 #pragma once
 
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/recording.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -82,5 +88,12 @@ std::optional<NumberType> number_type(std::uint32_t element_type);
 std::optional<NumberType> class_type(std::uint32_t array_class);
 
 }  // namespace mat5
+
+// The arrays of real numbers in a MAT file of level 4 or 5 and, by "name.field", in its single
+// structs, read on demand: plain ones in place, compressed ones inflated on the way. Which of them
+// is what: open_variables(). Errors: format_damaged, also where a size does not fit the numbers
+// that are there; those of open_variables(); interrupted.
+Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                           const JobControl& job);
 
 }  // namespace vybeg
