@@ -1,5 +1,6 @@
 #include "ui/import/import_dialog.h"
 
+#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/partner_file.h"
 #include "ui/import/import_memory.h"
 #include "ui/import/import_preview.h"
