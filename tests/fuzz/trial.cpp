@@ -93,7 +93,7 @@ Verdict try_format(const FileFormat& format, std::string_view bytes) {
     // Variables may be packed.
     const auto size = static_cast<double>(bytes.size());
     const double most = format.has_variables ? 1e7 + 20 * 1032.0 * size
-                        : format.is_text     ? 1e7 + 20.0 * size
+                        : format.is_text()   ? 1e7 + 20.0 * size
                                              : size;
     return try_opening(bytes, most,
                        [&](const File& file) { return format.open(file, some_rate(), {}); });

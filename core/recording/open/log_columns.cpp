@@ -363,7 +363,7 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
     if (!options.text && format && format->has_variables) {
         return read_variables(path, options, wishes, job);
     }
-    if (!options.text && (!format || !format->is_text)) {
+    if (!options.text && (!format || !format->is_text())) {
         return file->error(ErrorCode::no_log);
     }
     auto table = TRY(read_text(file, options, wishes, job));

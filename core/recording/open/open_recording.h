@@ -27,9 +27,10 @@ struct FileFormat {
     bool (*is)(std::string_view head, const FileBytes& file);
     Result<Recording> (*open)(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                               const JobControl& job);
-    bool is_text = false;
     bool has_variables = false;  // with names, for --variables
     bool in_helper = false;      // read by vybeg-reader
+
+    bool is_text() const { return group == Group::tables; }
 };
 
 std::span<const FileFormat> file_formats();

@@ -274,7 +274,7 @@ Result<RecordingPreview> preview_recording(const std::filesystem::path& path,
     // Of several files only what comes of them is shown.
     const bool text =
         further_files(options).empty() &&
-        (options.text || (!options.raw && preview.file_format && preview.file_format->is_text));
+        (options.text || (!options.raw && preview.file_format && preview.file_format->is_text()));
     TRY(text ? preview_text(file, options, job, preview)
              : preview_opened(*file, options, job, preview));
     if (!options.unit.empty()) {
@@ -398,7 +398,7 @@ std::optional<QuickOverview> quick_overview(const std::filesystem::path& path,
     }
     const auto head = file_head(**file);
     const FileFormat* const format = head ? find_format(*head, **file) : nullptr;
-    if (!format || !format->is_text) {
+    if (!format || !format->is_text()) {
         return {};
     }
     const auto table = choose_table(*file, options, job);
