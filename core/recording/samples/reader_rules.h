@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -83,5 +84,10 @@ void align_channels(double delay_s, Recording& recording);
 // longer channel is left out (channels_unequal). `name_d` stands for D in a sentence. Errors:
 // parts_differ for unlike sample rates or starts, and for times that have nothing in common.
 Result<Recording> pair_channels(Recording c, Recording d, const std::string& name_d);
+
+// The file beside a channel's file that holds the other channel by its name: the next number
+// ("sig0001.ana", "sig0002.ana"; of a demodulator of LabOne) or the next letter in place of a
+// single one ("run_C", "run_D"; "x", "y"; "sin" of "cos"). Nothing where there is no such file.
+std::optional<std::filesystem::path> partner_of(const std::filesystem::path& path);
 
 }  // namespace vybeg

@@ -81,40 +81,46 @@ struct BlockScan {
     UniformTimeDetector times{0};
 };
 
-class BlockScanner {
-public:
-    BlockScanner(const TextTable& table, const UniformTimeDetector& empty)
-        : table_(table), empty_(empty) {}
+// Takes on the time of a row; false where it lies below the one before.
+bool take_time(const TextTable& table, const TextRows& row, BlockScan& found) {
+    if (found.rows == 0) {
+        found.first_time = row.time();
+        found.first_line = row.lines();
+    } else if (row.time() <= found.last_time) {
+        if (row.time() < found.last_time) {
+            found.backwards = true;
+            found.before = found.last_time;
+            found.time = row.time();
+            return false;
+        }
+        if (found.repeated_line == 0) {
+            found.repeated_line = row.lines();
+            found.repeated = row.time();
+        }
+    }
+    found.last_time = row.time();
+    found.digits.add(row.time_digits(), row.time());
+    found.times.add(row.time() * table.format.time_unit_s);
+    return true;
+}
 
-    BlockScan scan(std::int64_t index) const {
-        BlockScan found;
-        found.times = empty_;
-        TextBlock block;
-        found.read = table_.blocks.read(index, block);
-        if (!found.read) {
-            return found;
-        }
-        TextRows rows(table_.format, table_.columns, block, SampleUse::check);
-        while (!found.backwards && rows.next()) {
-            take(rows, found);
-        }
-        found.fault = rows.fault();
-        found.lines = rows.lines();
-        found.left_out.lines_ignored = rows.ignored();
+// `empty`: the times to begin with.
+BlockScan scan_block(const TextTable& table, const UniformTimeDetector& empty, std::int64_t index) {
+    BlockScan found;
+    found.times = empty;
+    TextBlock block;
+    found.read = table.blocks.read(index, block);
+    if (!found.read) {
         return found;
     }
-
-private:
-    void take(const TextRows& row, BlockScan& found) const {
-        if (table_.columns.time >= 0 && !take_time(row, found)) {
-            return;
-        }
-        const bool two = table_.columns.d != table_.columns.c;
-        const int missing = (std::isnan(row.c()) ? 1 : 0) + (two && std::isnan(row.d()) ? 1 : 0);
+    const bool two = table.columns.d != table.columns.c;
+    LeftOut& out = found.left_out;
+    TextRows rows(table.format, table.columns, block, SampleUse::check);
+    while (rows.next() && (table.columns.time < 0 || take_time(table, rows, found))) {
+        const int missing = (std::isnan(rows.c()) ? 1 : 0) + (two && std::isnan(rows.d()) ? 1 : 0);
         if (missing > 0) {
-            LeftOut& out = found.left_out;
-            out.over_range[0] += row.c_over_range() ? 1 : 0;
-            out.over_range[1] += two && row.d_over_range() ? 1 : 0;
+            out.over_range[0] += rows.c_over_range() ? 1 : 0;
+            out.over_range[1] += two && rows.d_over_range() ? 1 : 0;
             out.missing_samples += missing;
             if (out.rows_with_missing++ == 0) {
                 out.first_missing_row = found.rows;
@@ -122,32 +128,11 @@ private:
         }
         ++found.rows;
     }
-
-    bool take_time(const TextRows& row, BlockScan& found) const {
-        if (found.rows == 0) {
-            found.first_time = row.time();
-            found.first_line = row.lines();
-        } else if (row.time() <= found.last_time) {
-            if (row.time() < found.last_time) {
-                found.backwards = true;
-                found.before = found.last_time;
-                found.time = row.time();
-                return false;
-            }
-            if (found.repeated_line == 0) {
-                found.repeated_line = row.lines();
-                found.repeated = row.time();
-            }
-        }
-        found.last_time = row.time();
-        found.digits.add(row.time_digits(), row.time());
-        found.times.add(row.time() * table_.format.time_unit_s);
-        return true;
-    }
-
-    const TextTable& table_;
-    UniformTimeDetector empty_;  // to begin with
-};
+    found.fault = rows.fault();
+    found.lines = rows.lines();
+    out.lines_ignored = rows.ignored();
+    return found;
+}
 
 // Puts the findings of the blocks together, in their order.
 class ScanSum {
@@ -358,7 +343,6 @@ private:
 
 Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
     const auto empty = TRY(empty_line(table));
-    const BlockScanner scanner(table, empty);
     ScanSum sum(table, empty);
     std::vector<BlockScan> blocks;
     const std::int64_t count = table.blocks.count();
@@ -366,7 +350,7 @@ Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
         blocks.resize(static_cast<std::size_t>(std::min(blocks_at_once, count - first)));
         tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
             if (!job.cancelled()) {
-                blocks[i] = scanner.scan(first + static_cast<std::int64_t>(i));
+                blocks[i] = scan_block(table, empty, first + static_cast<std::int64_t>(i));
             }
         });
         TRY(job.go_on());

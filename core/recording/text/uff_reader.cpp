@@ -37,17 +37,14 @@ struct UffFunction {
     std::string name;   // from the first identification line, else node and direction; may be empty
     std::string start;  // third identification line: date and time
     std::string unit;   // of the values
-    int function = 0;   // 0 general, 1 time response, others are spectra and the like
-    int abscissa = 0;   // 0 unknown, 17 time, 18 frequency, ...
     int data_type = 0;  // 2 and 4: real, of single and of double precision
+    bool is_time_response = false;  // others are spectra and the like
     bool is_complex = false;
     bool is_even = false;
     std::int64_t count = 0;
     double step_s = 0;  // seconds from value to value
     // Standard deviation of step_s relative to it, by its six digits.
     double step_relative_sd = 0;
-
-    bool is_time_response() const;
 };
 
 constexpr std::size_t uff_header_lines = 11;
@@ -59,11 +56,6 @@ struct UffBinary {
     std::int64_t header_lines = 0;
     std::int64_t bytes = 0;
 };
-
-constexpr int time_response = 1;
-constexpr int general = 0;
-constexpr int time_axis = 17;
-constexpr int unknown_axis = 0;
 
 // The characters of a line of fixed columns, without blanks; empty behind its end.
 std::string_view field(std::string_view line, std::size_t begin, std::size_t width) {
@@ -95,11 +87,6 @@ std::string node_and_direction(std::string_view line) {
     constexpr std::array<const char*, 6> axes{"X", "Y", "Z", "RX", "RY", "RZ"};
     return std::string(node) + (*direction > 0 ? "+" : "-") +
            axes[static_cast<std::size_t>(std::abs(*direction) - 1)];
-}
-
-bool UffFunction::is_time_response() const {
-    return (function == time_response || function == general) &&
-           (abscissa == time_axis || abscissa == unknown_axis);
 }
 
 // The values of a data line, written side by side or with blanks between them; appended to
@@ -142,15 +129,17 @@ std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& line
         !spacing || !axis || !parse_uff_values(field(form, 43, 13), step) || step.size() != 1) {
         return std::nullopt;
     }
+    constexpr int general = 0, time_response = 1;    // of functions
+    constexpr int unknown_axis = 0, time_axis = 17;  // of what they are given over
     UffFunction found;
+    found.is_time_response = (*function == time_response || *function == general) &&
+                             (*axis == time_axis || *axis == unknown_axis);
     found.name = told(lines[0]);
     if (found.name.empty()) {
         found.name = node_and_direction(kind);
     }
     found.start = told(lines[2]);
     found.unit = told(field(ordinate, 47, 20));
-    found.function = *function;
-    found.abscissa = *axis;
     found.data_type = *data_type;
     found.is_complex = *data_type >= 5;
     found.is_even = *spacing == 1;
@@ -339,7 +328,7 @@ private:
         }
         place_ = Place::data;
         taken_ = 0;
-        is_channel_ = function->is_time_response();
+        is_channel_ = function->is_time_response;
         to_skip_ = binary_ ? binary_->bytes : 0;
         if (!is_channel_) {
             return {};
