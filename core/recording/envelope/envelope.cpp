@@ -12,36 +12,37 @@ namespace {
 constexpr std::int64_t fan = 16;  // buckets in a bucket of the next level
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-struct Extent {
+// The range of finite samples, minimum above maximum where there is none; `missing` becomes true
+// where any are not finite.
+ChannelRange range_of(std::span<const double> samples, bool& missing) {
     double min = std::numeric_limits<double>::infinity();
-    double max = -std::numeric_limits<double>::infinity();
-    bool missing = false;
-};
-
-Extent extent_of(std::span<const double> samples) {
-    Extent extent;
+    double max = -min;
     double zero = 0;  // a NaN or infinite sample minus itself is NaN, which the sum keeps
     for (const double value : samples) {
-        extent.min = std::min(extent.min, value);
-        extent.max = std::max(extent.max, value);
+        min = std::min(min, value);
+        max = std::max(max, value);
         zero += value - value;
     }
-    if (zero == 0) {
-        return extent;
-    }
-    extent = {.missing = true};
-    for (const double value : samples) {
-        if (std::isfinite(value)) {
-            extent.min = std::min(extent.min, value);
-            extent.max = std::max(extent.max, value);
+    if (!(zero == 0)) {
+        missing = true;
+        min = std::numeric_limits<double>::infinity();
+        max = -min;
+        for (const double value : samples) {
+            if (std::isfinite(value)) {
+                min = std::min(min, value);
+                max = std::max(max, value);
+            }
         }
     }
-    return extent;
+    constexpr double largest = std::numeric_limits<float>::max();
+    return min <= max ? ChannelRange{static_cast<float>(std::clamp(min, -largest, largest)),
+                                     static_cast<float>(std::clamp(max, -largest, largest))}
+                      : empty_bucket.c;
 }
 
-float to_float(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(value, -largest, largest));
+void extend(ChannelRange& into, const ChannelRange& other) {
+    into.min = std::min(into.min, other.min);
+    into.max = std::max(into.max, other.max);
 }
 
 EnvelopeBucket merged(std::span<const EnvelopeBucket> buckets) {
@@ -54,30 +55,18 @@ EnvelopeBucket merged(std::span<const EnvelopeBucket> buckets) {
 
 }  // namespace
 
-const EnvelopeBucket empty_bucket{
-    .c_min = infinite, .c_max = -infinite, .d_min = infinite, .d_max = -infinite};
+const EnvelopeBucket empty_bucket{.c = {infinite, -infinite}, .d = {infinite, -infinite}};
 
 EnvelopeBucket bucket_of(std::span<const double> c, std::span<const double> d) {
-    const Extent in_c = extent_of(c);
-    const Extent in_d = extent_of(d);
-    EnvelopeBucket bucket = empty_bucket;
-    if (in_c.min <= in_c.max) {
-        bucket.c_min = to_float(in_c.min);
-        bucket.c_max = to_float(in_c.max);
-    }
-    if (in_d.min <= in_d.max) {
-        bucket.d_min = to_float(in_d.min);
-        bucket.d_max = to_float(in_d.max);
-    }
-    bucket.missing = in_c.missing || in_d.missing;
+    EnvelopeBucket bucket;
+    bucket.c = range_of(c, bucket.missing);
+    bucket.d = range_of(d, bucket.missing);
     return bucket;
 }
 
 void merge(EnvelopeBucket& into, const EnvelopeBucket& other) {
-    into.c_min = std::min(into.c_min, other.c_min);
-    into.c_max = std::max(into.c_max, other.c_max);
-    into.d_min = std::min(into.d_min, other.d_min);
-    into.d_max = std::max(into.d_max, other.d_max);
+    extend(into.c, other.c);
+    extend(into.d, other.d);
     into.missing = into.missing || other.missing;
 }
 
@@ -119,11 +108,10 @@ namespace {
 
 EnvelopeBucket marked(EnvelopeBucket bucket) {
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-    if (bucket.c_min > bucket.c_max) {
-        bucket.c_min = bucket.c_max = nothing;
-    }
-    if (bucket.d_min > bucket.d_max) {
-        bucket.d_min = bucket.d_max = nothing;
+    for (ChannelRange* const range : {&bucket.c, &bucket.d}) {
+        if (range->min > range->max) {
+            *range = {nothing, nothing};
+        }
     }
     return bucket;
 }

@@ -15,13 +15,17 @@ namespace vybeg {
 // Part of a bucket's frames from which its extremes come.
 enum class Coverage : std::uint8_t { none, some, all };
 
-// Lowest and highest sample of both channels in a bucket of frames, recording units. `missing`: the
-// bucket contains a NaN or an infinite sample.
+// Lowest and highest sample of a channel, recording units.
+struct ChannelRange {
+    float min = 0;
+    float max = 0;
+};
+
+// Those of both channels in a bucket of frames. `missing`: the bucket contains a NaN or an infinite
+// sample.
 struct EnvelopeBucket {
-    float c_min = 0;
-    float c_max = 0;
-    float d_min = 0;
-    float d_max = 0;
+    ChannelRange c;
+    ChannelRange d;
     bool missing = false;
     Coverage coverage = Coverage::all;
 };
