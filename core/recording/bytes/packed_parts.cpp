@@ -222,7 +222,6 @@ constexpr std::size_t most_members = 10000;
 constexpr std::int64_t longest_comment = 65535;
 constexpr std::uint16_t zip64_extra = 1;
 constexpr std::uint32_t in_extra = 0xFFFFFFFF;  // the number is in the ZIP64 extra field
-constexpr std::int64_t best_ratio = 1032;       // that deflate can pack
 
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t at) {

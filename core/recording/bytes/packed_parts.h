@@ -22,6 +22,8 @@ struct DeflatedPart {
     std::string name;
 };
 
+inline constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
+
 // The unpacked bytes, inflated on demand and not stored. Reading forwards continues after the last
 // read; reading backwards begins at one of at most 72 stored states (3 MB together), at most a 64th
 // of the size plus 2 MiB away. Precondition: the file has the packed bytes. Errors of its reads:

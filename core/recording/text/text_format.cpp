@@ -398,33 +398,6 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     return format;
 }
 
-bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format) {
-    constexpr int least_columns = 4;
-    if (format.delimiter != ',' || format.decimal_comma || format.columns < least_columns ||
-        format.columns % 2 != 0) {
-        return false;
-    }
-    const auto is_digits = [](std::string_view text) {
-        return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-    };
-    std::vector<std::string_view> fields;
-    bool leading_zero = false;
-    for (const std::string& line : lines.subspan(static_cast<std::size_t>(format.lines_to_skip))) {
-        if (columns_of(line, {',', false}, fields) != format.columns) {
-            continue;
-        }
-        for (std::size_t k = 0; k < fields.size(); k += 2) {
-            const std::string_view whole = trimmed(fields[k]);
-            const std::string_view decimals = trimmed(fields[k + 1]);
-            if (!is_digits(whole.substr(whole.starts_with('-') ? 1 : 0)) || !is_digits(decimals)) {
-                return false;
-            }
-            leading_zero = leading_zero || (decimals.size() > 1 && decimals.front() == '0');
-        }
-    }
-    return leading_zero;
-}
-
 std::vector<Channel> channels_of(const TextFormat& format) {
     std::vector<Channel> channels;
     for (const int column : channel_columns(format)) {
@@ -479,6 +452,35 @@ private:
     std::size_t bytes_ = 0;
     std::int64_t dropped_ = 0;
 };
+
+// Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
+// leading zeros, decimals between delimiters have.
+bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format) {
+    constexpr int least_columns = 4;
+    if (format.delimiter != ',' || format.decimal_comma || format.columns < least_columns ||
+        format.columns % 2 != 0) {
+        return false;
+    }
+    const auto is_digits = [](std::string_view text) {
+        return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    std::vector<std::string_view> fields;
+    bool leading_zero = false;
+    for (const std::string& line : lines.subspan(static_cast<std::size_t>(format.lines_to_skip))) {
+        if (columns_of(line, {',', false}, fields) != format.columns) {
+            continue;
+        }
+        for (std::size_t k = 0; k < fields.size(); k += 2) {
+            const std::string_view whole = trimmed(fields[k]);
+            const std::string_view decimals = trimmed(fields[k + 1]);
+            if (!is_digits(whole.substr(whole.starts_with('-') ? 1 : 0)) || !is_digits(decimals)) {
+                return false;
+            }
+            leading_zero = leading_zero || (decimals.size() > 1 && decimals.front() == '0');
+        }
+    }
+    return leading_zero;
+}
 
 // Why there is no table; the head has at least the lines that are skipped.
 Error no_table(const FileBytes& file, const TextHead& head, const TextChoice& choice) {

@@ -74,8 +74,27 @@ bool is_mat5(std::string_view head) {
     return head.starts_with("MATLAB 5.0 MAT-file");
 }
 
-namespace mat5 {
+using namespace mat5;
 
+namespace {
+
+constexpr std::int64_t header_bytes = 128;
+constexpr std::uint32_t class_mask = 0xFF;
+constexpr std::uint32_t logical_flag = 0x200;
+constexpr std::uint32_t complex_flag = 0x800;
+
+// A piece of a level 5 file: tag and bytes.
+struct Element {
+    std::uint32_t type = 0;
+    std::int64_t data = 0;  // where its bytes begin
+    std::int64_t size = 0;
+    std::int64_t next = 0;  // where the element behind it begins
+
+    std::int64_t end() const { return data + size; }
+};
+
+// The element whose tag, of tag_bytes, stands at `at`. Up to four bytes may stand in the tag
+// itself; what is compressed is not padded.
 Element element_of(std::string_view tag, std::int64_t at, bool big_endian) {
     const auto type = load<std::uint32_t>(tag.data(), big_endian);
     if (type >> 16 != 0) {
@@ -86,6 +105,7 @@ Element element_of(std::string_view tag, std::int64_t at, bool big_endian) {
     return {type, at + tag_bytes, size, at + tag_bytes + size + padding};
 }
 
+// Of an element; nothing where it holds no numbers.
 std::optional<NumberType> number_type(std::uint32_t element_type) {
     switch (element_type) {
         case int8: return NumberType::i8;
@@ -102,6 +122,8 @@ std::optional<NumberType> number_type(std::uint32_t element_type) {
     }
 }
 
+// That the numbers of a class have in MATLAB; a file may store them narrower. Nothing where it is
+// no class of numbers.
 std::optional<NumberType> class_type(std::uint32_t array_class) {
     constexpr std::array<NumberType, 10> types{
         NumberType::f64, NumberType::f32, NumberType::i8,  NumberType::u8,  NumberType::i16,
@@ -110,18 +132,11 @@ std::optional<NumberType> class_type(std::uint32_t array_class) {
     return place < types.size() ? std::optional(types[place]) : std::nullopt;
 }
 
-}  // namespace mat5
-
-using namespace mat5;
-
-namespace {
-
 constexpr int most_struct_depth = 8;
 constexpr int most_variables = 10000;  // and fields, of any kind
 constexpr std::int64_t longest_name = 4096;
 constexpr std::int64_t zlib_head_bytes = 2;  // before what is deflated, and four behind it
 constexpr std::int64_t zlib_bytes = zlib_head_bytes + 4;
-constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
 
 using Arrays = std::vector<StoredArray>;
 
