@@ -289,19 +289,6 @@ struct FoundChannel {
     TdmsRawIndex index;  // the first of its object
 };
 
-// Result of the first pass through the file.
-struct Contents {
-    std::vector<TdmsObject> objects;
-    std::vector<FoundChannel> channels;
-    std::optional<FoundChannel> time;  // named so, and no channel
-    bool open_ended = false;
-
-    const FoundChannel& channel(int number) const {
-        return channels[static_cast<std::size_t>(number - 1)];
-    }
-    const TdmsObject& object(int number) const { return objects[channel(number).object]; }
-};
-
 // A channel to be read: the chosen numbers and their scaling.
 struct ChosenChannel {
     std::size_t object = 0;
@@ -337,7 +324,15 @@ public:
     TdmsReader(std::shared_ptr<const FileBytes> file, const JobControl& job)
         : file_(std::move(file)), job_(job) {}
 
-    Result<Contents> contents() const {
+    const std::vector<FoundChannel>& channels() const { return channels_; }
+    bool open_ended() const { return open_ended_; }
+    const FoundChannel& channel(int number) const {
+        return channels_[static_cast<std::size_t>(number - 1)];
+    }
+    const TdmsObject& object(const FoundChannel& found) const { return objects_[found.object]; }
+
+    // A first pass through the file, which all else needs.
+    Status find_channels() {
         TdmsFile tdms(file_, job_);
         std::vector<std::optional<TdmsRawIndex>> first;  // of each object with values
         std::vector<std::size_t> order;
@@ -355,27 +350,28 @@ public:
             }
             return {};
         }));
-        Contents contents{tdms.objects(), {}, {}, tdms.open_ended()};
+        objects_ = tdms.objects();
+        open_ended_ = tdms.open_ended();
         for (const std::size_t object : order) {
-            const Channel named = name_and_unit(contents.objects[object].channel);
+            const Channel named = name_and_unit(objects_[object].channel);
             if (has_numbers(*first[object]) && !is_time_name(named.name)) {
-                contents.channels.push_back({object, std::move(*first[object])});
-            } else if (has_numbers(*first[object]) && !contents.time) {
-                contents.time = FoundChannel{object, std::move(*first[object])};
+                channels_.push_back({object, std::move(*first[object])});
+            } else if (has_numbers(*first[object]) && !time_) {
+                time_ = FoundChannel{object, std::move(*first[object])};
             }
         }
-        return contents;
+        return {};
     }
 
-    Result<ChosenChannel> choose(const Contents& contents, const FoundChannel& found) const {
-        const TdmsObject& object = contents.objects[found.object];
-        auto scaling = TRY(tdms_scaling(*file_, with_owners(contents, object)));
+    Result<ChosenChannel> choose(const FoundChannel& found) const {
+        const TdmsObject& channel = object(found);
+        auto scaling = TRY(tdms_scaling(*file_, with_owners(channel)));
         ChosenChannel chosen{found.object, NumberType::f64, std::move(scaling)};
         const auto& scalers = found.index.scalers;
         const auto undescribed = [&] {
             return file_->unsupported(
                 "TDMS", VYBEG_MESSAGE("Words", "a scale that it does not describe (channel %1)"),
-                {object.channel});
+                {channel.channel});
         };
         if (!found.index.is_daqmx) {
             chosen.type = *tdms_number(found.index.type);
@@ -425,23 +421,23 @@ public:
     }
 
     // The rate by the channel of times; nothing where there is none, or an uneven one.
-    Result<std::optional<SampleRate>> rate_of_time(const Contents& contents) const {
-        if (!contents.time) {
+    Result<std::optional<SampleRate>> rate_of_time() const {
+        if (!time_) {
             return std::optional<SampleRate>();
         }
-        const TdmsObject& object = contents.objects[contents.time->object];
-        const auto chosen = TRY(choose(contents, *contents.time));
+        const TdmsObject& times = object(*time_);
+        const auto chosen = TRY(choose(*time_));
         const auto columns_twice = TRY(columns(chosen, chosen));
-        Channel named = name_and_unit(object.channel);
-        named.unit = named.unit.empty() ? object.text("unit_string") : named.unit;
+        Channel named = name_and_unit(times.channel);
+        named.unit = named.unit.empty() ? times.text("unit_string") : named.unit;
         return rate_of_times(columns_twice.c, seconds_per(time_unit(named)).value_or(1), job_);
     }
 
     // 1 / wf_increment of the channel, its group or the file.
-    static std::optional<double> rate(const Contents& contents, const TdmsObject& channel) {
-        for (const TdmsObject* object : with_owners(contents, channel)) {
-            const double unit_s = seconds_per(object->text("wf_xunit_string")).value_or(1);
-            const double step = unit_s * object->number("wf_increment").value_or(0);
+    std::optional<double> rate(const TdmsObject& channel) const {
+        for (const TdmsObject* owner : with_owners(channel)) {
+            const double unit_s = seconds_per(owner->text("wf_xunit_string")).value_or(1);
+            const double step = unit_s * owner->number("wf_increment").value_or(0);
             if (step > 0 && std::isfinite(1 / step)) {
                 return 1 / step;
             }
@@ -457,15 +453,13 @@ public:
 
 private:
     // The channel, its group and the file, those with properties.
-    static std::vector<const TdmsObject*> with_owners(const Contents& contents,
-                                                      const TdmsObject& channel) {
+    std::vector<const TdmsObject*> with_owners(const TdmsObject& channel) const {
         std::vector<const TdmsObject*> found{&channel};
         for (const std::string& group : {channel.group, std::string()}) {
-            const auto owner = std::find_if(
-                contents.objects.begin(), contents.objects.end(), [&](const TdmsObject& object) {
-                    return object.channel.empty() && object.group == group;
-                });
-            if (owner != contents.objects.end()) {
+            const auto owner = std::ranges::find_if(objects_, [&](const TdmsObject& each) {
+                return each.channel.empty() && each.group == group;
+            });
+            if (owner != objects_.end()) {
                 found.push_back(&*owner);
             }
         }
@@ -474,17 +468,21 @@ private:
 
     std::shared_ptr<const FileBytes> file_;
     const JobControl& job_;
+    std::vector<TdmsObject> objects_;
+    std::vector<FoundChannel> channels_;
+    std::optional<FoundChannel> time_;  // named so, and no channel
+    bool open_ended_ = false;
 };
 
 // Names, with their group in files with several groups of channels.
-std::vector<Channel> describe(const Contents& contents) {
-    const std::string& first = contents.object(1).group;
-    const bool one_group = std::all_of(
-        contents.channels.begin(), contents.channels.end(),
-        [&](const FoundChannel& found) { return contents.objects[found.object].group == first; });
+std::vector<Channel> describe(const TdmsReader& reader) {
+    const std::string& first = reader.object(reader.channel(1)).group;
+    const bool one_group = std::ranges::all_of(reader.channels(), [&](const FoundChannel& found) {
+        return reader.object(found).group == first;
+    });
     std::vector<Channel> channels;
-    for (const FoundChannel& found : contents.channels) {
-        const TdmsObject& object = contents.objects[found.object];
+    for (const FoundChannel& found : reader.channels()) {
+        const TdmsObject& object = reader.object(found);
         channels.push_back({one_group ? object.channel : object.group + "/" + object.channel,
                             object.text("unit_string")});
     }
@@ -499,23 +497,23 @@ bool is_tdms(std::string_view head) {
 
 Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
-    const TdmsReader reader(file, job);
+    TdmsReader reader(file, job);
     const auto tag = TRY(file->text(0, std::ssize(index_tag)));
     if (tag == index_tag) {
         return file->unsupported(
             "TDMS", VYBEG_MESSAGE("Words", "only the index of the .tdms file beside it"));
     }
-    const auto contents = TRY(reader.contents());
-    const auto count = static_cast<int>(contents.channels.size());
+    TRY(reader.find_channels());
+    const auto count = static_cast<int>(reader.channels().size());
     TRY(check_channels(*file, count, options));
-    const TdmsObject& c = contents.object(options.channel_c);
-    const auto rate_c = TdmsReader::rate(contents, c);
-    const auto rate_d = TdmsReader::rate(contents, contents.object(options.channel_d));
+    const TdmsObject& c = reader.object(reader.channel(options.channel_c));
+    const TdmsObject& d = reader.object(reader.channel(options.channel_d));
+    const auto rate_c = reader.rate(c);
+    const auto rate_d = reader.rate(d);
     if (rate_c && rate_d && *rate_c != *rate_d) {
         return file->unsupported("TDMS",
                                  VYBEG_MESSAGE("Words", "C and D at different sample rates"));
     }
-    const TdmsObject& d = contents.object(options.channel_d);
     const std::string start_c = c.text("wf_start_time");
     const std::string start_d = d.text("wf_start_time");
     if (!start_c.empty() && !start_d.empty() && start_c != start_d) {
@@ -528,23 +526,23 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
         found.own_rate = SampleRate{*own, RateOrigin::file};
     }
     if (!found.own_rate) {
-        auto of_time = TRY(reader.rate_of_time(contents));
+        auto of_time = TRY(reader.rate_of_time());
         found.own_rate = of_time;
     }
     // Checked before the second pass.
     TRY(choose_rate(*file, found.own_rate, options));
-    const auto chosen_c = reader.choose(contents, contents.channel(options.channel_c));
-    const auto chosen_d = reader.choose(contents, contents.channel(options.channel_d));
+    const auto chosen_c = reader.choose(reader.channel(options.channel_c));
+    const auto chosen_d = reader.choose(reader.channel(options.channel_d));
     if (!chosen_c || !chosen_d) {
         return (chosen_c ? chosen_d : chosen_c).error();
     }
     auto columns = TRY(reader.columns(*chosen_c, *chosen_d));
     found.format = {FormatPart::name("TDMS"), FormatPart::words(name_of(columns.c.type)),
                     FormatPart::channels(count)};
-    found.channels = describe(contents);
+    found.channels = describe(reader);
     found.start = start_c;
-    found.never_closed = contents.open_ended;
-    if (!contents.open_ended) {
+    found.never_closed = reader.open_ended();
+    if (!reader.open_ended()) {
         found.promised_frames = std::min(columns.promised_c, columns.promised_d);
     }
     const std::int64_t frames_c = columns.c.frames();

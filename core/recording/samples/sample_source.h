@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -37,9 +38,10 @@ public:
 class MemorySource : public SampleSource {
 public:
     // Precondition: equal lengths.
-    MemorySource(std::vector<double> c, std::vector<double> d);
+    MemorySource(std::vector<double> c, std::vector<double> d)
+        : c_(std::move(c)), d_(std::move(d)) {}
 
-    std::int64_t frames() const override;
+    std::int64_t frames() const override { return std::ssize(c_); }
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override;
 
 private:
