@@ -13,6 +13,11 @@ constexpr bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+// Whether a text is one of digits alone, one or more.
+constexpr bool are_digits(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 // Without spaces and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 

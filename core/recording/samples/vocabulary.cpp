@@ -189,10 +189,6 @@ std::optional<Channel> node_quantity(std::string_view name, std::string_view ins
     return Channel{std::string(name) + "(" + std::string(inside) + ")", unit};
 }
 
-bool is_number(std::string_view text) {
-    return !text.empty() && std::ranges::all_of(text, is_digit);
-}
-
 // Start of the last word of a name: after a blank, '_' or '-', or as in "TimeMs".
 std::size_t last_word(std::string_view name) {
     const auto cut = name.find_last_of(" _-");
@@ -266,7 +262,7 @@ Channel name_and_unit(std::string_view field) {
             }
             continue;
         }
-        if (is_number(inside)) {
+        if (are_digits(inside)) {
             return {text, ""};
         }
         if (const auto node = node_quantity(whole.substr(0, at), inside)) {

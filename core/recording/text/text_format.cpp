@@ -461,9 +461,6 @@ bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& fo
         format.columns % 2 != 0) {
         return false;
     }
-    const auto is_digits = [](std::string_view text) {
-        return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-    };
     std::vector<std::string_view> fields;
     bool leading_zero = false;
     for (const std::string& line : lines.subspan(static_cast<std::size_t>(format.lines_to_skip))) {
@@ -473,7 +470,8 @@ bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& fo
         for (std::size_t k = 0; k < fields.size(); k += 2) {
             const std::string_view whole = trimmed(fields[k]);
             const std::string_view decimals = trimmed(fields[k + 1]);
-            if (!is_digits(whole.substr(whole.starts_with('-') ? 1 : 0)) || !is_digits(decimals)) {
+            if (!are_digits(whole.substr(whole.starts_with('-') ? 1 : 0)) ||
+                !are_digits(decimals)) {
                 return false;
             }
             leading_zero = leading_zero || (decimals.size() > 1 && decimals.front() == '0');

@@ -107,7 +107,7 @@ char ascii_at(std::string_view text, std::size_t at, TextEncoding encoding) {
 }  // namespace
 
 std::size_t line_end(std::string_view text, std::size_t from) {
-    while (from < text.size() && text[from] != '\n' && text[from] != '\r') {
+    while (from < text.size() && !ends_line(text[from])) {
         ++from;
     }
     return from;
@@ -182,18 +182,15 @@ Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, 
                                         static_cast<std::int64_t>(unit * unit);
     const auto bytes = TRY(file.text(from, end - from));
     const std::string_view text = bytes;
-    const auto ends_line = [&](std::size_t at) {
-        const char character = ascii_at(text, at, encoding);
-        return character == '\n' || character == '\r';
-    };
+    const auto ends_at = [&](std::size_t at) { return ends_line(ascii_at(text, at, encoding)); };
     std::size_t to = text.size();
     while (to > 0) {
         std::size_t last = to;  // behind the line's characters
-        while (last >= unit && ends_line(last - unit)) {
+        while (last >= unit && ends_at(last - unit)) {
             last -= unit;
         }
         std::size_t first = last;
-        while (first >= unit && !ends_line(first - unit)) {
+        while (first >= unit && !ends_at(first - unit)) {
             first -= unit;
         }
         if (first < unit && from > begin) {
@@ -223,7 +220,7 @@ Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding
         const auto text = TRY(file.text(from, to - from));
         for (std::int64_t at = std::ssize(text) / unit * unit - unit; at >= 0; at -= unit) {
             const char character = ascii_at(text, static_cast<std::size_t>(at), encoding);
-            if (character == '\n' || character == '\r') {
+            if (ends_line(character)) {
                 line_ends = from + at + unit;
             } else if (no_content.find(character) == std::string_view::npos) {
                 return line_ends;

@@ -13,6 +13,10 @@
 
 namespace vybeg {
 
+constexpr bool ends_line(char c) {
+    return c == '\n' || c == '\r';
+}
+
 // The place of the first line end (LF, CRLF, CR) from `from` on; the end of the text where there is
 // none.
 std::size_t line_end(std::string_view text, std::size_t from);

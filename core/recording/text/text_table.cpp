@@ -58,10 +58,6 @@ const char* skip_number(const char* at, const char* end, char sign) {
     return at != end && *at != 'e' && *at != 'E' && at - begin < longest ? at : nullptr;
 }
 
-bool ends_line(char c) {
-    return c == '\n' || c == '\r';
-}
-
 // Blanks that may stand round a field of a line cut at `delimiter`.
 const char* skip_blanks(const char* at, const char* end, char delimiter) {
     while (at != end && (*at == ' ' || *at == '\t') && *at != delimiter) {

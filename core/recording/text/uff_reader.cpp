@@ -177,8 +177,7 @@ constexpr std::int64_t lines_per_report = 1 << 14;
 constexpr std::size_t most_channels = 4096;
 
 bool is_dataset_number(std::string_view text) {
-    return !text.empty() && text.size() <= 6 &&
-           text.find_first_not_of("0123456789") == std::string_view::npos;
+    return are_digits(text) && text.size() <= 6;
 }
 
 // "58b" and the numbers behind it.
