@@ -89,11 +89,9 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     found.promised_frames =
         std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
-    if (found.present_frames > 0) {
-        auto source =
-            TRY(reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
-        found.source = std::move(source);
-    }
+    auto source =
+        TRY(reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
+    found.source = std::move(source);
     return complete_recording(*file, std::move(found), options);
 }
 

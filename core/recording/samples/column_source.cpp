@@ -199,9 +199,6 @@ std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d
 std::shared_ptr<const SampleSource> interleaved_source(const std::shared_ptr<const FileBytes>& file,
                                                        const InterleavedSamples& samples, int c,
                                                        int d) {
-    if (samples.frames == 0) {
-        return nullptr;
-    }
     const std::int64_t width = bytes_of(samples.type);
     const auto bytes = file_part(file, 0, file->size());
     const auto column = [&](int channel) {

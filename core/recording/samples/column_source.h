@@ -55,7 +55,7 @@ Status read_column(const SampleColumn& column, std::int64_t first, std::span<dou
 // ascending offsets within a range.
 std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d);
 
-// The same of two channels of a file, from 1; null without frames.
+// The same of two channels of a file, from 1.
 std::shared_ptr<const SampleSource> interleaved_source(const std::shared_ptr<const FileBytes>& file,
                                                        const InterleavedSamples& samples, int c,
                                                        int d);

@@ -185,11 +185,9 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     if (!is_chosen && meaning_of(c) == Meaning::channel_d && meaning_of(d) == Meaning::channel_c) {
         recording.diagnostics.push_back({DiagnosticKind::channels_crossed, {c, d}});
     }
-    if (recording.source) {
-        TRY(check_signals(file, recording));
-        if (!found.one_unit) {
-            match_units(recording);
-        }
+    TRY(check_signals(file, recording));
+    if (!found.one_unit) {
+        match_units(recording);
     }
     note_early_end(found.promised_frames, recording);
     if (found.never_closed) {
