@@ -1,8 +1,8 @@
 #include "core/recording/arrays/npy_reader.h"
 
 #include "core/base/message_arg.h"
-#include "core/recording/arrays/time_column.h"
 #include "core/recording/bytes/number_type.h"
+#include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 
 #include <algorithm>

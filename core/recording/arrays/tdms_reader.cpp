@@ -1,7 +1,6 @@
 #include "core/recording/arrays/tdms_reader.h"
 
 #include "core/recording/arrays/tdms_segments.h"
-#include "core/recording/arrays/time_column.h"
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "core/base/job_control.h"
+#include "core/base/result.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
+#include "core/recording/samples/recording.h"
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vybeg {
@@ -59,5 +63,11 @@ std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d
 std::shared_ptr<const SampleSource> interleaved_source(const std::shared_ptr<const FileBytes>& file,
                                                        const InterleavedSamples& samples, int c,
                                                        int d);
+
+// The rate by a column of times that count in `unit_s` seconds: it rises by even steps below a
+// second, and does not count the rows. Nothing for any other column. Errors: those of reading;
+// interrupted.
+Result<std::optional<SampleRate>> rate_of_times(const SampleColumn& column, double unit_s,
+                                                const JobControl& job);
 
 }  // namespace vybeg
