@@ -116,21 +116,14 @@ Result<Recording> open_file(const std::filesystem::path& path, const OpenOptions
         }
         recording->start = plain_text(recording->start);
         for (Channel& channel : recording->channels) {
-            channel = {plain_text(channel.name), plain_text(channel.unit)};
+            const bool kept = options.unit.empty() && options.scale == 1;
+            channel = {plain_text(channel.name), kept ? plain_text(channel.unit) : options.unit};
         }
         if (options.scale != 1) {
             recording->source =
                 scaled_source(std::move(recording->source), options.scale, options.scale);
-            for (Channel& channel : recording->channels) {
-                channel.unit.clear();
-            }
         }
         recording->file = file;
-        if (!options.unit.empty()) {
-            for (Channel& channel : recording->channels) {
-                channel.unit = options.unit;
-            }
-        }
     }
     return recording;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 namespace vybeg {
+
 Status MemorySource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
     std::copy_n(c_.begin() + first, c.size(), c.begin());
     std::copy_n(d_.begin() + first, d.size(), d.begin());
