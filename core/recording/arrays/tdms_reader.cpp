@@ -18,19 +18,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace vybeg {
 namespace {
 
-// y = c0 + c1 x + c2 x^2 + ...
-struct TdmsPolynomial {
-    std::vector<double> coefficients;
-};
-
-// y over x, linear between the points; beyond the ends the value of the end, as in DAQmx.
-struct TdmsTable {
+// y over x, linear between the points; beyond the ends the value of the end, as in DAQmx. Without
+// points x a polynomial of the coefficients y: y0 + y1 x + y2 x^2 + ...
+struct TdmsStep {
     std::vector<double> x;  // rising
     std::vector<double> y;
 };
@@ -41,7 +36,7 @@ struct TdmsScaling {
     std::optional<std::uint32_t>
         scaler;  // id of the number of a DAQmx channel; empty: its only one
     Scale linear;
-    std::vector<std::variant<TdmsPolynomial, TdmsTable>> steps;
+    std::vector<TdmsStep> steps;
 };
 
 constexpr double raw_numbers = 0xFFFFFFFF;  // as the input source of a scale
@@ -118,7 +113,7 @@ private:
                 return damaged(VYBEG_MESSAGE(
                     "Words", "the channel %1 has a linear scale without slope or intercept"));
             }
-            scaling.steps.emplace_back(TdmsPolynomial{{*intercept, *slope}});
+            scaling.steps.emplace_back(TdmsStep{{}, {*intercept, *slope}});
         } else if (type == "Polynomial") {
             constexpr double usual = 4;
             const double size =
@@ -129,7 +124,7 @@ private:
                     "Words",
                     "the channel %1 has a polynomial scale without all of its coefficients"));
             }
-            scaling.steps.emplace_back(TdmsPolynomial{*coefficients});
+            scaling.steps.emplace_back(TdmsStep{{}, *coefficients});
         } else if (type == "Table") {
             return take_table(index, scaling);
         } else {
@@ -163,7 +158,7 @@ private:
             return damaged(VYBEG_MESSAGE(
                 "Words", "the channel %1 has a table scale that neither rises nor falls"));
         }
-        scaling.steps.emplace_back(TdmsTable{std::move(*x), std::move(*y)});
+        scaling.steps.emplace_back(TdmsStep{std::move(*x), std::move(*y)});
         return {};
     }
 
@@ -183,13 +178,9 @@ private:
     // Moves linear steps at the beginning into the scale of the decoder.
     static void fold(TdmsScaling& scaling) {
         auto& steps = scaling.steps;
-        while (!steps.empty()) {
-            const auto* line = std::get_if<TdmsPolynomial>(&steps.front());
-            if (!line || line->coefficients.size() != 2) {
-                return;
-            }
-            const double offset = line->coefficients[0];
-            const double slope = line->coefficients[1];
+        while (!steps.empty() && steps.front().x.empty() && steps.front().y.size() == 2) {
+            const double offset = steps.front().y[0];
+            const double slope = steps.front().y[1];
             scaling.linear.gain *= slope;
             scaling.linear.offset = scaling.linear.offset * slope + offset;
             steps.erase(steps.begin());
@@ -206,39 +197,34 @@ private:
     const TdmsObject& owner_;
 };
 
-double value_at(const TdmsPolynomial& polynomial, double x) {
-    double y = 0;
-    for (auto c = polynomial.coefficients.rbegin(); c != polynomial.coefficients.rend(); ++c) {
-        y = y * x + *c;
+double value_at(const TdmsStep& step, double x) {
+    if (step.x.empty()) {
+        double y = 0;
+        for (auto c = step.y.rbegin(); c != step.y.rend(); ++c) {
+            y = y * x + *c;
+        }
+        return y;
     }
-    return y;
-}
-
-double value_at(const TdmsTable& table, double x) {
-    const auto next = std::upper_bound(table.x.begin(), table.x.end(), x);
-    if (next == table.x.begin() || std::isnan(x)) {
-        return std::isnan(x) ? x : table.y.front();
+    const auto next = std::upper_bound(step.x.begin(), step.x.end(), x);
+    if (next == step.x.begin() || std::isnan(x)) {
+        return std::isnan(x) ? x : step.y.front();
     }
-    if (next == table.x.end()) {
-        return table.y.back();
+    if (next == step.x.end()) {
+        return step.y.back();
     }
-    const auto i = static_cast<std::size_t>(next - table.x.begin());
-    const double part = (x - table.x[i - 1]) / (table.x[i] - table.x[i - 1]);
-    return table.y[i - 1] + part * (table.y[i] - table.y[i - 1]);
+    const auto i = static_cast<std::size_t>(next - step.x.begin());
+    const double part = (x - step.x[i - 1]) / (step.x[i] - step.x[i - 1]);
+    return step.y[i - 1] + part * (step.y[i] - step.y[i - 1]);
 }
 
 void apply(const TdmsScaling& scaling, std::span<double> samples) {
-    for (const auto& step : scaling.steps) {
-        std::visit(
-            [&](const auto& function) {
-                for (double& sample : samples) {
-                    const double y = value_at(function, sample);
-                    sample = std::isfinite(y) && !std::isnan(sample)
-                                 ? y
-                                 : std::numeric_limits<double>::quiet_NaN();
-                }
-            },
-            step);
+    for (const TdmsStep& step : scaling.steps) {
+        for (double& sample : samples) {
+            const double y = value_at(step, sample);
+            sample = std::isfinite(y) && !std::isnan(sample)
+                         ? y
+                         : std::numeric_limits<double>::quiet_NaN();
+        }
     }
 }
 
