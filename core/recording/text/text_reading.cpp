@@ -70,10 +70,9 @@ struct BlockScan {
     LeftOut left_out;
     std::optional<TextFault> fault;  // in the last line
     bool backwards = false;          // the time in the last line lies below the one before
-    double before = 0;               // of these, in the column's unit
-    double time = 0;
-    double first_time = 0;  // in the column's unit
-    double last_time = 0;
+    double time = 0;                 // of that line, in the column's unit
+    double first_time = 0;           // in the column's unit
+    double last_time = 0;            // that did not lie below the one before
     std::int64_t first_line = 0;     // of the first row
     std::int64_t repeated_line = 0;  // of the first row whose time is that of the row before
     double repeated = 0;             // this time
@@ -89,7 +88,6 @@ bool take_time(const TextTable& table, const TextRows& row, BlockScan& found) {
     } else if (row.time() <= found.last_time) {
         if (row.time() < found.last_time) {
             found.backwards = true;
-            found.before = found.last_time;
             found.time = row.time();
             return false;
         }
@@ -155,7 +153,7 @@ public:
             note_repeated(block.repeated_line, block.repeated);
         }
         if (block.backwards) {
-            return backwards(block.lines, block.time, block.before);
+            return backwards(block.lines, block.time, block.last_time);
         }
         if (block.fault) {
             return fault_error(table_.blocks.file(), line(block.lines), *block.fault);
