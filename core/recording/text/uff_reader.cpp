@@ -37,9 +37,8 @@ struct UffFunction {
     std::string name;   // from the first identification line, else node and direction; may be empty
     std::string start;  // third identification line: date and time
     std::string unit;   // of the values
-    int data_type = 0;  // 2 and 4: real, of single and of double precision
+    int data_type = 0;  // 2 and 4: real, of single and of double precision; 5 and 6: complex
     bool is_time_response = false;  // others are spectra and the like
-    bool is_complex = false;
     bool is_even = false;
     std::int64_t count = 0;
     double step_s = 0;  // seconds from value to value
@@ -47,13 +46,12 @@ struct UffFunction {
     double step_relative_sd = 0;
 };
 
-constexpr std::size_t uff_header_lines = 11;
+constexpr int uff_header_lines = 11;
 
 // What the identifier of a dataset 58b says of the bytes that follow its header.
 struct UffBinary {
     int byte_order = 0;    // 1 little endian, 2 big endian
     int float_format = 0;  // 1 DEC VMS, 2 IEEE 754, 3 IBM 5/370
-    std::int64_t header_lines = 0;
     std::int64_t bytes = 0;
 };
 
@@ -141,7 +139,6 @@ std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& line
     found.start = told(lines[2]);
     found.unit = told(field(ordinate, 47, 20));
     found.data_type = *data_type;
-    found.is_complex = *data_type >= 5;
     found.is_even = *spacing == 1;
     found.count = *count;
     found.step_s = step[0] * seconds_per(told(field(abscissa, 47, 20))).value_or(1);
@@ -152,7 +149,7 @@ std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& line
     return found;
 }
 
-// "58b" and the numbers after it. Nothing where they are none.
+// "58b" and the numbers after it. Nothing where they are none, or not of a header of 58.
 std::optional<UffBinary> parse_uff_binary(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_of("bB") + 1, line.size()));
     std::array<std::int64_t, 4> numbers{};
@@ -166,9 +163,11 @@ std::optional<UffBinary> parse_uff_binary(std::string_view line) {
         value = *parsed;
         line.remove_prefix(word.size());
     }
+    if (numbers[2] != uff_header_lines) {
+        return std::nullopt;
+    }
     return UffBinary{static_cast<int>(std::min<std::int64_t>(numbers[0], 9)),
-                     static_cast<int>(std::min<std::int64_t>(numbers[1], 9)), numbers[2],
-                     numbers[3]};
+                     static_cast<int>(std::min<std::int64_t>(numbers[1], 9)), numbers[3]};
 }
 
 constexpr std::string_view separator = "-1";  // before and behind each dataset
@@ -303,7 +302,7 @@ private:
                     {std::string(line.substr(0, 6))});
             }
             binary_ = parse_uff_binary(line);
-            if (!binary_ || binary_->header_lines != uff_header_lines) {
+            if (!binary_) {
                 return file_.damaged(
                     "UFF",
                     VYBEG_MESSAGE("Words", "the first line of a dataset 58b cannot be understood"));
@@ -317,7 +316,7 @@ private:
 
     Status take_header(std::string_view line, std::int64_t behind) {
         header_.emplace_back(line);
-        if (header_.size() < uff_header_lines) {
+        if (std::ssize(header_) < uff_header_lines) {
             return {};
         }
         auto function = parse_uff_header(header_);
@@ -332,7 +331,7 @@ private:
         if (!is_channel_) {
             return {};
         }
-        if (function->is_complex) {
+        if (function->data_type >= 5) {
             return file_.unsupported("UFF", VYBEG_MESSAGE("Words", "complex values"));
         }
         if (!function->is_even) {
