@@ -268,11 +268,14 @@ public:
             const Hdf5Handle access = access_to_dataset(dataset.piece_bytes);
             handle = Hdf5Handle(H5Dopen(file_.get(), dataset.path.c_str(), access.get()));
         }
+        const auto decoded = [&](bool done) {
+            return done ? Status()
+                        : damaged(VYBEG_MESSAGE("Words", "samples of %1 cannot be decoded"),
+                                  {dataset.path});
+        };
         if (dataset.field) {
-            return read_field(handle.get(), *dataset.field, request.channel, request.first, out)
-                       ? Status()
-                       : damaged(VYBEG_MESSAGE("Words", "samples of %1 cannot be decoded"),
-                                 {dataset.path});
+            return decoded(
+                read_field(handle.get(), *dataset.field, request.channel, request.first, out));
         }
         const Hdf5Handle space(H5Dget_space(handle.get()));
         const bool upright = dataset.extent[0] >= dataset.extent[1];
@@ -289,12 +292,8 @@ public:
             return damaged(VYBEG_MESSAGE("Words", "the samples of %1 cannot be found"),
                            {dataset.path});
         }
-        if (H5Dread(handle.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT,
-                    out.data()) < 0) {
-            return damaged(VYBEG_MESSAGE("Words", "samples of %1 cannot be decoded"),
-                           {dataset.path});
-        }
-        return {};
+        return decoded(H5Dread(handle.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(),
+                               H5P_DEFAULT, out.data()) >= 0);
     }
 
 private:
