@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 #include "core/recording/arrays/raw_reader.h"
-#include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/open/open_recording.h"

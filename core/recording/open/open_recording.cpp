@@ -5,7 +5,6 @@
 #include "core/recording/arrays/npy_reader.h"
 #include "core/recording/arrays/raw_reader.h"
 #include "core/recording/arrays/tdms_reader.h"
-#include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/packed_parts.h"

@@ -1,6 +1,6 @@
 #include "core/recording/sndfile/audio_file.h"
 
-#include "core/recording/audio/audio_extent.h"
+#include "core/recording/audio/audio_reader.h"
 
 #include <sndfile.h>
 
