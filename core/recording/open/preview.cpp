@@ -13,8 +13,8 @@
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_format.h"
+#include "core/recording/text/text_lines.h"
 #include "core/recording/text/text_recording.h"
-#include "core/recording/text/text_table.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -13,6 +13,9 @@ constexpr bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+// What lines without any number or word consist of: delimiters, quotes and blanks.
+inline constexpr std::string_view no_content = " \t\v\f\x1A,;|\"";
+
 // Whether a text is one of digits alone, one or more.
 constexpr bool are_digits(std::string_view text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
