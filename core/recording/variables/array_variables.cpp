@@ -74,20 +74,18 @@ Result<std::optional<double>> value_of(const StoredArray& stored) {
 
 }  // namespace
 
-Result<Recording> open_arrays(std::shared_ptr<const FileBytes> file, const std::string& format,
+Result<Recording> open_arrays(const FileBytes& file, const std::string& format,
                               std::vector<StoredArray> arrays, const OpenOptions& options,
                               const JobControl& job) {
-    VariableFile variables;
-    variables.file = file;
-    variables.catalogue.format = format;
+    Catalogue catalogue;
+    catalogue.format = format;
     for (const StoredArray& stored : arrays) {
         TRY(job.go_on());
         const auto value = TRY(value_of(stored));
-        variables.catalogue.variables.push_back(stored.variable);
-        variables.catalogue.variables.back().value = value;
+        catalogue.variables.push_back(stored.variable);
+        catalogue.variables.back().value = value;
     }
-    variables.reader = std::make_shared<ArrayVariables>(std::move(arrays));
-    return open_variables(variables, options, job);
+    return open_variables(file, catalogue, ArrayVariables(std::move(arrays)), options, job);
 }
 
 namespace {
@@ -138,7 +136,7 @@ Result<Recording> open_npz(std::shared_ptr<const FileBytes> file, const OpenOpti
         return file->unsupported("ZIP",
                                  VYBEG_MESSAGE("Words", "members other than NumPy arrays (.npy)"));
     }
-    return open_arrays(std::move(file), "NPZ", std::move(arrays), options, job);
+    return open_arrays(*file, "NPZ", std::move(arrays), options, job);
 }
 
 }  // namespace vybeg

@@ -26,7 +26,7 @@ struct StoredArray {
 
 // The recording that open_variables() finds among a file's arrays; `format` names it. Errors: those
 // of open_variables() and of the contents.
-Result<Recording> open_arrays(std::shared_ptr<const FileBytes> file, const std::string& format,
+Result<Recording> open_arrays(const FileBytes& file, const std::string& format,
                               std::vector<StoredArray> arrays, const OpenOptions& options,
                               const JobControl& job);
 

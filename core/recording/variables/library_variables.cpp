@@ -412,11 +412,9 @@ Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOpt
     const LibraryFormat format =
         matlab ? LibraryFormat{"mat73", "MAT 7.3"} : LibraryFormat{"hdf5", "HDF5"};
     auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
-    VariableFile variables;
-    variables.file = file;
-    variables.catalogue = process->catalogue();
-    variables.reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
-    return open_variables(variables, options, job);
+    const Catalogue catalogue = process->catalogue();
+    const auto reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
+    return open_variables(*file, catalogue, *reader, options, job);
 }
 
 }  // namespace vybeg

@@ -415,8 +415,7 @@ Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOpti
     }
     auto arrays = TRY(is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job)
                                 : level4_arrays(file));
-    return open_arrays(std::move(file), is_level5 ? "MAT 5" : "MAT 4", std::move(arrays), options,
-                       job);
+    return open_arrays(*file, is_level5 ? "MAT 5" : "MAT 4", std::move(arrays), options, job);
 }
 
 }  // namespace vybeg

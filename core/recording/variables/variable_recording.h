@@ -39,14 +39,7 @@ public:
 
 inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;
 
-// A file of several variables (MAT, HDF5, NPZ), whatever reads them.
-struct VariableFile {
-    std::shared_ptr<const FileBytes> file;
-    Catalogue catalogue;
-    std::shared_ptr<const VariableReader> reader;
-};
-
-// The recording in a file of variables.
+// The recording in a file of several variables (MAT, HDF5, NPZ), whatever reads them.
 //
 // The variables that options.variables name: two vectors (or more general: C's and D's channels
 // must each be one), or one array, whose channels all count. Without names: the longest array of
@@ -62,7 +55,8 @@ struct VariableFile {
 // A file that is still being written, or was never closed, gets the diagnostic file_not_closed.
 // Errors: variable_missing, setting_invalid, format_unsupported, too_few_channels,
 // channel_out_of_range, too_few_frames, rate_unknown, interrupted; those of the reader.
-Result<Recording> open_variables(const VariableFile& from, const OpenOptions& options,
+Result<Recording> open_variables(const FileBytes& file, const Catalogue& catalogue,
+                                 const VariableReader& reader, const OpenOptions& options,
                                  const JobControl& job);
 
 }  // namespace vybeg
