@@ -1,5 +1,5 @@
 // vybeg-reader: reads one HDF5, MAT 7.3 or audio file for the program that started it, and may die
-// of it (core/recording/variables/reader_process.h). Not meant to be started by hand.
+// of it (core/recording/variables/library_variables.h). Not meant to be started by hand.
 #include "app/reader_service.h"
 #include "core/recording/variables/reader_protocol.h"
 

@@ -1,6 +1,6 @@
 #include "core/analysis/idle_options.h"
 
-#include "core/recording/open/file_format.h"
+#include "core/recording/open/open_recording.h"
 
 #include <algorithm>
 #include <utility>

@@ -5,7 +5,7 @@
 #include "core/numerics/lock_in.h"
 #include "core/numerics/statistics.h"
 #include "core/recording/open/log_columns.h"
-#include "core/recording/samples/channel_pair.h"
+#include "core/recording/samples/reader_rules.h"
 
 #include <Eigen/Dense>
 

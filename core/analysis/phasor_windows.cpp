@@ -9,7 +9,7 @@
 #include "core/numerics/kaiser.h"
 #include "core/numerics/statistics.h"
 #include "core/recording/checks/recording_check.h"
-#include "core/recording/conditioning/filtered_source.h"
+#include "core/recording/conditioning/conditioned_source.h"
 
 #include <Eigen/Core>
 #include <tbb/parallel_pipeline.h>

@@ -4,8 +4,7 @@
 #include "core/analysis/window_noise.h"
 #include "core/base/number_text.h"
 #include "core/recording/checks/recording_check.h"
-#include "core/recording/conditioning/corrected_source.h"
-#include "core/recording/conditioning/filtered_source.h"
+#include "core/recording/conditioning/conditioned_source.h"
 #include "core/windows/carrier_search.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/estimators/wave/estimator.h"
-#include "core/recording/conditioning/corrected_source.h"
+#include "core/recording/conditioning/conditioned_source.h"
 
 #include <cstdint>
 #include <limits>

@@ -5,7 +5,6 @@
 #include "core/numerics/kaiser.h"
 #include "core/numerics/statistics.h"
 #include "core/recording/checks/recording_check.h"
-#include "core/recording/checks/start_check.h"
 #include "core/windows/carrier_search.h"
 
 #include <algorithm>

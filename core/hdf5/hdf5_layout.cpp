@@ -1,6 +1,6 @@
 #include "core/hdf5/hdf5_layout.h"
 
-#include "core/recording/mat_hdf5/hdf5_handle.h"
+#include "core/recording/mat_hdf5/hdf5_open.h"
 
 #include <cstddef>
 #include <cstdlib>

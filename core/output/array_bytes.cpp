@@ -1,7 +1,7 @@
 #include "core/output/array_bytes.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/variables/mat_format.h"
+#include "core/recording/variables/mat_file.h"
 
 namespace vybeg {
 namespace {

@@ -1,8 +1,8 @@
 #include "core/residuals/residual_lines.h"
 
 #include "core/numerics/statistics.h"
-#include "core/recording/checks/start_check.h"
-#include "core/recording/conditioning/filtered_source.h"
+#include "core/recording/checks/recording_check.h"
+#include "core/recording/conditioning/conditioned_source.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,3 @@
-#include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/mat_hdf5/hdf5_file.h"
 #include "core/recording/sndfile/audio_file.h"

@@ -1,6 +1,6 @@
 #include "tests/fuzz/mutation.h"
 
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 
 #include <algorithm>
 #include <limits>

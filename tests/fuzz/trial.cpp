@@ -2,11 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/recording/arrays/raw_reader.h"
-#include "core/recording/arrays/zetlab_reader.h"
-#include "core/recording/audio/audio_extent.h"
 #include "core/recording/audio/audio_reader.h"
-#include "core/recording/bytes/byte_order.h"
-#include "core/recording/open/file_format.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/fuzz/memory_file.h"
 
@@ -95,7 +92,7 @@ Verdict try_format(const FileFormat& format, std::string_view bytes) {
     // Variables may be packed.
     const auto size = static_cast<double>(bytes.size());
     const double most = format.has_variables ? 1e7 + 20 * 1032.0 * size
-                        : format.is_text     ? 1e7 + 20.0 * size
+                        : format.is_text()   ? 1e7 + 20.0 * size
                                              : size;
     return try_opening(bytes, most,
                        [&](const File& file) { return format.open(file, some_rate(), {}); });

@@ -111,9 +111,9 @@ private slots:
         row("later folder", "core/base/a.cpp", "#include \"core/windows/carrier_search.h\"\n",
             "core/base/a.cpp:1: a later folder of core/: core/windows/carrier_search.h");
         row("later sub-folder", "core/recording/bytes/a.cpp",
-            "#include \"core/recording/text/text_table.h\"\n",
+            "#include \"core/recording/text/text_lines.h\"\n",
             "core/recording/bytes/a.cpp:1: a later folder of core/: "
-            "core/recording/text/text_table.h");
+            "core/recording/text/text_lines.h");
         row("later folder from a sub-folder", "core/recording/text/a.cpp",
             "#include \"core/windows/carrier_search.h\"\n",
             "core/recording/text/a.cpp:1: a later folder of core/: core/windows/carrier_search.h");

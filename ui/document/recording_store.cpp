@@ -1,6 +1,7 @@
 #include "ui/document/recording_store.h"
 
 #include "core/analysis/prepare.h"
+#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
 #include "ui/words/error_text.h"
 

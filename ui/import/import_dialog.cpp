@@ -1,6 +1,7 @@
 #include "ui/import/import_dialog.h"
 
-#include "core/recording/samples/partner_file.h"
+#include "core/recording/samples/open_table.h"
+#include "core/recording/samples/reader_rules.h"
 #include "ui/import/import_memory.h"
 #include "ui/import/import_preview.h"
 #include "ui/widgets/page_parts.h"

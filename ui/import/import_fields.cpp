@@ -210,7 +210,7 @@ ImportFields::ReadAs ImportFields::readAs() const {
 
 bool ImportFields::isText() const {
     return readAs() == ReadAs::text || (readAs() == ReadAs::content && preview_ &&
-                                        preview_->file_format && preview_->file_format->is_text);
+                                        preview_->file_format && preview_->file_format->is_text());
 }
 
 bool ImportFields::hasVariables() const {

@@ -4,7 +4,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/recording/open/log_columns.h"
 #include "core/recording/samples/open_table.h"
-#include "core/recording/samples/partner_file.h"
+#include "core/recording/samples/reader_rules.h"
 #include "ui/import/import_preview.h"
 #include "ui/import/log_files.h"
 #include "ui/widgets/number_field.h"

@@ -1,6 +1,6 @@
 #include "ui/import/log_files.h"
 
-#include "core/recording/samples/partner_file.h"
+#include "core/recording/samples/reader_rules.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 

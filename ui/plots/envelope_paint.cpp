@@ -19,18 +19,16 @@ void drawSignals(QPainter& painter, const QRect& area, const Buckets& columns, c
     // One scale for both, because their ratio shows the angle of the wave.
     float top = 0;
     for (const EnvelopeBucket& column : columns) {
-        for (const float v : {column.c_min, column.c_max, column.d_min, column.d_max}) {
+        for (const float v : {column.c.min, column.c.max, column.d.min, column.d.max}) {
             top = std::isfinite(v) ? std::max(top, std::abs(v)) : top;
         }
     }
     const double scale = top > 0 ? 0.5 * (lane_height - 2) / static_cast<double>(top) : 0;
     const ColumnRow row{QRectF(area), 1 / ratio};
     paintLane(painter, row, columns,
-              {theme.signalC, area.top() + 0.5 * lane_height, scale, &EnvelopeBucket::c_min,
-               &EnvelopeBucket::c_max});
+              {theme.signalC, area.top() + 0.5 * lane_height, scale, &EnvelopeBucket::c});
     paintLane(painter, row, columns,
-              {theme.signalD, area.bottom() - 0.5 * lane_height, scale, &EnvelopeBucket::d_min,
-               &EnvelopeBucket::d_max});
+              {theme.signalD, area.bottom() - 0.5 * lane_height, scale, &EnvelopeBucket::d});
 }
 
 }  // namespace
@@ -40,8 +38,9 @@ void paintLane(QPainter& painter, const ColumnRow& row, const Buckets& columns,
     QVector<QLineF> read;
     QVector<QLineF> looked_at;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        const auto low = static_cast<double>(columns[i].*lane.low);
-        const auto high = static_cast<double>(columns[i].*lane.high);
+        const ChannelRange& range = columns[i].*lane.range;
+        const auto low = static_cast<double>(range.min);
+        const auto high = static_cast<double>(range.max);
         if (std::isfinite(low) && std::isfinite(high)) {
             const double x = row.area.left() + (static_cast<double>(i) + 0.5) * row.width;
             const double least = 0.5 * row.width;  // a constant signal remains visible as a line

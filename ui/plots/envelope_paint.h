@@ -23,8 +23,7 @@ struct EnvelopeLane {
     QColor color;
     double zero = 0;
     double scale = 1;
-    float EnvelopeBucket::*low = nullptr;
-    float EnvelopeBucket::*high = nullptr;
+    ChannelRange EnvelopeBucket::*range = nullptr;
 };
 
 // Minima and maxima of a channel; columns of samples only are paler.

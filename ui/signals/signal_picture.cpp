@@ -85,8 +85,9 @@ void addSignal(const SignalContent& content, const SignalPicture& picture, bool 
     const double gain = d ? calibration.kappa : 1;
     const double offset = d ? calibration.offset_d : calibration.offset_c;
     for (const EnvelopeBucket& column : picture.columns) {
-        extremes.add(gain * (static_cast<double>(d ? column.d_min : column.c_min) - offset));
-        extremes.add(gain * (static_cast<double>(d ? column.d_max : column.c_max) - offset));
+        const ChannelRange& range = d ? column.d : column.c;
+        extremes.add(gain * (static_cast<double>(range.min) - offset));
+        extremes.add(gain * (static_cast<double>(range.max) - offset));
     }
     if (picture.samples && content.excerpt) {
         for (const double value : d ? content.excerpt->d : content.excerpt->c) {

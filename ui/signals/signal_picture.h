@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/conditioning/corrected_source.h"
+#include "core/recording/conditioning/conditioned_source.h"
 #include "core/recording/envelope/envelope.h"
 #include "core/residuals/signal_curves.h"
 #include "ui/values/curve_data.h"

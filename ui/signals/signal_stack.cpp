@@ -142,11 +142,10 @@ void SignalGraph::drawColumns(QCPPainter& painter) const {
     const double gain = isD() ? calibration.kappa : 1;
     const double offset = isD() ? calibration.offset_d : calibration.offset_c;
     const double scale = gain * (y(0) - y(1));
-    const EnvelopeLane lane =
-        isD() ? EnvelopeLane{content_->theme.signalD, y(0) + scale * offset, scale,
-                             &EnvelopeBucket::d_min, &EnvelopeBucket::d_max}
-              : EnvelopeLane{content_->theme.signalC, y(0) + scale * offset, scale,
-                             &EnvelopeBucket::c_min, &EnvelopeBucket::c_max};
+    const EnvelopeLane lane = isD() ? EnvelopeLane{content_->theme.signalD, y(0) + scale * offset,
+                                                   scale, &EnvelopeBucket::d}
+                                    : EnvelopeLane{content_->theme.signalC, y(0) + scale * offset,
+                                                   scale, &EnvelopeBucket::c};
     painter.setAntialiasing(false);
     paintUnread(painter, row, picture_->columns, content_->theme);
     paintLane(painter, row, picture_->columns, lane);

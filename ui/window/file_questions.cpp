@@ -1,6 +1,6 @@
 #include "ui/window/file_questions.h"
 
-#include "core/recording/open/file_format.h"
+#include "core/recording/open/open_recording.h"
 
 #include <QDir>
 #include <QFileDialog>

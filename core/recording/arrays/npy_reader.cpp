@@ -1,8 +1,8 @@
 #include "core/recording/arrays/npy_reader.h"
 
 #include "core/base/message_arg.h"
-#include "core/recording/arrays/time_column.h"
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
+#include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 
 #include <algorithm>
@@ -295,16 +295,13 @@ SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource>
     // Whether the samples of a channel are contiguous, one channel after the other.
     const bool apart =
         array.shape.size() < 2 || (channel_axis(array.shape) == 0) != array.fortran_order;
-    StridedRange range;
-    range.stride = apart ? size : array.channels() * size;
-    range.offset = array.data_offset + channel * (apart ? array.frames() * size : size);
-    const std::int64_t room = bytes->size() - range.offset - size;
-    range.count =
-        room < 0 || array.channels() == 0 ? 0 : std::min(array.frames(), room / range.stride + 1);
-    range.per_chunk = std::max<std::int64_t>(range.count, 1);
-    range.chunk_stride = range.per_chunk * range.stride;
-    range.big_endian = array.big_endian;
-    return {std::move(bytes), array.type, {range}};
+    const std::int64_t stride = apart ? size : array.channels() * size;
+    const std::int64_t offset =
+        array.data_offset + channel * (apart ? array.frames() * size : size);
+    const std::int64_t room = bytes->size() - offset - size;
+    const std::int64_t count =
+        room < 0 || array.channels() == 0 ? 0 : std::min(array.frames(), room / stride + 1);
+    return {std::move(bytes), array.type, {even_run(count, offset, stride, array.big_endian)}};
 }
 
 }  // namespace vybeg

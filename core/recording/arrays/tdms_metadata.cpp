@@ -18,6 +18,31 @@ std::string padded(std::int64_t number, std::size_t digits) {
     return text.size() < digits ? std::string(digits - text.size(), '0') + text : text;
 }
 
+// A TDMS time stamp as "2020-03-01T12:34:56.789Z". It counts seconds from 1904 on, and fractions of
+// 2^-64 s. Empty outside the years 1 to 9999.
+std::string time_text(std::int64_t seconds, std::uint64_t fraction) {
+    using namespace std::chrono;
+    constexpr std::int64_t day = 86400;
+    constexpr std::int64_t farthest_days = 4'000'000;
+    const std::int64_t days_after = seconds / day - (seconds % day < 0 ? 1 : 0);
+    if (days_after < -farthest_days || days_after > farthest_days) {
+        return {};
+    }
+    const year_month_day date(sys_days(year(1904) / January / 1) + days(days_after));
+    const int in_year = static_cast<int>(date.year());
+    if (in_year < 1 || in_year > 9999) {
+        return {};
+    }
+    const std::int64_t in_day = seconds - days_after * day;
+    // Rounded to the nearest, because the fraction of .789 s lies just below it.
+    const std::uint64_t milliseconds =
+        std::min<std::uint64_t>(((fraction >> 32) * 1000 + (1u << 31)) >> 32, 999);
+    return padded(in_year, 4) + "-" + padded(static_cast<unsigned>(date.month()), 2) + "-" +
+           padded(static_cast<unsigned>(date.day()), 2) + "T" + padded(in_day / 3600, 2) + ":" +
+           padded(in_day / 60 % 60, 2) + ":" + padded(in_day % 60, 2) + "." +
+           padded(static_cast<std::int64_t>(milliseconds), 3) + "Z";
+}
+
 constexpr std::uint64_t most_values = std::uint64_t{1} << 40;  // of an object in a chunk
 constexpr std::int64_t widest_row = std::int64_t{1} << 20;     // bytes of all buffers' rows
 
@@ -116,29 +141,6 @@ std::optional<int> tdms_bytes(std::uint32_t type) {
     }
 }
 
-std::string tdms_time_text(std::int64_t seconds, std::uint64_t fraction) {
-    using namespace std::chrono;
-    constexpr std::int64_t day = 86400;
-    constexpr std::int64_t farthest_days = 4'000'000;
-    const std::int64_t days_after = seconds / day - (seconds % day < 0 ? 1 : 0);
-    if (days_after < -farthest_days || days_after > farthest_days) {
-        return {};
-    }
-    const year_month_day date(sys_days(year(1904) / January / 1) + days(days_after));
-    const int in_year = static_cast<int>(date.year());
-    if (in_year < 1 || in_year > 9999) {
-        return {};
-    }
-    const std::int64_t in_day = seconds - days_after * day;
-    // Rounded to the nearest, because the fraction of .789 s lies just below it.
-    const std::uint64_t milliseconds =
-        std::min<std::uint64_t>(((fraction >> 32) * 1000 + (1u << 31)) >> 32, 999);
-    return padded(in_year, 4) + "-" + padded(static_cast<unsigned>(date.month()), 2) + "-" +
-           padded(static_cast<unsigned>(date.day()), 2) + "T" + padded(in_day / 3600, 2) + ":" +
-           padded(in_day / 60 % 60, 2) + ":" + padded(in_day % 60, 2) + "." +
-           padded(static_cast<std::int64_t>(milliseconds), 3) + "Z";
-}
-
 std::optional<TdmsObject> tdms_object(const std::string& path) {
     if (path == "/") {
         return TdmsObject{};
@@ -199,7 +201,7 @@ std::optional<TdmsValue> TdmsMetadata::value(std::uint32_t type) {
         const auto first = number<std::uint64_t>();
         const auto second = number<std::uint64_t>();
         const auto seconds = static_cast<std::int64_t>(seconds_first ? first : second);
-        return TdmsValue{std::nullopt, tdms_time_text(seconds, seconds_first ? second : first)};
+        return TdmsValue{std::nullopt, time_text(seconds, seconds_first ? second : first)};
     }
     const auto size = tdms_bytes(type);
     if (!size) {

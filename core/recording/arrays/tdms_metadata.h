@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/recording/bytes/byte_order.h"
 #include "core/recording/bytes/number_type.h"
 
 #include <cstddef>
@@ -24,10 +23,6 @@ std::optional<NumberType> tdms_number(std::uint32_t type);
 
 // Bytes of one value of a TDMS type; empty for strings and unknown types.
 std::optional<int> tdms_bytes(std::uint32_t type);
-
-// A TDMS time stamp as "2020-03-01T12:34:56.789Z". It counts seconds from 1904 on, and fractions of
-// 2^-64 s. Empty outside the years 1 to 9999.
-std::string tdms_time_text(std::int64_t seconds, std::uint64_t fraction);
 
 // Value in place of the length of an object's raw index: no raw data.
 inline constexpr std::uint32_t tdms_no_raw_data = 0xFFFFFFFF;

@@ -1,9 +1,7 @@
 #include "core/recording/arrays/tdms_reader.h"
 
 #include "core/recording/arrays/tdms_segments.h"
-#include "core/recording/arrays/time_column.h"
 #include "core/recording/bytes/number_type.h"
-#include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/sample_source.h"
@@ -20,19 +18,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace vybeg {
 namespace {
 
-// y = c0 + c1 x + c2 x^2 + ...
-struct TdmsPolynomial {
-    std::vector<double> coefficients;
-};
-
-// y over x, linear between the points; beyond the ends the value of the end, as in DAQmx.
-struct TdmsTable {
+// y over x, linear between the points; beyond the ends the value of the end, as in DAQmx. Without
+// points x a polynomial of the coefficients y: y0 + y1 x + y2 x^2 + ...
+struct TdmsStep {
     std::vector<double> x;  // rising
     std::vector<double> y;
 };
@@ -43,7 +36,7 @@ struct TdmsScaling {
     std::optional<std::uint32_t>
         scaler;  // id of the number of a DAQmx channel; empty: its only one
     Scale linear;
-    std::vector<std::variant<TdmsPolynomial, TdmsTable>> steps;
+    std::vector<TdmsStep> steps;
 };
 
 constexpr double raw_numbers = 0xFFFFFFFF;  // as the input source of a scale
@@ -120,7 +113,7 @@ private:
                 return damaged(VYBEG_MESSAGE(
                     "Words", "the channel %1 has a linear scale without slope or intercept"));
             }
-            scaling.steps.emplace_back(TdmsPolynomial{{*intercept, *slope}});
+            scaling.steps.emplace_back(TdmsStep{{}, {*intercept, *slope}});
         } else if (type == "Polynomial") {
             constexpr double usual = 4;
             const double size =
@@ -131,7 +124,7 @@ private:
                     "Words",
                     "the channel %1 has a polynomial scale without all of its coefficients"));
             }
-            scaling.steps.emplace_back(TdmsPolynomial{*coefficients});
+            scaling.steps.emplace_back(TdmsStep{{}, *coefficients});
         } else if (type == "Table") {
             return take_table(index, scaling);
         } else {
@@ -165,7 +158,7 @@ private:
             return damaged(VYBEG_MESSAGE(
                 "Words", "the channel %1 has a table scale that neither rises nor falls"));
         }
-        scaling.steps.emplace_back(TdmsTable{std::move(*x), std::move(*y)});
+        scaling.steps.emplace_back(TdmsStep{std::move(*x), std::move(*y)});
         return {};
     }
 
@@ -185,13 +178,9 @@ private:
     // Moves linear steps at the beginning into the scale of the decoder.
     static void fold(TdmsScaling& scaling) {
         auto& steps = scaling.steps;
-        while (!steps.empty()) {
-            const auto* line = std::get_if<TdmsPolynomial>(&steps.front());
-            if (!line || line->coefficients.size() != 2) {
-                return;
-            }
-            const double offset = line->coefficients[0];
-            const double slope = line->coefficients[1];
+        while (!steps.empty() && steps.front().x.empty() && steps.front().y.size() == 2) {
+            const double offset = steps.front().y[0];
+            const double slope = steps.front().y[1];
             scaling.linear.gain *= slope;
             scaling.linear.offset = scaling.linear.offset * slope + offset;
             steps.erase(steps.begin());
@@ -208,39 +197,34 @@ private:
     const TdmsObject& owner_;
 };
 
-double value_at(const TdmsPolynomial& polynomial, double x) {
-    double y = 0;
-    for (auto c = polynomial.coefficients.rbegin(); c != polynomial.coefficients.rend(); ++c) {
-        y = y * x + *c;
+double value_at(const TdmsStep& step, double x) {
+    if (step.x.empty()) {
+        double y = 0;
+        for (auto c = step.y.rbegin(); c != step.y.rend(); ++c) {
+            y = y * x + *c;
+        }
+        return y;
     }
-    return y;
-}
-
-double value_at(const TdmsTable& table, double x) {
-    const auto next = std::upper_bound(table.x.begin(), table.x.end(), x);
-    if (next == table.x.begin() || std::isnan(x)) {
-        return std::isnan(x) ? x : table.y.front();
+    const auto next = std::upper_bound(step.x.begin(), step.x.end(), x);
+    if (next == step.x.begin() || std::isnan(x)) {
+        return std::isnan(x) ? x : step.y.front();
     }
-    if (next == table.x.end()) {
-        return table.y.back();
+    if (next == step.x.end()) {
+        return step.y.back();
     }
-    const auto i = static_cast<std::size_t>(next - table.x.begin());
-    const double part = (x - table.x[i - 1]) / (table.x[i] - table.x[i - 1]);
-    return table.y[i - 1] + part * (table.y[i] - table.y[i - 1]);
+    const auto i = static_cast<std::size_t>(next - step.x.begin());
+    const double part = (x - step.x[i - 1]) / (step.x[i] - step.x[i - 1]);
+    return step.y[i - 1] + part * (step.y[i] - step.y[i - 1]);
 }
 
 void apply(const TdmsScaling& scaling, std::span<double> samples) {
-    for (const auto& step : scaling.steps) {
-        std::visit(
-            [&](const auto& function) {
-                for (double& sample : samples) {
-                    const double y = value_at(function, sample);
-                    sample = std::isfinite(y) && !std::isnan(sample)
-                                 ? y
-                                 : std::numeric_limits<double>::quiet_NaN();
-                }
-            },
-            step);
+    for (const TdmsStep& step : scaling.steps) {
+        for (double& sample : samples) {
+            const double y = value_at(step, sample);
+            sample = std::isfinite(y) && !std::isnan(sample)
+                         ? y
+                         : std::numeric_limits<double>::quiet_NaN();
+        }
     }
 }
 
@@ -290,19 +274,6 @@ struct FoundChannel {
     TdmsRawIndex index;  // the first of its object
 };
 
-// Result of the first pass through the file.
-struct Contents {
-    std::vector<TdmsObject> objects;
-    std::vector<FoundChannel> channels;
-    std::optional<FoundChannel> time;  // named so, and no channel
-    bool open_ended = false;
-
-    const FoundChannel& channel(int number) const {
-        return channels[static_cast<std::size_t>(number - 1)];
-    }
-    const TdmsObject& object(int number) const { return objects[channel(number).object]; }
-};
-
 // A channel to be read: the chosen numbers and their scaling.
 struct ChosenChannel {
     std::size_t object = 0;
@@ -338,7 +309,15 @@ public:
     TdmsReader(std::shared_ptr<const FileBytes> file, const JobControl& job)
         : file_(std::move(file)), job_(job) {}
 
-    Result<Contents> contents() const {
+    const std::vector<FoundChannel>& channels() const { return channels_; }
+    bool open_ended() const { return open_ended_; }
+    const FoundChannel& channel(int number) const {
+        return channels_[static_cast<std::size_t>(number - 1)];
+    }
+    const TdmsObject& object(const FoundChannel& found) const { return objects_[found.object]; }
+
+    // A first pass through the file, which all else needs.
+    Status find_channels() {
         TdmsFile tdms(file_, job_);
         std::vector<std::optional<TdmsRawIndex>> first;  // of each object with values
         std::vector<std::size_t> order;
@@ -356,27 +335,28 @@ public:
             }
             return {};
         }));
-        Contents contents{tdms.objects(), {}, {}, tdms.open_ended()};
+        objects_ = tdms.objects();
+        open_ended_ = tdms.open_ended();
         for (const std::size_t object : order) {
-            const Channel named = name_and_unit(contents.objects[object].channel);
+            const Channel named = name_and_unit(objects_[object].channel);
             if (has_numbers(*first[object]) && !is_time_name(named.name)) {
-                contents.channels.push_back({object, std::move(*first[object])});
-            } else if (has_numbers(*first[object]) && !contents.time) {
-                contents.time = FoundChannel{object, std::move(*first[object])};
+                channels_.push_back({object, std::move(*first[object])});
+            } else if (has_numbers(*first[object]) && !time_) {
+                time_ = FoundChannel{object, std::move(*first[object])};
             }
         }
-        return contents;
+        return {};
     }
 
-    Result<ChosenChannel> choose(const Contents& contents, const FoundChannel& found) const {
-        const TdmsObject& object = contents.objects[found.object];
-        auto scaling = TRY(tdms_scaling(*file_, with_owners(contents, object)));
+    Result<ChosenChannel> choose(const FoundChannel& found) const {
+        const TdmsObject& channel = object(found);
+        auto scaling = TRY(tdms_scaling(*file_, with_owners(channel)));
         ChosenChannel chosen{found.object, NumberType::f64, std::move(scaling)};
         const auto& scalers = found.index.scalers;
         const auto undescribed = [&] {
             return file_->unsupported(
                 "TDMS", VYBEG_MESSAGE("Words", "a scale that it does not describe (channel %1)"),
-                {object.channel});
+                {channel.channel});
         };
         if (!found.index.is_daqmx) {
             chosen.type = *tdms_number(found.index.type);
@@ -426,23 +406,23 @@ public:
     }
 
     // The rate by the channel of times; nothing where there is none, or an uneven one.
-    Result<std::optional<SampleRate>> rate_of_time(const Contents& contents) const {
-        if (!contents.time) {
+    Result<std::optional<SampleRate>> rate_of_time() const {
+        if (!time_) {
             return std::optional<SampleRate>();
         }
-        const TdmsObject& object = contents.objects[contents.time->object];
-        const auto chosen = TRY(choose(contents, *contents.time));
+        const TdmsObject& times = object(*time_);
+        const auto chosen = TRY(choose(*time_));
         const auto columns_twice = TRY(columns(chosen, chosen));
-        Channel named = name_and_unit(object.channel);
-        named.unit = named.unit.empty() ? object.text("unit_string") : named.unit;
+        Channel named = name_and_unit(times.channel);
+        named.unit = named.unit.empty() ? times.text("unit_string") : named.unit;
         return rate_of_times(columns_twice.c, seconds_per(time_unit(named)).value_or(1), job_);
     }
 
     // 1 / wf_increment of the channel, its group or the file.
-    static std::optional<double> rate(const Contents& contents, const TdmsObject& channel) {
-        for (const TdmsObject* object : with_owners(contents, channel)) {
-            const double unit_s = seconds_per(object->text("wf_xunit_string")).value_or(1);
-            const double step = unit_s * object->number("wf_increment").value_or(0);
+    std::optional<double> rate(const TdmsObject& channel) const {
+        for (const TdmsObject* owner : with_owners(channel)) {
+            const double unit_s = seconds_per(owner->text("wf_xunit_string")).value_or(1);
+            const double step = unit_s * owner->number("wf_increment").value_or(0);
             if (step > 0 && std::isfinite(1 / step)) {
                 return 1 / step;
             }
@@ -458,15 +438,13 @@ public:
 
 private:
     // The channel, its group and the file, those with properties.
-    static std::vector<const TdmsObject*> with_owners(const Contents& contents,
-                                                      const TdmsObject& channel) {
+    std::vector<const TdmsObject*> with_owners(const TdmsObject& channel) const {
         std::vector<const TdmsObject*> found{&channel};
         for (const std::string& group : {channel.group, std::string()}) {
-            const auto owner = std::find_if(
-                contents.objects.begin(), contents.objects.end(), [&](const TdmsObject& object) {
-                    return object.channel.empty() && object.group == group;
-                });
-            if (owner != contents.objects.end()) {
+            const auto owner = std::ranges::find_if(objects_, [&](const TdmsObject& each) {
+                return each.channel.empty() && each.group == group;
+            });
+            if (owner != objects_.end()) {
                 found.push_back(&*owner);
             }
         }
@@ -475,17 +453,21 @@ private:
 
     std::shared_ptr<const FileBytes> file_;
     const JobControl& job_;
+    std::vector<TdmsObject> objects_;
+    std::vector<FoundChannel> channels_;
+    std::optional<FoundChannel> time_;  // named so, and no channel
+    bool open_ended_ = false;
 };
 
 // Names, with their group in files with several groups of channels.
-std::vector<Channel> describe(const Contents& contents) {
-    const std::string& first = contents.object(1).group;
-    const bool one_group = std::all_of(
-        contents.channels.begin(), contents.channels.end(),
-        [&](const FoundChannel& found) { return contents.objects[found.object].group == first; });
+std::vector<Channel> describe(const TdmsReader& reader) {
+    const std::string& first = reader.object(reader.channel(1)).group;
+    const bool one_group = std::ranges::all_of(reader.channels(), [&](const FoundChannel& found) {
+        return reader.object(found).group == first;
+    });
     std::vector<Channel> channels;
-    for (const FoundChannel& found : contents.channels) {
-        const TdmsObject& object = contents.objects[found.object];
+    for (const FoundChannel& found : reader.channels()) {
+        const TdmsObject& object = reader.object(found);
         channels.push_back({one_group ? object.channel : object.group + "/" + object.channel,
                             object.text("unit_string")});
     }
@@ -500,23 +482,23 @@ bool is_tdms(std::string_view head) {
 
 Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
-    const TdmsReader reader(file, job);
+    TdmsReader reader(file, job);
     const auto tag = TRY(file->text(0, std::ssize(index_tag)));
     if (tag == index_tag) {
         return file->unsupported(
             "TDMS", VYBEG_MESSAGE("Words", "only the index of the .tdms file beside it"));
     }
-    const auto contents = TRY(reader.contents());
-    const auto count = static_cast<int>(contents.channels.size());
+    TRY(reader.find_channels());
+    const auto count = static_cast<int>(reader.channels().size());
     TRY(check_channels(*file, count, options));
-    const TdmsObject& c = contents.object(options.channel_c);
-    const auto rate_c = TdmsReader::rate(contents, c);
-    const auto rate_d = TdmsReader::rate(contents, contents.object(options.channel_d));
+    const TdmsObject& c = reader.object(reader.channel(options.channel_c));
+    const TdmsObject& d = reader.object(reader.channel(options.channel_d));
+    const auto rate_c = reader.rate(c);
+    const auto rate_d = reader.rate(d);
     if (rate_c && rate_d && *rate_c != *rate_d) {
         return file->unsupported("TDMS",
                                  VYBEG_MESSAGE("Words", "C and D at different sample rates"));
     }
-    const TdmsObject& d = contents.object(options.channel_d);
     const std::string start_c = c.text("wf_start_time");
     const std::string start_d = d.text("wf_start_time");
     if (!start_c.empty() && !start_d.empty() && start_c != start_d) {
@@ -529,23 +511,23 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
         found.own_rate = SampleRate{*own, RateOrigin::file};
     }
     if (!found.own_rate) {
-        auto of_time = TRY(reader.rate_of_time(contents));
+        auto of_time = TRY(reader.rate_of_time());
         found.own_rate = of_time;
     }
     // Checked before the second pass.
     TRY(choose_rate(*file, found.own_rate, options));
-    const auto chosen_c = reader.choose(contents, contents.channel(options.channel_c));
-    const auto chosen_d = reader.choose(contents, contents.channel(options.channel_d));
+    const auto chosen_c = reader.choose(reader.channel(options.channel_c));
+    const auto chosen_d = reader.choose(reader.channel(options.channel_d));
     if (!chosen_c || !chosen_d) {
         return (chosen_c ? chosen_d : chosen_c).error();
     }
     auto columns = TRY(reader.columns(*chosen_c, *chosen_d));
     found.format = {FormatPart::name("TDMS"), FormatPart::words(name_of(columns.c.type)),
                     FormatPart::channels(count)};
-    found.channels = describe(contents);
+    found.channels = describe(reader);
     found.start = start_c;
-    found.never_closed = contents.open_ended;
-    if (!contents.open_ended) {
+    found.never_closed = reader.open_ended();
+    if (!reader.open_ended()) {
         found.promised_frames = std::min(columns.promised_c, columns.promised_d);
     }
     const std::int64_t frames_c = columns.c.frames();

@@ -1,36 +1,433 @@
 #include "core/recording/audio/audio_reader.h"
 
-#include "core/recording/audio/audio_extent.h"
+#include "core/base/number_text.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
-#include "core/recording/variables/variable_reader.h"
+#include "core/recording/variables/library_variables.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace vybeg {
 namespace {
 
-// Plain samples in place, at the speed of memory and for several threads at once.
-std::shared_ptr<const SampleSource> samples_in_place(const std::shared_ptr<const FileBytes>& file,
-                                                     const AudioExtent& extent,
-                                                     const OpenOptions& options) {
-    const PlainSamples& plain = *extent.plain;
-    const std::int64_t width = bytes_of(plain.type);
-    const auto bytes = file_part(file, 0, file->size());
-    const auto column = [&](int channel) {
-        return SampleColumn{bytes,
-                            plain.type,
-                            {even_run(plain.frames, extent.samples_at + (channel - 1) * width,
-                                      width * plain.channels, plain.big_endian)},
-                            plain.scale};
-    };
-    return column_source(column(options.channel_c), column(options.channel_d));
+using namespace std::string_view_literals;
+
+// The 16 byte names of W64 chunks begin with the four letters of the WAV chunk.
+constexpr std::string_view w64_riff = "riff\x2E\x91\xCF\x11\xA5\xD6\x28\xDB\x04\xC1\x00\x00"sv;
+constexpr int most_chunks = 1000;
+constexpr std::size_t payload_head = 40;  // more than any field used
+
+enum class Container { wav, rf64, w64, aiff, caf };
+
+struct Chunk {
+    std::string_view id;  // four letters
+    std::int64_t size;    // of the payload, as written; -1 or all ones: not filled in
+    std::int64_t payload_at;
+    const char* payload;  // its first payload_head bytes, zeros after the end of the file
+};
+
+// Whether the chunks in a LIST chunk lie inside it.
+Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_endian) {
+    constexpr std::int64_t head_bytes = 8;
+    std::int64_t at = list.payload_at + 4;  // after the list's type
+    const std::int64_t end = list.payload_at + list.size;
+    if (end > file.size()) {
+        return false;
+    }
+    for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
+        std::array<char, head_bytes> head{};
+        TRY(file.read(at, head));
+        const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
+        at += head_bytes + size + size % 2;
+    }
+    return at <= end + 1;  // the last one need not be padded
 }
 
+// Whether the decoder gets a chunk of a WAV or RF64 file: samples, their description, date.
+Result<bool> is_wanted(const FileBytes& file, const Chunk& chunk, bool big_endian) {
+    constexpr std::array<std::string_view, 5> wanted{"fmt ", "fact", "data", "ds64", "bext"};
+    if (chunk.id == "LIST") {
+        return is_sound_list(file, chunk, big_endian);
+    }
+    return std::find(wanted.begin(), wanted.end(), chunk.id) != wanted.end();
+}
+
+// A text that may end before its field does.
+std::string text_of(std::string_view field) {
+    return std::string(field.substr(0, field.find('\0')));
+}
+
+// Date and time of a broadcast extension (chunk "bext"). Errors: file_read_failed.
+Result<std::string> broadcast_start(const FileBytes& file, const Chunk& chunk) {
+    constexpr std::int64_t least_bytes = 602, most_bytes = 10240, at = 320;
+    constexpr std::size_t date_bytes = 10, time_bytes = 8;
+    if (chunk.size < least_bytes || chunk.size > most_bytes) {
+        return std::string();
+    }
+    std::array<char, date_bytes + time_bytes> fields{};
+    TRY(file.read(chunk.payload_at + at, fields));
+    const std::string date = text_of({fields.data(), date_bytes});
+    const std::string time = text_of({fields.data() + date_bytes, time_bytes});
+    return date.empty() || time.empty() ? date : date + " " + time;
+}
+
+// The date (ICRD) of a sound list of informations. Errors: file_read_failed.
+Result<std::string> listed_date(const FileBytes& file, const Chunk& list, bool big_endian) {
+    constexpr std::int64_t head_bytes = 8;
+    constexpr std::size_t most_text = 2046;
+    if (std::string_view(list.payload, 4) != "INFO") {
+        return std::string();
+    }
+    const std::int64_t end = list.payload_at + list.size;
+    std::int64_t at = list.payload_at + 4;
+    for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
+        std::array<char, head_bytes + most_text> chunk{};
+        TRY(file.read(at, chunk));
+        const std::int64_t size = load<std::uint32_t>(chunk.data() + 4, big_endian);
+        if (std::string_view(chunk.data(), 4) == "ICRD") {
+            return size > static_cast<std::int64_t>(most_text)
+                       ? std::string()
+                       : text_of({chunk.data() + head_bytes, static_cast<std::size_t>(size)});
+        }
+        at += head_bytes + size + size % 2;
+    }
+    return std::string();
+}
+
+// Whether the bytes from `at` to the end of a WAV file are chunks, the last one complete; this is
+// the case after a data chunk that is really empty.
+Result<bool> are_chunks(const FileBytes& file, std::int64_t at, bool big_endian) {
+    constexpr std::int64_t head_bytes = 8;
+    for (int i = 0; i < most_chunks && file.size() - at >= head_bytes; ++i) {
+        std::array<char, head_bytes> head{};
+        TRY(file.read(at, head));
+        if (!std::all_of(head.begin(), head.begin() + 4,
+                         [](char c) { return c >= ' ' && c <= '~'; })) {
+            return false;
+        }
+        const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
+        at += head_bytes + size + size % 2;
+    }
+    return at == file.size() || at == file.size() + 1;
+}
+
+// Layout of the chunk heads of a container.
+struct Layout {
+    std::int64_t first_chunk;
+    std::int64_t id_bytes;
+    std::int64_t size_bytes;
+    std::int64_t alignment;
+    bool big_endian;
+    bool size_counts_head;
+};
+
+// In the order of Container; of WAV and RF64 little endian ones.
+struct ContainerKind {
+    const char* name;
+    Layout layout;
+};
+constexpr std::array<ContainerKind, 5> container_kinds{{{"WAV", {12, 4, 4, 2, false, false}},
+                                                        {"RF64", {12, 4, 4, 2, false, false}},
+                                                        {"W64", {40, 16, 8, 8, false, true}},
+                                                        {"AIFF", {12, 4, 4, 2, true, false}},
+                                                        {"CAF", {8, 4, 8, 1, true, false}}}};
+
+const ContainerKind& kind_of(Container container) {
+    return container_kinds.at(static_cast<std::size_t>(container));
+}
+
+// An 80-bit number of AIFF, whose first bit is the whole number 1.
+double extended(const char* bytes) {
+    constexpr int bias = 16383, fraction_bits = 63;
+    const int exponent = load<std::uint16_t>(bytes, true) & 0x7FFF;
+    const auto mantissa = static_cast<double>(load<std::uint64_t>(bytes + 2, true));
+    return std::ldexp(mantissa, exponent - bias - fraction_bits);
+}
+
+// Reads the chunks of one file up to the samples.
+class ExtentReader {
+public:
+    ExtentReader(Container container, bool big_endian, std::int64_t file_size)
+        : container_(container), big_endian_(big_endian), file_size_(file_size) {}
+
+    // False if no relevant chunk can follow.
+    bool take(const Chunk& chunk) {
+        // Names of other containers mean nothing here.
+        const bool is_aiff = container_ == Container::aiff;
+        const bool is_caf = container_ == Container::caf;
+        if (chunk.id == "fmt " && !is_aiff && !is_caf) {
+            take_wav_format(chunk);
+        } else if (chunk.id == "ds64" && container_ == Container::rf64) {
+            long_data_size_ = load<std::int64_t>(chunk.payload + 8, false);
+        } else if (chunk.id == "COMM" && is_aiff) {
+            extent_.promised_frames = load<std::uint32_t>(chunk.payload + 2, true);
+            extent_.rate_hz = extended(chunk.payload + 8);
+            constexpr std::int64_t with_encoding = 22;  // of AIFF-C, perhaps of floats
+            extent_.bits =
+                chunk.size < with_encoding ? load<std::uint16_t>(chunk.payload + 6, true) : 0;
+        } else if (chunk.id == "desc" && is_caf) {
+            const auto bytes = load<std::uint32_t>(chunk.payload + 16, true);
+            const auto frames = load<std::uint32_t>(chunk.payload + 20, true);
+            frame_bytes_ = frames == 1 ? bytes : 0;
+            extent_.rate_hz = load<double>(chunk.payload, true);
+        } else if (chunk.id == "data") {
+            take_data(chunk);
+            return false;
+        }
+        return true;
+    }
+
+    // Samples of a file without a final length, because the recorder stopped.
+    void take_unfinished(const Chunk& chunk) {
+        constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
+        const std::int64_t frame = std::max<std::int64_t>(frame_bytes_, 1);
+        const std::int64_t present = file_size_ - chunk.payload_at;
+        const auto size = static_cast<std::uint32_t>(std::min(present, most) / frame * frame);
+        extent_.patches.push_back({chunk.payload_at - 4, store(size, big_endian_)});
+        extent_.samples_at = chunk.payload_at;
+        extent_.promised_frames =
+            frame_bytes_ > 0 ? std::optional(present / frame_bytes_) : std::nullopt;
+        extent_.never_closed = true;
+        take_plain(present);
+    }
+
+    // Of a broadcast extension or a list; the extension counts first.
+    void take_start(const std::string& start, bool of_broadcast) {
+        if (!start.empty() && (start_.empty() || (of_broadcast && !broadcast_))) {
+            start_ = start;
+            broadcast_ = of_broadcast;
+        }
+    }
+
+    void hide(const Chunk& chunk) { extent_.patches.push_back({chunk.payload_at - 8, "JUNK"}); }
+
+    AudioExtent extent() const {
+        AudioExtent extent = extent_;
+        if (extent.plain) {
+            extent.plain->start = start_;
+        }
+        return extent;
+    }
+
+private:
+    // Of a format chunk of a usual length that the number of bytes in a frame agrees with.
+    std::optional<PlainSamples> plain_format(const Chunk& chunk, std::uint16_t tag) const {
+        constexpr std::string_view guid_tail = "\0\0\0\0\x10\0\x80\0\0\xAA\0\x38\x9B\x71"sv;
+        constexpr std::uint16_t pcm = 1, ieee = 3, extensible = 0xFFFE;
+        constexpr int most_channels = 1024;
+        const auto number = [&](int at) {
+            return load<std::uint16_t>(chunk.payload + at, big_endian_);
+        };
+        const int bits = number(14);
+        const bool is_extensible = tag == extensible;
+        if (is_extensible) {
+            tag = number(24);
+            if (chunk.size != 40 || number(18) != bits ||
+                std::string_view(chunk.payload + 26, guid_tail.size()) != guid_tail) {
+                return {};
+            }
+        } else if (chunk.size != 16 && chunk.size != 18) {
+            return {};
+        }
+        PlainSamples plain;
+        if (tag == pcm && (bits == 8 || bits == 16 || bits == 24 || bits == 32 || bits == 64)) {
+            plain.type = bits == 8    ? NumberType::u8
+                         : bits == 16 ? NumberType::i16
+                         : bits == 24 ? NumberType::i24
+                         : bits == 32 ? NumberType::i32
+                                      : NumberType::i64;
+            plain.type_name =
+                (bits == 8 ? "Unsigned " : "Signed ") + integer_text(bits) + " bit PCM";
+            plain.scale = {std::ldexp(1.0, 1 - bits), bits == 8 ? -1.0 : 0.0};
+        } else if (tag == ieee && (bits == 32 || bits == 64)) {
+            plain.type = bits == 32 ? NumberType::f32 : NumberType::f64;
+            plain.type_name = integer_text(bits) + " bit float";
+        } else {
+            return {};
+        }
+        plain.channels = number(2);
+        plain.rate_hz = load<std::uint32_t>(chunk.payload + 4, big_endian_);
+        plain.big_endian = big_endian_;
+        plain.container = container_ == Container::rf64  ? "RF64"
+                          : container_ == Container::w64 ? "W64"
+                          : is_extensible                ? "WAVEX"
+                                                         : "WAV";
+        const bool agrees = plain.channels >= 1 && plain.channels <= most_channels &&
+                            plain.rate_hz <= std::numeric_limits<std::int32_t>::max() &&
+                            number(12) == plain.channels * bits / 8;
+        return agrees ? std::optional(plain) : std::nullopt;
+    }
+
+    // Of so many bytes of samples, of which the file may have less.
+    void take_plain(std::int64_t bytes) {
+        extent_.plain = plain_;
+        if (plain_) {
+            const std::int64_t present = file_size_ - extent_.samples_at;
+            extent_.plain->offset = extent_.samples_at;
+            extent_.plain->frames = std::clamp<std::int64_t>(bytes, 0, present) / frame_bytes_;
+        }
+    }
+
+    void take_wav_format(const Chunk& chunk) {
+        constexpr std::array<std::uint16_t, 5> unpacked = {1, 3, 6, 7, 0xFFFE};
+        const auto tag = load<std::uint16_t>(chunk.payload, big_endian_);
+        const bool known = std::find(unpacked.begin(), unpacked.end(), tag) != unpacked.end();
+        frame_bytes_ = known ? load<std::uint16_t>(chunk.payload + 12, big_endian_) : 0;
+        constexpr std::uint16_t extensible = 0xFFFE;  // the tag of integers stands further behind
+        const auto kind =
+            tag == extensible ? load<std::uint16_t>(chunk.payload + 24, big_endian_) : tag;
+        extent_.bits = kind == 1 ? load<std::uint16_t>(chunk.payload + 14, big_endian_) : 0;
+        if (load<std::uint32_t>(chunk.payload + 4, big_endian_) == 0) {
+            extent_.rate_is_zero = true;
+            extent_.patches.push_back({chunk.payload_at + 4, store(std::uint32_t{1}, big_endian_)});
+        }
+        plain_ = ++formats_ == 1 ? plain_format(chunk, tag) : std::nullopt;
+    }
+
+    void take_data(const Chunk& chunk) {
+        std::int64_t size = chunk.size;
+        extent_.samples_at = container_ == Container::caf ? 0 : chunk.payload_at;
+        const std::int64_t present = file_size_ - chunk.payload_at;
+        if (container_ == Container::caf && (size > present || size == -1)) {
+            extent_.patches.push_back({chunk.payload_at - 8, store(present, true)});
+            size = size == -1 ? present : size;  // -1: to the end of the file
+        }
+        if (container_ == Container::caf && size >= 0) {
+            size -= 4;  // an edit count precedes the samples
+        }
+        const bool not_filled_in = size == std::numeric_limits<std::uint32_t>::max();
+        if (container_ == Container::rf64 && not_filled_in) {
+            size = long_data_size_;
+        } else if (not_filled_in) {
+            size = 0;
+        }
+        if (container_ == Container::wav || (container_ == Container::rf64 && size > 0) ||
+            (container_ == Container::w64 && size >= 0)) {
+            take_plain(not_filled_in && container_ == Container::wav ? present : size);
+        }
+        if (size > 0 && frame_bytes_ > 0) {
+            extent_.promised_frames = size / frame_bytes_;
+        }
+    }
+
+    Container container_;
+    bool big_endian_;
+    std::int64_t file_size_;
+    std::int64_t frame_bytes_ = 0;  // 0: packed, or unknown
+    std::int64_t long_data_size_ = 0;
+    int formats_ = 0;
+    std::optional<PlainSamples> plain_;
+    std::string start_;
+    bool broadcast_ = false;
+    AudioExtent extent_;
+};
+
+std::optional<Container> container_of(std::string_view head) {
+    const std::string_view id = head.substr(0, 4);
+    const std::string_view form = head.size() < 12 ? ""sv : head.substr(8, 4);
+    if ((id == "RIFF" || id == "RIFX") && form == "WAVE") {
+        return Container::wav;
+    }
+    if (id == "RF64" && form == "WAVE") {
+        return Container::rf64;
+    }
+    if (head.starts_with(w64_riff)) {
+        return Container::w64;
+    }
+    if (id == "FORM" && (form == "AIFF" || form == "AIFC")) {
+        return Container::aiff;
+    }
+    if (id == "caff" && form == "desc") {
+        return Container::caf;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string audio_container(std::string_view head) {
+    const auto container = container_of(head);
+    if (!container) {
+        return head.starts_with("fLaC") ? "FLAC" : head.starts_with(".snd") ? "AU" : "";
+    }
+    return kind_of(*container).name;
+}
+
+std::int64_t tag_before_flac(std::string_view head, const FileBytes& file) {
+    constexpr std::size_t tag_head = 10;  // and as many bytes behind the tag where it has a footer
+    if (head.size() < tag_head || !head.starts_with("ID3")) {
+        return 0;
+    }
+    std::int64_t behind = tag_head + ((head[5] & 0x10) != 0 ? tag_head : 0);
+    for (int i = 0; i < 4; ++i) {
+        const auto place = static_cast<std::size_t>(i) + 6;
+        behind += static_cast<std::int64_t>(head[place] & 0x7F) << (7 * (3 - i));
+    }
+    std::array<char, 4> name{};
+    const bool flac = file.read(behind, name) && std::string_view(name.data(), 4) == "fLaC";
+    return flac ? behind : 0;
+}
+
+Result<AudioExtent> audio_extent(const FileBytes& file) {
+    const auto head = TRY(file.text(0, 16));
+    const auto container = container_of(head);
+    if (!container) {
+        return AudioExtent{};
+    }
+    const bool is_riff = *container == Container::wav || *container == Container::rf64;
+    Layout layout = kind_of(*container).layout;
+    layout.big_endian = layout.big_endian || (is_riff && head[3] == 'X');
+    const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
+    ExtentReader reader(*container, layout.big_endian, file.size());
+    bool searching = true;
+    std::int64_t at = layout.first_chunk;
+    for (int i = 0; i < most_chunks && at <= file.size() - head_bytes; ++i) {
+        std::array<char, 24 + payload_head> bytes{};
+        TRY(file.read(at, bytes));
+        const char* size_at = bytes.data() + layout.id_bytes;
+        std::int64_t size = layout.size_bytes == 8
+                                ? load<std::int64_t>(size_at, layout.big_endian)
+                                : load<std::uint32_t>(size_at, layout.big_endian);
+        if (layout.size_counts_head) {
+            size -= head_bytes;
+        }
+        const Chunk chunk{{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes};
+        if (is_riff) {
+            const auto wanted = TRY(is_wanted(file, chunk, layout.big_endian));
+            if (!wanted) {
+                reader.hide(chunk);
+            } else if (chunk.id == "bext" || chunk.id == "LIST") {
+                const bool of_broadcast = chunk.id == "bext";
+                const auto start = TRY(of_broadcast ? broadcast_start(file, chunk)
+                                                    : listed_date(file, chunk, layout.big_endian));
+                reader.take_start(start, of_broadcast);
+            }
+        }
+        if (*container == Container::wav && chunk.id == "data" && size == 0 && searching) {
+            const auto is_empty = TRY(are_chunks(file, chunk.payload_at, layout.big_endian));
+            if (!is_empty) {
+                reader.take_unfinished(chunk);
+                break;
+            }
+        }
+        searching = searching && reader.take(chunk);
+        if (!(searching || is_riff) || size < 0 || size > file.size()) {
+            break;
+        }
+        at += (head_bytes + size + layout.alignment - 1) / layout.alignment * layout.alignment;
+    }
+    return reader.extent();
+}
+
+namespace {
+
+// In place, at the speed of memory and for several threads at once.
 Result<Recording> open_plain(const std::shared_ptr<const FileBytes>& file,
                              const AudioExtent& header, const OpenOptions& options) {
     const PlainSamples& plain = *header.plain;
@@ -44,9 +441,7 @@ Result<Recording> open_plain(const std::shared_ptr<const FileBytes>& file,
     found.present_frames = plain.frames;
     found.promised_frames = std::max(header.promised_frames.value_or(0), plain.frames);
     found.never_closed = header.never_closed;
-    if (found.present_frames > 0) {
-        found.source = samples_in_place(file, header, options);
-    }
+    found.source = interleaved_source(file, plain, options.channel_c, options.channel_d);
     return complete_recording(*file, std::move(found), options);
 }
 
@@ -78,7 +473,7 @@ Result<std::int64_t> count_frames(const VariableReader& reader, std::int64_t pro
 Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
                                const std::string& container, const AudioExtent& header,
                                const OpenOptions& options, const JobControl& job) {
-    const LibraryFormat format{"audio", container};
+    const LibraryFormat format{"audio", container, true};
     auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
     const Catalogue catalogue = process->catalogue();
     if (catalogue.variables.size() != 1) {
@@ -107,10 +502,9 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     found.promised_frames =
         std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
-    if (found.present_frames > 0) {
-        found.source = variable_source(reader, {0, options.channel_c - 1},
-                                       {0, options.channel_d - 1}, found.present_frames, true);
-    }
+    auto source =
+        TRY(reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
+    found.source = std::move(source);
     return complete_recording(*file, std::move(found), options);
 }
 

@@ -2,14 +2,12 @@
 
 #include "core/base/error.h"
 #include "core/base/message_arg.h"
-#include "core/recording/bytes/byte_order.h"
 
 #include <array>
 #include <bit>
 #include <cstdint>
 
 namespace vybeg {
-
 namespace {
 
 struct NumberKind {

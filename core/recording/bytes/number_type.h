@@ -1,6 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 
@@ -37,5 +42,26 @@ void decode_pairs(NumberType type, bool big_endian, const char* bytes, const Sca
 // are the same on all processors.
 bool split_pairs(NumberType type, const char* bytes, const Scale& scale, std::span<double> left,
                  std::span<double> right);
+
+// Number at `bytes` in the given byte order, for any alignment.
+template <class Number>
+Number load(const char* bytes, bool big_endian) {
+    std::array<char, sizeof(Number)> copy;
+    std::memcpy(copy.data(), bytes, copy.size());
+    if (big_endian != (std::endian::native == std::endian::big)) {
+        std::reverse(copy.begin(), copy.end());
+    }
+    return std::bit_cast<Number>(copy);
+}
+
+// The bytes of a number in the given byte order.
+template <class Number>
+std::string store(Number number, bool big_endian) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if (big_endian != (std::endian::native == std::endian::big)) {
+        std::reverse(bytes.begin(), bytes.end());
+    }
+    return {bytes.begin(), bytes.end()};
+}
 
 }  // namespace vybeg

@@ -1,6 +1,6 @@
 #include "core/recording/bytes/text_encoding.h"
 
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace vybeg {
 namespace {
@@ -11,36 +12,37 @@ namespace {
 constexpr std::int64_t fan = 16;  // buckets in a bucket of the next level
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-struct Extent {
+// The range of finite samples, minimum above maximum where there is none; `missing` becomes true
+// where any are not finite.
+ChannelRange range_of(std::span<const double> samples, bool& missing) {
     double min = std::numeric_limits<double>::infinity();
-    double max = -std::numeric_limits<double>::infinity();
-    bool missing = false;
-};
-
-Extent extent_of(std::span<const double> samples) {
-    Extent extent;
+    double max = -min;
     double zero = 0;  // a NaN or infinite sample minus itself is NaN, which the sum keeps
     for (const double value : samples) {
-        extent.min = std::min(extent.min, value);
-        extent.max = std::max(extent.max, value);
+        min = std::min(min, value);
+        max = std::max(max, value);
         zero += value - value;
     }
-    if (zero == 0) {
-        return extent;
-    }
-    extent = {.missing = true};
-    for (const double value : samples) {
-        if (std::isfinite(value)) {
-            extent.min = std::min(extent.min, value);
-            extent.max = std::max(extent.max, value);
+    if (!(zero == 0)) {
+        missing = true;
+        min = std::numeric_limits<double>::infinity();
+        max = -min;
+        for (const double value : samples) {
+            if (std::isfinite(value)) {
+                min = std::min(min, value);
+                max = std::max(max, value);
+            }
         }
     }
-    return extent;
+    constexpr double largest = std::numeric_limits<float>::max();
+    return min <= max ? ChannelRange{static_cast<float>(std::clamp(min, -largest, largest)),
+                                     static_cast<float>(std::clamp(max, -largest, largest))}
+                      : empty_bucket.c;
 }
 
-float to_float(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(value, -largest, largest));
+void extend(ChannelRange& into, const ChannelRange& other) {
+    into.min = std::min(into.min, other.min);
+    into.max = std::max(into.max, other.max);
 }
 
 EnvelopeBucket merged(std::span<const EnvelopeBucket> buckets) {
@@ -53,30 +55,18 @@ EnvelopeBucket merged(std::span<const EnvelopeBucket> buckets) {
 
 }  // namespace
 
-const EnvelopeBucket empty_bucket{
-    .c_min = infinite, .c_max = -infinite, .d_min = infinite, .d_max = -infinite};
+const EnvelopeBucket empty_bucket{.c = {infinite, -infinite}, .d = {infinite, -infinite}};
 
 EnvelopeBucket bucket_of(std::span<const double> c, std::span<const double> d) {
-    const Extent in_c = extent_of(c);
-    const Extent in_d = extent_of(d);
-    EnvelopeBucket bucket = empty_bucket;
-    if (in_c.min <= in_c.max) {
-        bucket.c_min = to_float(in_c.min);
-        bucket.c_max = to_float(in_c.max);
-    }
-    if (in_d.min <= in_d.max) {
-        bucket.d_min = to_float(in_d.min);
-        bucket.d_max = to_float(in_d.max);
-    }
-    bucket.missing = in_c.missing || in_d.missing;
+    EnvelopeBucket bucket;
+    bucket.c = range_of(c, bucket.missing);
+    bucket.d = range_of(d, bucket.missing);
     return bucket;
 }
 
 void merge(EnvelopeBucket& into, const EnvelopeBucket& other) {
-    into.c_min = std::min(into.c_min, other.c_min);
-    into.c_max = std::max(into.c_max, other.c_max);
-    into.d_min = std::min(into.d_min, other.d_min);
-    into.d_max = std::max(into.d_max, other.d_max);
+    extend(into.c, other.c);
+    extend(into.d, other.d);
     into.missing = into.missing || other.missing;
 }
 
@@ -118,11 +108,10 @@ namespace {
 
 EnvelopeBucket marked(EnvelopeBucket bucket) {
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-    if (bucket.c_min > bucket.c_max) {
-        bucket.c_min = bucket.c_max = nothing;
-    }
-    if (bucket.d_min > bucket.d_max) {
-        bucket.d_min = bucket.d_max = nothing;
+    for (ChannelRange* const range : {&bucket.c, &bucket.d}) {
+        if (range->min > range->max) {
+            *range = {nothing, nothing};
+        }
     }
     return bucket;
 }
@@ -190,6 +179,159 @@ bool Envelope::merge_samples(std::int64_t from, std::int64_t to, EnvelopeBucket&
         }
     }
     return anything;
+}
+
+namespace {
+
+constexpr double look_s = 0.3;  // limit of time for slow disks
+constexpr std::int64_t least_parts = 64;
+
+// Looks as buckets of equal parts.
+std::vector<EnvelopeBucket> in_parts(const std::vector<ScannedPlace>& looks, std::int64_t parts) {
+    EnvelopeBucket unseen = empty_bucket;
+    unseen.coverage = Coverage::none;
+    std::vector<EnvelopeBucket> buckets(static_cast<std::size_t>(parts), unseen);
+    for (const ScannedPlace& look : looks) {
+        // Places follow from times of a file and may have any value.
+        if (look.place >= 0 && look.place <= 1) {
+            const auto at = static_cast<std::int64_t>(look.place * static_cast<double>(parts));
+            EnvelopeBucket& bucket = buckets[static_cast<std::size_t>(std::min(at, parts - 1))];
+            merge(bucket, look.seen);
+            bucket.coverage = Coverage::some;
+        }
+    }
+    return buckets;
+}
+
+}  // namespace
+
+Result<std::vector<EnvelopeBucket>> sparse_scan(
+    std::int64_t most, const JobControl& job,
+    const std::function<Result<ScannedPlace>(std::int64_t part, std::int64_t parts)>& look) {
+    const double until = job.now() + look_s;
+    std::vector<ScannedPlace> looks;
+    std::int64_t complete = 0;
+    for (std::int64_t parts = least_parts; parts <= most; parts *= 2) {
+        // Even parts were read with half as many parts.
+        const std::int64_t step = parts > least_parts ? 2 : 1;
+        for (std::int64_t part = step - 1; part < parts; part += step) {
+            TRY(job.go_on());
+            if (job.now() > until) {
+                return complete > 0 ? in_parts(looks, complete) : std::vector<EnvelopeBucket>{};
+            }
+            auto seen = TRY(look(part, parts));
+            looks.push_back(std::move(seen));
+        }
+        complete = parts;
+    }
+    return in_parts(looks, complete);
+}
+
+namespace {
+
+using Samples = std::vector<EnvelopeBucket>;
+
+constexpr double picture_interval_s = 0.1;
+constexpr std::int64_t most_looks = 2048;  // about the pixels of a window's width
+// A look contains the crests of any carrier above 1/256 of the sample rate; all looks together are
+// at most a sixteenth of the recording.
+constexpr std::int64_t frames_per_look = 256;
+constexpr std::int64_t frames_per_part = 16 * frames_per_look;
+
+std::int64_t block_count(std::int64_t frames) {
+    return (frames + EnvelopeBlock::frames - 1) / EnvelopeBlock::frames;
+}
+
+class Builder {
+public:
+    Builder(const SampleSource& source, const JobControl& job, const EnvelopeSink& sink)
+        : source_(source),
+          job_(job),
+          sink_(sink),
+          blocks_(static_cast<std::size_t>(block_count(source.frames()))),
+          published_(job.now()) {}
+
+    Status look() {
+        const std::int64_t frames = source_.frames();
+        auto seen = sparse_scan(std::min(most_looks, frames / frames_per_part), job_,
+                                [&](std::int64_t part, std::int64_t parts) -> Result<ScannedPlace> {
+                                    TRY(read_frames(frames * part / parts, frames_per_look));
+                                    return ScannedPlace{
+                                        static_cast<double>(part) / static_cast<double>(parts),
+                                        bucket_of(c_, d_)};
+                                });
+        if (!seen) {
+            return seen.error();
+        }
+        if (!seen->empty()) {
+            samples_ = std::make_shared<const Samples>(std::move(*seen));
+            publish();
+        }
+        return {};
+    }
+
+    Status read_all() {
+        const std::int64_t frames = source_.frames();
+        for (std::size_t index = 0; index < blocks_.size(); ++index) {
+            const std::int64_t at = static_cast<std::int64_t>(index) * EnvelopeBlock::frames;
+            const std::int64_t length = std::min(EnvelopeBlock::frames, frames - at);
+            TRY(read_frames(at, length));
+            blocks_[index] = std::make_shared<const EnvelopeBlock>(c_, d_);
+            if (index + 1 < blocks_.size() && job_.now() - published_ >= picture_interval_s) {
+                publish();
+            }
+            job_.report(static_cast<double>(at + length) / static_cast<double>(frames));
+        }
+        return {};
+    }
+
+    std::shared_ptr<const Envelope> picture() const {
+        return std::make_shared<const Envelope>(source_.frames(), blocks_, samples_);
+    }
+
+private:
+    Status read_frames(std::int64_t first, std::int64_t length) {
+        TRY(job_.go_on());
+        c_.resize(static_cast<std::size_t>(length));
+        d_.resize(c_.size());
+        return source_.read(first, c_, d_);
+    }
+
+    void publish() {
+        if (sink_) {
+            sink_(picture());
+            published_ = job_.now();
+        }
+    }
+
+    const SampleSource& source_;
+    const JobControl& job_;
+    const EnvelopeSink& sink_;
+    std::vector<std::shared_ptr<const EnvelopeBlock>> blocks_;
+    std::shared_ptr<const Samples> samples_;
+    double published_;
+    std::vector<double> c_;
+    std::vector<double> d_;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const Envelope>> build_envelope(const SampleSource& source,
+                                                       const JobControl& job,
+                                                       const EnvelopeSink& sink) {
+    Builder builder(source, job, sink);
+    if (sink && source.seeks()) {
+        TRY(builder.look());
+    }
+    TRY(builder.read_all());
+    return builder.picture();
+}
+
+std::shared_ptr<const Envelope> sampled_envelope(std::int64_t frames, Samples samples) {
+    std::vector<std::shared_ptr<const EnvelopeBlock>> blocks(
+        static_cast<std::size_t>(block_count(frames)));
+    return std::make_shared<const Envelope>(frames, std::move(blocks),
+                                            std::make_shared<const Samples>(std::move(samples)));
 }
 
 }  // namespace vybeg

@@ -2,7 +2,6 @@
 
 #include "core/base/plain_text.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/mat_hdf5/hdf5_handle.h"
 #include "core/recording/mat_hdf5/hdf5_open.h"
 #include "core/recording/samples/vocabulary.h"
 
@@ -38,6 +37,10 @@ std::string name_of(hid_t attribute) {
     return name.data();
 }
 
+bool is_real(H5T_class_t kind) {
+    return kind == H5T_INTEGER || kind == H5T_FLOAT;
+}
+
 bool is_single(hid_t attribute) {
     const Hdf5Handle space(H5Aget_space(attribute));
     return space && H5Sget_simple_extent_npoints(space.get()) == 1;
@@ -47,7 +50,7 @@ std::optional<double> number_of(hid_t attribute) {
     const Hdf5Handle type(H5Aget_type(attribute));
     const H5T_class_t kind = type ? H5Tget_class(type.get()) : H5T_NO_CLASS;
     double value = 0;
-    if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || !is_single(attribute) ||
+    if (!is_real(kind) || !is_single(attribute) ||
         H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) {
         return {};
     }
@@ -133,10 +136,6 @@ struct Hdf5Field {
 
 constexpr std::int64_t most_width = 4096;  // numbers in a field
 constexpr std::int64_t numbers_at_once = std::int64_t{1} << 17;
-
-bool is_real(H5T_class_t kind) {
-    return kind == H5T_INTEGER || kind == H5T_FLOAT;
-}
 
 std::optional<Hdf5Field> number_field(hid_t record, unsigned place) {
     char* const name = H5Tget_member_name(record, place);
@@ -269,11 +268,14 @@ public:
             const Hdf5Handle access = access_to_dataset(dataset.piece_bytes);
             handle = Hdf5Handle(H5Dopen(file_.get(), dataset.path.c_str(), access.get()));
         }
+        const auto decoded = [&](bool done) {
+            return done ? Status()
+                        : damaged(VYBEG_MESSAGE("Words", "samples of %1 cannot be decoded"),
+                                  {dataset.path});
+        };
         if (dataset.field) {
-            return read_field(handle.get(), *dataset.field, request.channel, request.first, out)
-                       ? Status()
-                       : damaged(VYBEG_MESSAGE("Words", "samples of %1 cannot be decoded"),
-                                 {dataset.path});
+            return decoded(
+                read_field(handle.get(), *dataset.field, request.channel, request.first, out));
         }
         const Hdf5Handle space(H5Dget_space(handle.get()));
         const bool upright = dataset.extent[0] >= dataset.extent[1];
@@ -290,12 +292,8 @@ public:
             return damaged(VYBEG_MESSAGE("Words", "the samples of %1 cannot be found"),
                            {dataset.path});
         }
-        if (H5Dread(handle.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT,
-                    out.data()) < 0) {
-            return damaged(VYBEG_MESSAGE("Words", "samples of %1 cannot be decoded"),
-                           {dataset.path});
-        }
-        return {};
+        return decoded(H5Dread(handle.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(),
+                               H5P_DEFAULT, out.data()) >= 0);
     }
 
 private:
@@ -376,7 +374,7 @@ private:
             return {};
         }
         Dataset dataset{path, H5Sget_simple_extent_ndims(space.get())};
-        const bool is_number = kind == H5T_INTEGER || kind == H5T_FLOAT;
+        const bool is_number = is_real(kind);
         const bool is_record = kind == H5T_COMPOUND && !is_complex(type.get());
         if (dataset.rank < 0 || (!is_number && kind != H5T_COMPOUND)) {
             return {};

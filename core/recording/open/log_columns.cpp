@@ -5,8 +5,7 @@
 #include "core/base/read_value.h"
 #include "core/numerics/statistics.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/bytes/zip_directory.h"
-#include "core/recording/open/file_format.h"
+#include "core/recording/bytes/packed_parts.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
@@ -364,7 +363,7 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
     if (!options.text && format && format->has_variables) {
         return read_variables(path, options, wishes, job);
     }
-    if (!options.text && (!format || !format->is_text)) {
+    if (!options.text && (!format || !format->is_text())) {
         return file->error(ErrorCode::no_log);
     }
     auto table = TRY(read_text(file, options, wishes, job));

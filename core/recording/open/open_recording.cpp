@@ -2,18 +2,27 @@
 
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
+#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/arrays/raw_reader.h"
+#include "core/recording/arrays/tdms_reader.h"
+#include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/open/file_format.h"
-#include "core/recording/samples/channel_pair.h"
+#include "core/recording/bytes/packed_parts.h"
+#include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/open_table.h"
+#include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/sample_source.h"
-#include "core/recording/text/text_clock.h"
+#include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_recording.h"
+#include "core/recording/text/uff_reader.h"
 #include "core/recording/times/time_grid.h"
 #include "core/recording/times/uniform_times.h"
+#include "core/recording/variables/array_variables.h"
+#include "core/recording/variables/library_variables.h"
+#include "core/recording/variables/mat_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -24,6 +33,61 @@
 #include <vector>
 
 namespace vybeg {
+namespace {
+
+// Basis of the decision between text and binary.
+constexpr std::int64_t head_bytes = std::int64_t{1} << 16;
+
+using Group = FileFormat::Group;
+
+// Of a signature that does not depend on the rest of the file.
+template <bool (*is)(std::string_view head)>
+bool by_head(std::string_view head, const FileBytes& /*file*/) {
+    return is(head);
+}
+
+bool is_audio(std::string_view head, const FileBytes& file) {
+    return !audio_container(head).empty() || tag_before_flac(head, file) > 0;
+}
+
+// Level 4 has no signature.
+bool is_mat4_file(std::string_view head, const FileBytes& file) {
+    return is_mat4(head, file.size());
+}
+
+constexpr bool with_variables = true;
+constexpr bool by_helper = true;
+
+constexpr std::array formats{
+    FileFormat{"audio", Group::audio, "wav w64 rf64 flac aif aiff caf", is_audio, open_audio,
+               !with_variables, by_helper},
+    FileFormat{"npy", Group::arrays, "npy", by_head<is_npy>, open_npy},
+    FileFormat{"npz", Group::arrays, "npz", by_head<is_zip>, open_npz, with_variables},
+    FileFormat{"mat", Group::arrays, "mat", by_head<is_mat5>, open_mat, with_variables},
+    FileFormat{"tdms", Group::arrays, "tdms", by_head<is_tdms>, open_tdms},
+    FileFormat{"zetlab", Group::arrays, "ana", is_zetlab, open_zetlab},
+    FileFormat{"hdf5", Group::arrays, "h5 hdf5", is_hdf5, open_hdf5, with_variables, by_helper},
+    FileFormat{"mat", Group::arrays, "", is_mat4_file, open_mat, with_variables},
+    FileFormat{"uff", Group::arrays, "uff unv", by_head<is_uff>, open_uff},
+    FileFormat{"text", Group::tables, "csv tsv txt dat", by_head<looks_like_text>, open_text},
+};
+
+}  // namespace
+
+std::span<const FileFormat> file_formats() {
+    return formats;
+}
+
+Result<std::string> file_head(const FileBytes& file) {
+    return file.text(0, head_bytes);
+}
+
+const FileFormat* find_format(std::string_view head, const FileBytes& file) {
+    const auto* const found = std::ranges::find_if(
+        formats, [&](const FileFormat& format) { return format.is(head, file); });
+    return found == formats.end() ? nullptr : found;
+}
+
 namespace {
 
 Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
@@ -51,21 +115,14 @@ Result<Recording> open_file(const std::filesystem::path& path, const OpenOptions
         }
         recording->start = plain_text(recording->start);
         for (Channel& channel : recording->channels) {
-            channel = {plain_text(channel.name), plain_text(channel.unit)};
+            const bool kept = options.unit.empty() && options.scale == 1;
+            channel = {plain_text(channel.name), kept ? plain_text(channel.unit) : options.unit};
         }
         if (options.scale != 1) {
             recording->source =
                 scaled_source(std::move(recording->source), options.scale, options.scale);
-            for (Channel& channel : recording->channels) {
-                channel.unit.clear();
-            }
         }
         recording->file = file;
-        if (!options.unit.empty()) {
-            for (Channel& channel : recording->channels) {
-                channel.unit = options.unit;
-            }
-        }
     }
     return recording;
 }

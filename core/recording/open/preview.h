@@ -3,7 +3,8 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/recording/open/file_format.h"
+#include "core/recording/envelope/envelope.h"
+#include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
 #include "core/recording/text/text_format.h"
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,5 +54,17 @@ inline constexpr std::size_t preview_lines = 40;
 // options can open; setting_invalid, interrupted.
 Result<RecordingPreview> preview_recording(const std::filesystem::path& path,
                                            const OpenOptions& options, const JobControl& job);
+
+// Approximate picture of a recording before it is open.
+struct QuickOverview {
+    double rate_hz = 0;  // about
+    std::shared_ptr<const Envelope> envelope;
+};
+
+// First look at a long text file, because opening reads all of it. Its length is that of the time
+// column, otherwise approximately that of the rows. Empty for files that open fast or cannot be
+// opened; open_recording() reports the reason.
+std::optional<QuickOverview> quick_overview(const std::filesystem::path& path,
+                                            const OpenOptions& options, const JobControl& job);
 
 }  // namespace vybeg

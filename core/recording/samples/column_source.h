@@ -1,11 +1,15 @@
 #pragma once
 
+#include "core/base/job_control.h"
+#include "core/base/result.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
+#include "core/recording/samples/recording.h"
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vybeg {
@@ -37,6 +41,16 @@ struct SampleColumn {
     std::int64_t frames() const { return ranges.empty() ? 0 : ranges.back().end(); }
 };
 
+// Samples of several channels in turn, frame after frame, all of one type.
+struct InterleavedSamples {
+    NumberType type = NumberType::i16;
+    Scale scale{};
+    bool big_endian = false;
+    int channels = 0;
+    std::int64_t offset = 0;  // of the first sample in the file, bytes
+    std::int64_t frames = 0;  // present in the file
+};
+
 // Fills `out` with the samples of a column from the frame `first` on. Precondition: as below.
 Status read_column(const SampleColumn& column, std::int64_t first, std::span<double> out);
 
@@ -44,5 +58,16 @@ Status read_column(const SampleColumn& column, std::int64_t first, std::span<dou
 // with the same `bytes` are read together. Precondition: every sample lies inside the bytes, with
 // ascending offsets within a range.
 std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d);
+
+// The same of two channels of a file, from 1.
+std::shared_ptr<const SampleSource> interleaved_source(const std::shared_ptr<const FileBytes>& file,
+                                                       const InterleavedSamples& samples, int c,
+                                                       int d);
+
+// The rate by a column of times that count in `unit_s` seconds: it rises by even steps below a
+// second, and does not count the rows. Nothing for any other column. Errors: those of reading;
+// interrupted.
+Result<std::optional<SampleRate>> rate_of_times(const SampleColumn& column, double unit_s,
+                                                const JobControl& job);
 
 }  // namespace vybeg

@@ -1,14 +1,11 @@
 #pragma once
 
 #include "core/base/describe.h"
-#include "core/base/result.h"
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace vybeg {
@@ -36,17 +33,6 @@ void describe(Archive&& archive, Owner& text) {
 
 // Limit of skipped lines: enough for a header, too few for a second table.
 inline constexpr std::int64_t most_skipped_lines = 1'000'000;
-
-// Checks the options without a file. Errors: setting_invalid.
-Status check_choice(const TextChoice& choice);
-
-// Delimiter of the names comma, semicolon, tab, space, bar; empty for other names.
-std::optional<char> delimiter_from_name(std::string_view name);
-std::string delimiter_name(char delimiter);
-
-// Seconds of the names s, ms, us, ns; empty for other names.
-std::optional<double> time_unit_from_name(std::string_view name);
-std::string time_unit_name(double seconds);
 
 enum class RawType { i16, i32, f32, f64 };
 inline constexpr std::array<const char*, 4> raw_type_names{"i16", "i32", "f32", "f64"};
@@ -103,11 +89,5 @@ void describe(Archive&& archive, Owner& open) {
     archive("channel_d_file", open.channel_d_file, usual.channel_d_file);
     archive("join", open.join, usual.join);
 }
-
-// Makes the names of further files absolute that are relative to `folder`.
-void find_files_from(const std::filesystem::path& folder, OpenOptions& options);
-
-// The further files: that of channel D, the pieces.
-std::vector<std::filesystem::path> further_files(const OpenOptions& options);
 
 }  // namespace vybeg

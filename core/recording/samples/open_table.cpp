@@ -5,8 +5,10 @@
 #include "core/base/read_value.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -15,6 +17,8 @@ using Row = SettingRow<OpenOptions>;
 
 const Bounds rate_bounds{1e-6, 1e12};
 constexpr int most_raw_channels = 4096;
+// Enough for a header, too few for a second table.
+constexpr std::int64_t most_skipped_lines = 1'000'000;
 const Bounds raw_channels_bounds{1, most_raw_channels};
 const Bounds skip_bounds{0, 1e15};  // exact as a double
 const Bounds skip_lines_bounds{0, most_skipped_lines};
@@ -191,19 +195,6 @@ Row text_row(const char* name, const char* placeholder, const char* help, Read r
         });
 }
 
-Status read_delimiter(const std::string& option, const std::string& text, TextChoice& choice) {
-    choice.delimiter = delimiter_from_name(text);
-    return choice.delimiter
-               ? Status()
-               : refused_value(option, text, "it is comma, semicolon, tab, space or bar");
-}
-
-Status read_decimal(const std::string& option, const std::string& text, TextChoice& choice) {
-    choice.decimal_comma = text == "comma";
-    return text == "point" || text == "comma" ? Status()
-                                              : refused_value(option, text, "it is point or comma");
-}
-
 Status read_skip_lines(const std::string& option, const std::string& text, TextChoice& choice) {
     const auto lines = TRY(read_whole(option, text));
     choice.lines_to_skip = lines;
@@ -219,9 +210,60 @@ Status read_time_column(const std::string& option, const std::string& text, Text
     return {};
 }
 
-Status read_time_unit(const std::string& option, const std::string& text, TextChoice& choice) {
-    choice.time_unit_s = time_unit_from_name(text);
-    return choice.time_unit_s ? Status() : refused_value(option, text, "it is s, ms, us or ns");
+template <class Words, class Value>
+std::string word_of(const Words& words, const Value& value) {
+    const auto* const found =
+        std::ranges::find(words, value, [](const auto& each) { return each.second; });
+    return found == words.end() ? "" : found->first;
+}
+
+// Row of a choice between words of text files.
+template <class Value, std::size_t count>
+Row word_row(const char* name, const char* placeholder, const char* help,
+             std::optional<Value> TextChoice::*field,
+             const std::array<std::pair<const char*, Value>, count>& words, const char* allowed) {
+    return text_row(
+        name, placeholder, help,
+        [=](const std::string& option, const std::string& from, TextChoice& choice) -> Status {
+            const auto* const found =
+                std::ranges::find_if(words, [&](const auto& each) { return from == each.first; });
+            if (found == words.end()) {
+                return refused_value(option, from, allowed);
+            }
+            choice.*field = found->second;
+            return {};
+        },
+        [=](const TextChoice& choice) {
+            return choice.*field ? word_of(words, *(choice.*field)) : std::string();
+        });
+}
+
+constexpr std::array delimiters{std::pair{"comma", ','}, std::pair{"semicolon", ';'},
+                                std::pair{"tab", '\t'}, std::pair{"space", ' '},
+                                std::pair{"bar", '|'}};
+constexpr const char* allowed_delimiters = "it is comma, semicolon, tab, space or bar";
+constexpr std::array time_units{std::pair{"s", 1.0}, std::pair{"ms", 1e-3}, std::pair{"us", 1e-6},
+                                std::pair{"ns", 1e-9}};
+constexpr const char* allowed_time_units = "it is s, ms, us or ns";
+constexpr std::array decimal_signs{std::pair{"point", false}, std::pair{"comma", true}};
+
+Status check_choice(const TextChoice& choice) {
+    if (choice.delimiter && word_of(delimiters, *choice.delimiter).empty()) {
+        return refused_value("--delimiter", std::string(1, *choice.delimiter), allowed_delimiters);
+    }
+    if (choice.lines_to_skip &&
+        (*choice.lines_to_skip < 0 || *choice.lines_to_skip > most_skipped_lines)) {
+        return refused_value("--skip-lines", integer_text(*choice.lines_to_skip),
+                             "it must lie between 0 and " + integer_text(most_skipped_lines));
+    }
+    if (choice.time_column && *choice.time_column < 0) {
+        return refused_value("--time-column", std::to_string(*choice.time_column),
+                             "it is the number of a column, from 1, or none");
+    }
+    if (choice.time_unit_s && word_of(time_units, *choice.time_unit_s).empty()) {
+        return refused_value("--time-unit", short_text(*choice.time_unit_s), allowed_time_units);
+    }
+    return {};
 }
 
 Status read_scale(const std::string& option, const std::string& text, OpenOptions& options) {
@@ -272,17 +314,12 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
             row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)", read_skip,
                 raw_text([](const RawLayout& raw) { return integer_text(raw.skip_bytes); })),
             skip_bounds),
-        text_row("delimiter", "NAME",
+        word_row("delimiter", "NAME",
                  "Between the columns of a text file: comma, semicolon, tab, space or bar "
                  "(default: guessed, as is all that follows)",
-                 read_delimiter,
-                 [](const TextChoice& choice) {
-                     return choice.delimiter ? delimiter_name(*choice.delimiter) : "";
-                 }),
-        text_row("decimal", "SIGN", "Decimal sign of a text file: point or comma", read_decimal,
-                 [](const TextChoice& choice) {
-                     return !choice.decimal_comma ? "" : *choice.decimal_comma ? "comma" : "point";
-                 }),
+                 &TextChoice::delimiter, delimiters, allowed_delimiters),
+        word_row("decimal", "SIGN", "Decimal sign of a text file: point or comma",
+                 &TextChoice::decimal_comma, decimal_signs, "it is point or comma"),
         bounded(text_row("skip-lines", "N", "Lines of a text file above its first row of numbers",
                          read_skip_lines,
                          [](const TextChoice& choice) {
@@ -297,10 +334,8 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
                             : *choice.time_column == 0 ? not_set
                                                        : integer_text(*choice.time_column);
                  }),
-        text_row("time-unit", "UNIT", "Unit of the time column: s, ms, us or ns", read_time_unit,
-                 [](const TextChoice& choice) {
-                     return choice.time_unit_s ? time_unit_name(*choice.time_unit_s) : "";
-                 }),
+        word_row("time-unit", "UNIT", "Unit of the time column: s, ms, us or ns",
+                 &TextChoice::time_unit_s, time_units, allowed_time_units),
         bounded(row("scale", "X",
                     "Recording units per count of --raw or unit of the file, e.g. volts at full "
                     "scale of a WAV file (default 1)",
@@ -379,6 +414,24 @@ Status check_options(const OpenOptions& options) {
         return check_layout(*options.raw);
     }
     return options.text ? check_choice(*options.text) : Status{};
+}
+
+void find_files_from(const std::filesystem::path& folder, OpenOptions& options) {
+    const auto find = [&folder](std::string& name) {
+        name = name.empty() ? name : (folder / name).lexically_normal().string();
+    };
+    find(options.channel_d_file);
+    for (std::string& name : options.join) {
+        find(name);
+    }
+}
+
+std::vector<std::filesystem::path> further_files(const OpenOptions& options) {
+    std::vector<std::filesystem::path> files(options.join.begin(), options.join.end());
+    if (!options.channel_d_file.empty()) {
+        files.emplace_back(options.channel_d_file);
+    }
+    return files;
 }
 
 }  // namespace vybeg

@@ -3,6 +3,7 @@
 #include "core/base/setting_rows.h"
 #include "core/recording/samples/open_options.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,11 @@ Status check_options(const OpenOptions& options);
 
 // Its part about headerless samples.
 Status check_layout(const RawLayout& layout);
+
+// Makes the names of further files absolute that are relative to `folder`.
+void find_files_from(const std::filesystem::path& folder, OpenOptions& options);
+
+// The further files: that of channel D, the pieces.
+std::vector<std::filesystem::path> further_files(const OpenOptions& options);
 
 }  // namespace vybeg

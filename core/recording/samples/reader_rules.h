@@ -7,7 +7,9 @@
 #include "core/recording/samples/recording.h"
 #include "core/recording/samples/sample_source.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,5 +67,27 @@ struct FoundSamples : Recording {
 // check_channels(), choose_rate() and check_frames(), in this order; channel_is_time.
 Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
                                      const OpenOptions& options);
+
+// Whether two rates are one, within their digits.
+bool same_rates(const Recording& one, const Recording& other);
+
+// The error of two files, or columns, that are no parts of one recording: parts_differ.
+Error no_parts(const Recording& one, const std::string& other, const char* what,
+               const MessageArg& of_one, const MessageArg& of_other);
+
+// D's samples at C's times, where their first times differ: by band-limited interpolation, with the
+// diagnostic channel_delayed.
+void align_channels(double delay_s, Recording& recording);
+
+// One recording of two that were opened with one channel each (channel_c == channel_d), whose
+// channels are then C and D, in C's unit. D's samples are brought to C's times; the end of the
+// longer channel is left out (channels_unequal). `name_d` stands for D in a sentence. Errors:
+// parts_differ for unlike sample rates or starts, and for times that have nothing in common.
+Result<Recording> pair_channels(Recording c, Recording d, const std::string& name_d);
+
+// The file beside a channel's file that holds the other channel by its name: the next number
+// ("sig0001.ana", "sig0002.ana"; of a demodulator of LabOne) or the next letter in place of a
+// single one ("run_C", "run_D"; "x", "y"; "sin" of "cos"). Nothing where there is no such file.
+std::optional<std::filesystem::path> partner_of(const std::filesystem::path& path);
 
 }  // namespace vybeg

@@ -4,6 +4,7 @@
 #include "core/base/plain_text.h"
 #include "core/recording/bytes/sha256.h"
 
+#include <array>
 #include <vector>
 
 namespace vybeg {
@@ -31,12 +32,8 @@ std::string english(const RecordingFormat& format) {
 }
 
 std::string rate_origin_name(RateOrigin origin) {
-    switch (origin) {
-        case RateOrigin::file: return "file";
-        case RateOrigin::time_column: return "time column";
-        case RateOrigin::option: return "option";
-    }
-    return "";
+    constexpr std::array names{"file", "time column", "option"};  // in the order of RateOrigin
+    return names.at(static_cast<std::size_t>(origin));
 }
 
 Result<std::string> recording_sha256(const Recording& recording, const JobControl& job) {

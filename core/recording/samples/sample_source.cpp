@@ -10,13 +10,6 @@
 
 namespace vybeg {
 
-MemorySource::MemorySource(std::vector<double> c, std::vector<double> d)
-    : c_(std::move(c)), d_(std::move(d)) {}
-
-std::int64_t MemorySource::frames() const {
-    return static_cast<std::int64_t>(c_.size());
-}
-
 Status MemorySource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
     std::copy_n(c_.begin() + first, c.size(), c.begin());
     std::copy_n(d_.begin() + first, d.size(), d.begin());
@@ -149,6 +142,32 @@ std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleS
     const auto frames = static_cast<double>(source->frames());
     const double delay = std::clamp(delay_samples, -frames, frames);
     return std::make_shared<DelayedSource>(std::move(source), delay);
+}
+
+void SampleBlock::copy_to(std::int64_t at, std::span<double> out_c, std::span<double> out_d) const {
+    const std::int64_t from = std::max(first, at);
+    const std::int64_t end = std::min(first + std::ssize(c), at + std::ssize(out_c));
+    if (from < end) {
+        std::copy_n(c.begin() + (from - first), end - from, out_c.begin() + (from - at));
+        std::copy_n(d.begin() + (from - first), end - from, out_d.begin() + (from - at));
+    }
+}
+
+SampleBlockPointer RecentBlocks::find(std::int64_t index) const {
+    const auto blocks = blocks_.hold();
+    const auto found =
+        std::ranges::find_if(*blocks, [&](const auto& block) { return block->index == index; });
+    if (found == blocks->end()) {
+        return nullptr;
+    }
+    std::rotate(blocks->begin(), found, found + 1);
+    return blocks->front();
+}
+
+void RecentBlocks::keep(SampleBlockPointer block) const {
+    const auto blocks = blocks_.hold();
+    blocks->insert(blocks->begin(), std::move(block));
+    blocks->resize(std::min(blocks->size(), most_));
 }
 
 }  // namespace vybeg

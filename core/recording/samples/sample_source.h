@@ -1,11 +1,14 @@
 #pragma once
 
+#include "core/base/guarded.h"
 #include "core/base/result.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -35,9 +38,10 @@ public:
 class MemorySource : public SampleSource {
 public:
     // Precondition: equal lengths.
-    MemorySource(std::vector<double> c, std::vector<double> d);
+    MemorySource(std::vector<double> c, std::vector<double> d)
+        : c_(std::move(c)), d_(std::move(d)) {}
 
-    std::int64_t frames() const override;
+    std::int64_t frames() const override { return std::ssize(c_); }
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override;
 
 private:
@@ -74,5 +78,32 @@ std::shared_ptr<const SampleSource> joined_source(std::vector<SourcePiece> piece
 // interpolation. Frames that it does not reach are NaN. A delay beyond the recording leaves none.
 std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleSource> source,
                                                    double delay_samples);
+
+// Samples that a source computes in one go.
+struct SampleBlock {
+    std::int64_t index = 0;  // among the source's blocks
+    std::int64_t first = 0;  // frame
+    std::vector<double> c;
+    std::vector<double> d;
+
+    // Fills of the frames from `at` on those that lie in the block.
+    void copy_to(std::int64_t at, std::span<double> out_c, std::span<double> out_d) const;
+};
+
+using SampleBlockPointer = std::shared_ptr<const SampleBlock>;
+
+// The blocks used last, for reads that go on inside of one. For several threads at once.
+class RecentBlocks {
+public:
+    explicit RecentBlocks(std::size_t most) : most_(most) {}
+
+    // Null, where it is not kept.
+    SampleBlockPointer find(std::int64_t index) const;
+    void keep(SampleBlockPointer block) const;
+
+private:
+    std::size_t most_;
+    Guarded<std::vector<SampleBlockPointer>> blocks_;  // the last one used first
+};
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,14 @@ namespace vybeg {
 // Of the Latin alphabet.
 constexpr bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// What lines without any number or word consist of: delimiters, quotes and blanks.
+inline constexpr std::string_view no_content = " \t\v\f\x1A,;|\"";
+
+// Whether a text is one of digits alone, one or more.
+constexpr bool are_digits(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 // Without spaces and tabs at both ends.
@@ -49,5 +58,21 @@ struct NumberDigits {
 };
 // Precondition: parse_field() reads the field as a number.
 NumberDigits digits_of(std::string_view field);
+
+// A date, a time of day, or both, in one field of a table.
+struct ClockField {
+    bool timed = false;        // else a date alone
+    std::int64_t whole_s = 0;  // seconds from midnight
+    double fraction_s = 0;     // below one second
+    int decimals = 0;          // digits of the fraction
+};
+
+// "12:00:05.25", "12:00:05,25 PM", "2024-05-01T12:00:05.25Z", "01.05.2024 12:00:05", "5/1/2024",
+// "12:00:05+03:00 2024-05-01", "01-May-2024", ... Nothing for any other text. Zones and the order
+// of day and month do not matter: a recording counts from its first row.
+std::optional<ClockField> parse_clock(std::string_view field);
+
+// Seconds from the second `from_s` of the day on. Half a day back is the next day.
+double seconds_after(const ClockField& clock, std::int64_t from_s);
 
 }  // namespace vybeg

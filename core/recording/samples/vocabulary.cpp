@@ -58,54 +58,35 @@ constexpr std::array<std::string_view, 12> between_words{
 
 constexpr std::array<std::string_view, 3> time_beginnings{"time", "zeit", "время"};
 
-enum class Quantity : std::uint8_t {
-    time,
-    rate,
-    voltage,
-    current,
-    length,
-    speed,
-    acceleration,
-    gravity,
-    force,
-    pressure,
-    resistance,
-    ratio,
-    radians,
-    degrees,
-    frequency
-};
-
 // Spellings of one unit, with blanks between them.
 struct Unit {
-    Quantity quantity;
+    std::string_view quantity;   // "time", "rate" or what samples may measure
     std::string_view spellings;  // of times and rates: small letters, which stand for capitals, too
     double factor = 1;           // to the other units of the quantity
     bool prefixed = true;
 };
 constexpr std::array units{
-    Unit{Quantity::time,
-         "s sec secs second seconds sek sekunde sekunden с сек секунд секунда секунды"},
-    Unit{Quantity::time, "min mins minute minutes minuten мин минут минуты", 60, false},
-    Unit{Quantity::time, "h hr hrs hour hours stunden ч час часы", 3600, false},
-    Unit{Quantity::time, "day days tage дни сут", 86400, false},
-    Unit{Quantity::rate, "hz гц s/s sa/s sps 1/s samples/s samples/sec", 1, false},
-    Unit{Quantity::rate, "khz кгц ks/s ksa/s ksps", 1e3, false},
-    Unit{Quantity::rate, "mhz мгц ms/s msa/s", 1e6, false},
-    Unit{Quantity::rate, "ghz gs/s gsa/s", 1e9, false},
-    Unit{Quantity::voltage, "V v Volt volt VOLT Volts volts VOLTS В в вольт Вольт"},
-    Unit{Quantity::current, "A Amp Ampere ampere А"},
-    Unit{Quantity::length, "m"},
-    Unit{Quantity::speed, "m/s"},
-    Unit{Quantity::acceleration, "m/s^2 m/s2 m/s²"},
-    Unit{Quantity::gravity, "g"},
-    Unit{Quantity::force, "N"},
-    Unit{Quantity::pressure, "Pa"},
-    Unit{Quantity::resistance, "Ohm"},
-    Unit{Quantity::ratio, "V/V"},
-    Unit{Quantity::radians, "rad"},
-    Unit{Quantity::degrees, "deg °"},
-    Unit{Quantity::frequency, "Hz"},
+    Unit{"time", "s sec secs second seconds sek sekunde sekunden с сек секунд секунда секунды"},
+    Unit{"time", "min mins minute minutes minuten мин минут минуты", 60, false},
+    Unit{"time", "h hr hrs hour hours stunden ч час часы", 3600, false},
+    Unit{"time", "day days tage дни сут", 86400, false},
+    Unit{"rate", "hz гц s/s sa/s sps 1/s samples/s samples/sec", 1, false},
+    Unit{"rate", "khz кгц ks/s ksa/s ksps", 1e3, false},
+    Unit{"rate", "mhz мгц ms/s msa/s", 1e6, false},
+    Unit{"rate", "ghz gs/s gsa/s", 1e9, false},
+    Unit{"voltage", "V v Volt volt VOLT Volts volts VOLTS В в вольт Вольт"},
+    Unit{"current", "A Amp Ampere ampere А"},
+    Unit{"length", "m"},
+    Unit{"speed", "m/s"},
+    Unit{"acceleration", "m/s^2 m/s2 m/s²"},
+    Unit{"gravity", "g"},
+    Unit{"force", "N"},
+    Unit{"pressure", "Pa"},
+    Unit{"resistance", "Ohm"},
+    Unit{"ratio", "V/V"},
+    Unit{"radians", "rad"},
+    Unit{"degrees", "deg °"},
+    Unit{"frequency", "Hz"},
 };
 
 struct Prefix {
@@ -137,7 +118,7 @@ bool is_listed(std::string_view word, std::string_view list) {
 }
 
 struct Scaled {
-    Quantity quantity;
+    std::string_view quantity;
     double factor;
 };
 
@@ -168,12 +149,12 @@ std::optional<Scaled> find_unit(std::string_view text, Wanted is_wanted) {
     return found;
 }
 
-std::optional<double> factor_of(std::string_view unit, Quantity quantity) {
+std::optional<double> factor_of(std::string_view unit, std::string_view quantity) {
     std::string small = lower_text(unit);
     while (small.ends_with('.')) {
         small.pop_back();
     }
-    const auto found = find_unit(small, [&](Quantity of) { return of == quantity; });
+    const auto found = find_unit(small, [&](std::string_view of) { return of == quantity; });
     return found ? std::optional(found->factor) : std::nullopt;
 }
 
@@ -185,16 +166,14 @@ std::optional<Scaled> unit_of_samples(std::string_view text) {
             break;
         }
     }
-    return find_unit(text,
-                     [](Quantity of) { return of != Quantity::time && of != Quantity::rate; });
+    return find_unit(text, [](std::string_view of) { return of != "time" && of != "rate"; });
 }
 
 // Of a word without brackets, which may be a name as well: "A" and "В" number channels.
 bool is_unit_by_itself(std::string_view text) {
     constexpr std::array<std::string_view, 2> names{"mm", "in"};
     const auto unit = unit_of_samples(text);
-    return unit &&
-           (unit->quantity == Quantity::voltage ? text != "В" && text != "в" : text.size() > 2) &&
+    return unit && (unit->quantity == "voltage" ? text != "В" && text != "в" : text.size() > 2) &&
            std::ranges::find(names, text) == names.end();
 }
 
@@ -208,10 +187,6 @@ std::optional<Channel> node_quantity(std::string_view name, std::string_view ins
         return std::nullopt;
     }
     return Channel{std::string(name) + "(" + std::string(inside) + ")", unit};
-}
-
-bool is_number(std::string_view text) {
-    return !text.empty() && std::ranges::all_of(text, is_digit);
 }
 
 // Start of the last word of a name: after a blank, '_' or '-', or as in "TimeMs".
@@ -287,7 +262,7 @@ Channel name_and_unit(std::string_view field) {
             }
             continue;
         }
-        if (is_number(inside)) {
+        if (are_digits(inside)) {
             return {text, ""};
         }
         if (const auto node = node_quantity(whole.substr(0, at), inside)) {
@@ -370,11 +345,11 @@ std::string time_unit(const Channel& column) {
 }
 
 std::optional<double> seconds_per(std::string_view unit) {
-    return factor_of(unit, Quantity::time);
+    return factor_of(unit, "time");
 }
 
 std::optional<double> hertz_per(std::string_view unit) {
-    return factor_of(unit, Quantity::rate);
+    return factor_of(unit, "rate");
 }
 
 std::optional<double> rate_by_name(std::string_view name, double value, std::string_view unit) {
@@ -416,8 +391,7 @@ bool is_any_unit(std::string_view text) {
 bool is_unit_below_name(std::string_view text) {
     const auto small = unit_of_samples(lower_text(text));
     return is_any_unit(text) || meaning_of(text) == Meaning::unit ||
-           (small &&
-            (small->quantity == Quantity::voltage || small->quantity == Quantity::gravity));
+           (small && (small->quantity == "voltage" || small->quantity == "gravity"));
 }
 
 }  // namespace vybeg

@@ -1,6 +1,6 @@
 #include "core/recording/sndfile/audio_file.h"
 
-#include "core/recording/audio/audio_extent.h"
+#include "core/recording/audio/audio_reader.h"
 
 #include <sndfile.h>
 
@@ -16,40 +16,8 @@
 namespace vybeg {
 namespace {
 
-// One libsndfile handle on a file's bytes. Not for several threads at once.
-class AudioDecoder {
-public:
-    // `begin`: bytes before what the library sees. Errors: format_damaged.
-    static Result<std::unique_ptr<AudioDecoder>> open(std::shared_ptr<const FileBytes> file,
-                                                      const std::vector<HeaderPatch>& patches,
-                                                      std::int64_t begin);
-
-    AudioDecoder(const AudioDecoder&) = delete;
-    AudioDecoder& operator=(const AudioDecoder&) = delete;
-    ~AudioDecoder();
-
-    const SF_INFO& info() const { return info_; }
-    std::string container() const;    // e.g. "WAV"
-    std::string sample_type() const;  // e.g. "64 bit float"
-    std::string start() const;        // date and time from the file, or empty
-
-    // Decodes the frames from `first` on into `out`, interleaved. Errors: format_damaged, if one of
-    // them cannot be decoded; the decoder is unusable afterwards.
-    Status read(std::int64_t first, std::span<double> out);
-
-private:
-    struct Bytes;  // input of libsndfile
-
-    AudioDecoder();
-    Error damaged(MessageArg reason) const;
-
-    std::unique_ptr<Bytes> bytes_;
-    SNDFILE* handle_ = nullptr;
-    SF_INFO info_{};
-    std::int64_t position_ = 0;
-};
-
-struct AudioDecoder::Bytes {
+// The bytes that libsndfile gets instead of the file.
+struct PatchedBytes {
     std::shared_ptr<const FileBytes> file;
     std::vector<HeaderPatch> patches;
     std::int64_t begin = 0;  // of what the library sees
@@ -82,121 +50,50 @@ struct AudioDecoder::Bytes {
     }
 };
 
+PatchedBytes& patched(void* data) {
+    return *static_cast<PatchedBytes*>(data);
+}
+
 std::string without_padding(std::string_view field) {
     const auto end = field.find('\0');
     return std::string(field.substr(0, end));
-}
-
-AudioDecoder::AudioDecoder() : bytes_(std::make_unique<Bytes>()) {}
-
-AudioDecoder::~AudioDecoder() {
-    if (handle_) {
-        sf_close(handle_);
-    }
-}
-
-Result<std::unique_ptr<AudioDecoder>> AudioDecoder::open(std::shared_ptr<const FileBytes> file,
-                                                         const std::vector<HeaderPatch>& patches,
-                                                         std::int64_t begin) {
-    static SF_VIRTUAL_IO calls = {
-        [](void* data) -> sf_count_t { return static_cast<Bytes*>(data)->size(); },
-        [](sf_count_t offset, int whence, void* data) {
-            return static_cast<Bytes*>(data)->seek(offset, whence);
-        },
-        [](void* out, sf_count_t count, void* data) {
-            return static_cast<Bytes*>(data)->read(static_cast<char*>(out), count);
-        },
-        [](const void*, sf_count_t, void*) -> sf_count_t { return 0; },
-        [](void* data) { return static_cast<Bytes*>(data)->position; }};
-
-    std::unique_ptr<AudioDecoder> decoder(new AudioDecoder);
-    decoder->bytes_->file = std::move(file);
-    decoder->bytes_->patches = patches;
-    decoder->bytes_->begin = begin;
-    decoder->handle_ = sf_open_virtual(&calls, SFM_READ, &decoder->info_, decoder->bytes_.get());
-    if (!decoder->handle_) {
-        return decoder->damaged(words(VYBEG_MESSAGE("Words", "its header cannot be understood")));
-    }
-    return decoder;
-}
-
-Error AudioDecoder::damaged(MessageArg reason) const {
-    const std::string name = container();
-    return bytes_->file->error(
-        ErrorCode::format_damaged,
-        {name.empty() ? MessageArg(words(VYBEG_MESSAGE("Words", "audio"))) : name,
-         std::move(reason)});
-}
-
-std::string AudioDecoder::container() const {
-    SF_FORMAT_INFO format{};
-    format.format = info_.format & SF_FORMAT_TYPEMASK;
-    if (sf_command(handle_, SFC_GET_FORMAT_INFO, &format, sizeof format) != 0 || !format.name) {
-        return "";
-    }
-    const std::string name = format.name;  // "WAV (Microsoft)"
-    return name.substr(0, name.find(" ("));
-}
-
-std::string AudioDecoder::sample_type() const {
-    SF_FORMAT_INFO format{};
-    format.format = info_.format & SF_FORMAT_SUBMASK;
-    if (sf_command(handle_, SFC_GET_FORMAT_INFO, &format, sizeof format) != 0 || !format.name) {
-        return "";
-    }
-    return format.name;
-}
-
-std::string AudioDecoder::start() const {
-    SF_BROADCAST_INFO broadcast{};
-    if (sf_command(handle_, SFC_GET_BROADCAST_INFO, &broadcast, sizeof broadcast) == SF_TRUE) {
-        const std::string date =
-            without_padding({broadcast.origination_date, sizeof broadcast.origination_date});
-        const std::string time =
-            without_padding({broadcast.origination_time, sizeof broadcast.origination_time});
-        if (!date.empty()) {
-            return time.empty() ? date : date + " " + time;
-        }
-    }
-    const char* date = sf_get_string(handle_, SF_STR_DATE);
-    return date ? date : "";
-}
-
-Status AudioDecoder::read(std::int64_t first, std::span<double> out) {
-    if (position_ != first && sf_seek(handle_, first, SEEK_SET) != first) {
-        return damaged(words(VYBEG_MESSAGE("Words", "no sample can be reached at frame %1"),
-                             {count_arg(first)}));
-    }
-    const auto frames = static_cast<std::int64_t>(out.size()) / info_.channels;
-    const std::int64_t got = sf_readf_double(handle_, out.data(), frames);
-    // libFLAC 1.4 stops before a block with a wrong checksum; earlier versions fill it with zeros,
-    // which only sf_error reveals.
-    if (sf_error(handle_) != SF_ERR_NO_ERROR) {
-        return damaged(words(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
-                             {count_arg(first)}));
-    }
-    if (got != frames) {
-        return damaged(words(VYBEG_MESSAGE("Words", "the samples end at frame %1"),
-                             {count_arg(first + std::max<std::int64_t>(got, 0))}));
-    }
-    position_ = first + frames;
-    return {};
 }
 
 constexpr std::int64_t block_samples = std::int64_t{1} << 20;  // 8 MB
 
 class AudioFile : public HelperFile {
 public:
-    explicit AudioFile(std::unique_ptr<AudioDecoder> decoder)
-        : decoder_(std::move(decoder)), channels_(decoder_->info().channels) {
-        catalogue_.format = decoder_->container();
-        catalogue_.start = decoder_->start();
+    explicit AudioFile(PatchedBytes bytes) : bytes_(std::move(bytes)) {}
+    ~AudioFile() override {
+        if (handle_) {
+            sf_close(handle_);
+        }
+    }
+
+    Status open() {
+        static SF_VIRTUAL_IO calls = {
+            [](void* data) { return patched(data).size(); },
+            [](sf_count_t offset, int whence, void* data) {
+                return patched(data).seek(offset, whence);
+            },
+            [](void* out, sf_count_t count, void* data) {
+                return patched(data).read(static_cast<char*>(out), count);
+            },
+            [](const void*, sf_count_t, void*) -> sf_count_t { return 0; },
+            [](void* data) { return patched(data).position; }};
+        handle_ = sf_open_virtual(&calls, SFM_READ, &info_, &bytes_);
+        if (!handle_) {
+            return damaged(words(VYBEG_MESSAGE("Words", "its header cannot be understood")));
+        }
+        catalogue_.format = container();
+        catalogue_.start = start();
         FileVariable samples;
-        samples.frames = decoder_->info().frames;
-        samples.channels = channels_;
-        samples.type = decoder_->sample_type();
-        samples.rate_hz = decoder_->info().samplerate;
+        samples.frames = info_.frames;
+        samples.channels = info_.channels;
+        samples.type = format_name(SF_FORMAT_SUBMASK);
+        samples.rate_hz = info_.samplerate;
         catalogue_.variables.push_back(std::move(samples));
+        return {};
     }
 
     const Catalogue& catalogue() const override { return catalogue_; }
@@ -209,7 +106,7 @@ public:
             }
             const std::int64_t stop = std::min(request.first + request.count, end());
             for (std::int64_t frame = at; frame < stop; ++frame) {
-                const std::int64_t place = (frame - first_) * channels_ + request.channel;
+                const std::int64_t place = (frame - first_) * info_.channels + request.channel;
                 out[static_cast<std::size_t>(frame - request.first)] =
                     block_[static_cast<std::size_t>(place)];
             }
@@ -220,23 +117,86 @@ public:
 
 private:
     std::int64_t end() const {
-        return first_ + static_cast<std::int64_t>(block_.size()) / channels_;
+        return first_ + static_cast<std::int64_t>(block_.size()) / info_.channels;
     }
 
     // All channels, and keeps them: what is decoded for C serves D.
     Status decode(std::int64_t first, std::int64_t frames) {
-        frames = std::min(frames, std::max<std::int64_t>(block_samples / channels_, 1));
+        const std::int64_t channels = info_.channels;
+        frames = std::min(frames, std::max<std::int64_t>(block_samples / channels, 1));
         first_ = first;
-        block_.resize(static_cast<std::size_t>(frames * channels_));
-        const Status status = decoder_->read(first, block_);
+        block_.resize(static_cast<std::size_t>(frames * channels));
+        const Status status = decode_block(frames);
         if (!status) {
             block_.clear();
         }
         return status;
     }
 
-    std::unique_ptr<AudioDecoder> decoder_;
-    std::int64_t channels_;
+    // Errors: format_damaged, if one of the frames cannot be decoded; libsndfile is of no use
+    // afterwards.
+    Status decode_block(std::int64_t frames) {
+        if (position_ != first_ && sf_seek(handle_, first_, SEEK_SET) != first_) {
+            return damaged(words(VYBEG_MESSAGE("Words", "no sample can be reached at frame %1"),
+                                 {count_arg(first_)}));
+        }
+        const std::int64_t got = sf_readf_double(handle_, block_.data(), frames);
+        // libFLAC 1.4 stops before a block with a wrong checksum; earlier versions fill it with
+        // zeros, which only sf_error reveals.
+        if (sf_error(handle_) != SF_ERR_NO_ERROR) {
+            return damaged(
+                words(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
+                      {count_arg(first_)}));
+        }
+        if (got != frames) {
+            return damaged(words(VYBEG_MESSAGE("Words", "the samples end at frame %1"),
+                                 {count_arg(first_ + std::max<std::int64_t>(got, 0))}));
+        }
+        position_ = first_ + frames;
+        return {};
+    }
+
+    // E.g. "64 bit float" of the samples; empty where the library knows no name.
+    std::string format_name(int mask) const {
+        SF_FORMAT_INFO format{};
+        format.format = info_.format & mask;
+        const int failed = sf_command(handle_, SFC_GET_FORMAT_INFO, &format, sizeof format);
+        return failed != 0 || !format.name ? "" : format.name;
+    }
+
+    std::string container() const {
+        const std::string name = format_name(SF_FORMAT_TYPEMASK);  // "WAV (Microsoft)"
+        return name.substr(0, name.find(" ("));
+    }
+
+    // Date and time from the file, or empty.
+    std::string start() const {
+        SF_BROADCAST_INFO broadcast{};
+        if (sf_command(handle_, SFC_GET_BROADCAST_INFO, &broadcast, sizeof broadcast) == SF_TRUE) {
+            const std::string date =
+                without_padding({broadcast.origination_date, sizeof broadcast.origination_date});
+            const std::string time =
+                without_padding({broadcast.origination_time, sizeof broadcast.origination_time});
+            if (!date.empty()) {
+                return time.empty() ? date : date + " " + time;
+            }
+        }
+        const char* date = sf_get_string(handle_, SF_STR_DATE);
+        return date ? date : "";
+    }
+
+    Error damaged(MessageArg reason) const {
+        const std::string name = container();
+        return bytes_.file->error(
+            ErrorCode::format_damaged,
+            {name.empty() ? MessageArg(words(VYBEG_MESSAGE("Words", "audio"))) : name,
+             std::move(reason)});
+    }
+
+    PatchedBytes bytes_;
+    SNDFILE* handle_ = nullptr;
+    SF_INFO info_{};
+    std::int64_t position_ = 0;  // of the library, frames
     Catalogue catalogue_;
     std::vector<double> block_;  // of the frames from first_ on, interleaved
     std::int64_t first_ = 0;
@@ -256,8 +216,9 @@ Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBy
                       words(VYBEG_MESSAGE("Words", "its header cannot be understood"))}};
     }
     const auto header = TRY(audio_extent(*file));
-    auto decoder = TRY(AudioDecoder::open(std::move(file), header.patches, tag));
-    return std::unique_ptr<HelperFile>(std::make_unique<AudioFile>(std::move(decoder)));
+    auto audio = std::make_unique<AudioFile>(PatchedBytes{std::move(file), header.patches, tag});
+    TRY(audio->open());
+    return std::unique_ptr<HelperFile>(std::move(audio));
 }
 
 }  // namespace vybeg

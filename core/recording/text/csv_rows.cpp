@@ -71,42 +71,6 @@ SplitRow split_row(const std::string& text, char separator) {
     }
 }
 
-// The rows of a file one after the other, as texts that may span several lines.
-class RowTexts {
-public:
-    explicit RowTexts(std::shared_ptr<const FileBytes> file) : lines_(std::move(file)) {}
-
-    // Reads the next row, which goes on in further lines until its quotes close for `separator`;
-    // false at the end of the file.
-    Result<bool> next(char separator) {
-        text_.clear();
-        Result<bool> more = append_line();
-        line_ = lines_.number();
-        while (more && *more && split_row(text_, separator).fault == Fault::quote_open) {
-            text_ += '\n';
-            more = append_line();
-            if (more && (!*more || text_.size() > longest_row)) {
-                return true;  // with its open quote, which the caller finds
-            }
-        }
-        return more;
-    }
-
-    const std::string& text() const { return text_; }
-    std::int64_t begun_at() const { return line_; }
-
-private:
-    Result<bool> append_line() {
-        const auto found = TRY(lines_.next());
-        text_ += found ? to_utf8(*found) : "";
-        return found.has_value();
-    }
-
-    TextLines lines_;
-    std::string text_;
-    std::int64_t line_ = 0;
-};
-
 bool has_name(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
@@ -114,12 +78,12 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 class Reader {
 public:
     Reader(std::shared_ptr<const FileBytes> file, std::string name, const UsualName& usual)
-        : rows_(std::move(file)), name_(std::move(name)), usual_(usual) {}
+        : lines_(std::move(file)), name_(std::move(name)), usual_(usual) {}
 
     Result<CsvRows> read(const std::string& needed) {
         TRY(read_names(needed));
         for (;;) {
-            const auto more = TRY(rows_.next(separator_));
+            const auto more = TRY(next_row(separator_));
             if (!more) {
                 return std::move(table_);
             }
@@ -133,19 +97,41 @@ public:
     }
 
 private:
+    Result<bool> append_line() {
+        const auto found = TRY(lines_.next());
+        text_ += found ? to_utf8(*found) : "";
+        return found.has_value();
+    }
+
+    // Reads the text of the next row, which goes on in further lines until its quotes close for
+    // `separator`; false at the end of the file.
+    Result<bool> next_row(char separator) {
+        text_.clear();
+        Result<bool> more = append_line();
+        line_ = lines_.number();
+        while (more && *more && split_row(text_, separator).fault == Fault::quote_open) {
+            text_ += '\n';
+            more = append_line();
+            if (more && (!*more || text_.size() > longest_row)) {
+                return true;  // with its open quote, which the caller finds
+            }
+        }
+        return more;
+    }
+
     // The row of names, by the separator that separates most of those where one is `needed`.
     Result<SplitRow> names_with(const std::string& needed) {
         // The separator follows from the names, which hold no line end in either case.
-        Result<bool> more = rows_.next(',');
-        while (more && *more && stands_before_names(rows_.text())) {
-            more = rows_.next(',');
+        Result<bool> more = next_row(',');
+        while (more && *more && stands_before_names(text_)) {
+            more = next_row(',');
         }
         if (!more) {
             return more.error();
         }
         SplitRow best;
         for (const char separator : {',', ';', '\t'}) {
-            SplitRow names = split_row(rows_.text(), separator);
+            SplitRow names = split_row(text_, separator);
             for (std::string& name : names.fields) {
                 name = usual_(name);
             }
@@ -167,21 +153,19 @@ private:
     }
 
     Status read_names(const std::string& needed) {
-        auto found = TRY(names_with(needed));
-        const SplitRow& names = found;
+        const auto names = TRY(names_with(needed));
         if (!has_name(names.fields, needed)) {
             const std::string told = joined(names.fields, ", ");
             return invalid(
-                rows_.begun_at(), needed,
-                told.empty() ? words(VYBEG_MESSAGE("Words", "the list needs this column"))
-                             : words(VYBEG_MESSAGE(
-                                         "Words", "the list needs this column; its columns are %1"),
-                                     {told}));
+                needed, told.empty()
+                            ? words(VYBEG_MESSAGE("Words", "the list needs this column"))
+                            : words(VYBEG_MESSAGE("Words",
+                                                  "the list needs this column; its columns are %1"),
+                                    {told}));
         }
         for (const std::string& name : names.fields) {
             if (!name.empty() && std::ranges::count(names.fields, name) > 1) {
-                return invalid(rows_.begun_at(), name,
-                               words(VYBEG_MESSAGE("Words", "two columns have this name")));
+                return invalid(name, words(VYBEG_MESSAGE("Words", "two columns have this name")));
             }
         }
         table_.names = names.fields;
@@ -189,7 +173,7 @@ private:
     }
 
     Status add_row() {
-        SplitRow row = split_row(rows_.text(), separator_);
+        SplitRow row = split_row(text_, separator_);
         TRY(checked(row));
         const auto is_text = [](const std::string& field) { return !field.empty(); };
         if (std::ranges::none_of(row.fields, is_text)) {
@@ -198,12 +182,12 @@ private:
         for (std::size_t k = 0; k < row.fields.size(); ++k) {
             if (!row.fields[k].empty() && (k >= table_.names.size() || table_.names[k].empty())) {
                 return invalid(
-                    rows_.begun_at(), column(k),
+                    column(k),
                     words(VYBEG_MESSAGE("Words", "\"%1\" stands below no name"), {row.fields[k]}));
             }
         }
         row.fields.resize(table_.names.size());
-        table_.rows.push_back({rows_.begun_at(), std::move(row.fields)});
+        table_.rows.push_back({line_, std::move(row.fields)});
         return {};
     }
 
@@ -213,12 +197,11 @@ private:
         switch (row.fault) {
             case Fault::none: break;
             case Fault::quote_open:
-                return invalid(rows_.begun_at(), at,
+                return invalid(at,
                                words(VYBEG_MESSAGE("Words", "its quotation mark does not close")));
             case Fault::text_after_quote:
                 return invalid(
-                    rows_.begun_at(), at,
-                    words(VYBEG_MESSAGE("Words", "text follows its closing quotation mark")));
+                    at, words(VYBEG_MESSAGE("Words", "text follows its closing quotation mark")));
         }
         return {};
     }
@@ -229,11 +212,13 @@ private:
         return named ? table_.names[k] : integer_text(static_cast<std::int64_t>(k) + 1);
     }
 
-    Error invalid(std::int64_t line, const std::string& at, MessageArg reason) const {
-        return {ErrorCode::list_invalid, name_, {count_arg(line), at, std::move(reason)}};
+    Error invalid(const std::string& at, MessageArg reason) const {
+        return {ErrorCode::list_invalid, name_, {count_arg(line_), at, std::move(reason)}};
     }
 
-    RowTexts rows_;
+    TextLines lines_;
+    std::string text_;       // of the row, which may span several lines
+    std::int64_t line_ = 0;  // where it begins
     std::string name_;
     const UsualName& usual_;
     char separator_ = ',';

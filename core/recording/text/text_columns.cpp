@@ -3,8 +3,6 @@
 #include "core/numerics/statistics.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
-#include "core/recording/text/text_clock.h"
-#include "core/recording/text/text_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_columns.h"
 #include "core/recording/text/text_header.h"
 #include "core/recording/text/text_lines.h"
@@ -231,17 +230,10 @@ std::size_t first_row(std::span<const std::string> lines, const Rows& table) {
     return row;
 }
 
-// The fields of rows.
-struct Extent {
-    std::size_t longest = 0;  // of a row
-    std::size_t used = 0;     // but for columns at the end that are empty in all rows
-    std::size_t named = 0;    // of these, but for columns at the end that hold words
-};
-
-Extent extent_of(std::span<const std::string> rows, const Rows& table) {
+RowExtent extent_of(std::span<const std::string> rows, const Rows& table) {
     const auto columns = static_cast<std::size_t>(table.columns);
     std::vector<std::string_view> fields;
-    Extent extent{columns, 0, 0};
+    RowExtent extent{columns, 0, 0};
     for (const std::string& row : rows) {
         if (!table.contain(row, fields)) {
             continue;
@@ -368,62 +360,25 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
         rows = rows.first(rows.size() - 1);
     }
     format.no_channels.clear();
-    const Extent extent = extent_of(rows, *table);
+    const RowExtent extent = extent_of(rows, *table);
     const FirstColumn first = first_column(rows, format.delimiter, format.decimal_comma);
     const bool first_unnamed = table->holds_words(0) || first != FirstColumn::other;
-    const auto columns = static_cast<std::size_t>(format.columns);
-    TextHeader header = read_header({.lines = above,
-                                     .names_from = names_from,
-                                     .delimiter = format.delimiter,
-                                     .columns = columns,
-                                     .behind = extent.longest - columns,
-                                     .used = extent.used,
-                                     .named = extent.named,
-                                     .first_unnamed = first_unnamed,
-                                     .first_is_time = first == FirstColumn::time});
-    if (first_unnamed && header.columns[0].name.empty() && header.columns[0].unit.empty()) {
-        header.columns[0].unit = axis_unit(above, format.delimiter);
+    read_header({above, names_from, extent, first_unnamed, first == FirstColumn::time}, format);
+    Channel& heading = format.headings[0];
+    if (first_unnamed && heading.name.empty() && heading.unit.empty()) {
+        heading.unit = axis_unit(above, format.delimiter);
     }
-    format.headings.assign(header.columns.begin(),
-                           header.columns.begin() + static_cast<std::ptrdiff_t>(columns));
-    format.header_lines_used = header.lines_used;
-    format.has_remarks = header.has_remarks;
     format.rates = header_rates(above, format.delimiter, format.columns, format.decimal_comma);
     if (format.columns <= most_columns) {
         find_columns(rows, choice, table->words, format);
     }
+    const auto columns = static_cast<std::size_t>(format.columns);
     for (std::size_t i = columns; i < extent.used; ++i) {
-        const std::string& name = header.columns[i].name;
+        const std::string& name = format.headings[i].name;
         format.words.push_back(name.empty() ? std::to_string(i + 1) : name);
     }
+    format.headings.resize(columns);
     return format;
-}
-
-bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format) {
-    constexpr int least_columns = 4;
-    if (format.delimiter != ',' || format.decimal_comma || format.columns < least_columns ||
-        format.columns % 2 != 0) {
-        return false;
-    }
-    const auto is_digits = [](std::string_view text) {
-        return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-    };
-    std::vector<std::string_view> fields;
-    bool leading_zero = false;
-    for (const std::string& line : lines.subspan(static_cast<std::size_t>(format.lines_to_skip))) {
-        if (columns_of(line, {',', false}, fields) != format.columns) {
-            continue;
-        }
-        for (std::size_t k = 0; k < fields.size(); k += 2) {
-            const std::string_view whole = trimmed(fields[k]);
-            const std::string_view decimals = trimmed(fields[k + 1]);
-            if (!is_digits(whole.substr(whole.starts_with('-') ? 1 : 0)) || !is_digits(decimals)) {
-                return false;
-            }
-            leading_zero = leading_zero || (decimals.size() > 1 && decimals.front() == '0');
-        }
-    }
-    return leading_zero;
 }
 
 std::vector<Channel> channels_of(const TextFormat& format) {
@@ -480,6 +435,33 @@ private:
     std::size_t bytes_ = 0;
     std::int64_t dropped_ = 0;
 };
+
+// Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
+// leading zeros, decimals between delimiters have.
+bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format) {
+    constexpr int least_columns = 4;
+    if (format.delimiter != ',' || format.decimal_comma || format.columns < least_columns ||
+        format.columns % 2 != 0) {
+        return false;
+    }
+    std::vector<std::string_view> fields;
+    bool leading_zero = false;
+    for (const std::string& line : lines.subspan(static_cast<std::size_t>(format.lines_to_skip))) {
+        if (columns_of(line, {',', false}, fields) != format.columns) {
+            continue;
+        }
+        for (std::size_t k = 0; k < fields.size(); k += 2) {
+            const std::string_view whole = trimmed(fields[k]);
+            const std::string_view decimals = trimmed(fields[k + 1]);
+            if (!are_digits(whole.substr(whole.starts_with('-') ? 1 : 0)) ||
+                !are_digits(decimals)) {
+                return false;
+            }
+            leading_zero = leading_zero || (decimals.size() > 1 && decimals.front() == '0');
+        }
+    }
+    return leading_zero;
+}
 
 // Why there is no table; the head has at least the lines that are skipped.
 Error no_table(const FileBytes& file, const TextHead& head, const TextChoice& choice) {

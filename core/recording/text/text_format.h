@@ -26,10 +26,6 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
 // The channels of the file by name, numbers from 1 where it has none, and unit.
 std::vector<Channel> channels_of(const TextFormat& format);
 
-// Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
-// leading zeros, decimals between delimiters have.
-bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format);
-
 // E.g. "text, 3 columns, semicolon, decimal comma".
 RecordingFormat format_of(const TextFormat& format);
 

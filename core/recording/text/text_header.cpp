@@ -4,7 +4,6 @@
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
-#include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_rate.h"
 
 #include <algorithm>
@@ -64,46 +63,45 @@ bool has_equals_sign(const std::string& field) {
 // The lines above a table, with what they tell of its columns.
 class HeaderLines {
 public:
-    explicit HeaderLines(const LinesAbove& above) : above_(above) {
-        header_.columns.resize(above.columns + above.behind);
+    HeaderLines(const LinesAbove& above, TextFormat& format) : above_(above), format_(format) {
+        format.headings.resize(above.rows.longest);
     }
 
-    TextHeader run() {
+    void run() {
         find_last_lines();
         for (std::size_t i = 0; i < above_.lines.size(); ++i) {
             take_labelled(i);
         }
         for (std::size_t i = 0; i < units_.size(); ++i) {
-            Channel& column = header_.columns[i];
+            Channel& column = format_.headings[i];
             if (column.unit.empty()) {
                 column.unit = to_utf8(without_brackets(units_[i]));
             }
         }
-        for (std::size_t i = 0; i < header_.columns.size(); ++i) {
-            Channel& column = header_.columns[i];
+        for (std::size_t i = 0; i < format_.headings.size(); ++i) {
+            Channel& column = format_.headings[i];
             column.name = column.name.empty() && i < names_.size() ? names_[i] : column.name;
             column.unit = column.unit.empty() && i < labelled_.size() ? labelled_[i] : column.unit;
         }
-        return std::move(header_);
     }
 
 private:
     // The fields of a line that has one for each column; nothing where it has not. What stands
     // behind the last column is a remark, or no name, or the name of a column without numbers.
     std::optional<std::vector<std::string>> row_of_names(const std::string& line) const {
-        return row_of_names(line, above_.delimiter);
+        return row_of_names(line, format_.delimiter);
     }
 
     std::optional<std::vector<std::string>> row_of_names(const std::string& line,
                                                          char delimiter) const {
         std::vector<std::string> fields = name_fields(line, delimiter);
-        const std::size_t columns = header_.columns.size();
+        const std::size_t columns = format_.headings.size();
         const bool may_lack_first =
             above_.first_unnamed && (delimiter != ',' || trimmed(line).starts_with('"'));
         const auto is_time = [this](const std::string& field) {
             return above_.first_is_time && is_time_name(name_and_unit(field).name);
         };
-        if (may_lack_first && fields.size() + 1 == above_.named &&
+        if (may_lack_first && fields.size() + 1 == above_.rows.named &&
             std::ranges::none_of(fields, is_number) && std::ranges::none_of(fields, is_time)) {
             fields.insert(fields.begin(), "");
         }
@@ -115,18 +113,18 @@ private:
         };
         const auto behind =
             fields.begin() + static_cast<std::ptrdiff_t>(std::min(columns, fields.size()));
-        if (fields.size() < above_.named ||
+        if (fields.size() < above_.rows.named ||
             (!std::all_of(behind, fields.end(), is_extra) &&
              std::count_if(fields.begin(), behind, is_clear_name) < 2)) {
             return std::nullopt;
         }
-        fields.resize(std::min(fields.size(), above_.used));
+        fields.resize(std::min(fields.size(), above_.rows.used));
         return fields;
     }
 
     // Whether a line says one thing of something, or of each channel, and names no columns.
     bool is_setting(const std::string& line) const {
-        const std::vector<std::string> fields = name_fields(line, above_.delimiter);
+        const std::vector<std::string> fields = name_fields(line, format_.delimiter);
         if (is_rate_line(line)) {
             return true;
         }
@@ -187,12 +185,12 @@ private:
             }
             const auto fields = names_in(line);
             if (fields && units_.empty() && is_unit_line(*fields)) {
-                ++header_.lines_used;
+                ++format_.header_lines_used;
                 units_ = *fields;
                 continue;
             }
             if (fields && units_.empty() && is_unit_line_behind_axis(*fields) && named_above(i)) {
-                ++header_.lines_used;
+                ++format_.header_lines_used;
                 units_ = *fields;
                 continue;
             }
@@ -200,10 +198,10 @@ private:
                 continue;
             }
             if (fields) {
-                ++header_.lines_used;
-                header_.has_remarks = ends_with_remark(line);
+                ++format_.header_lines_used;
+                format_.has_remarks = ends_with_remark(line);
                 for (std::size_t j = 0; j < fields->size(); ++j) {
-                    header_.columns[j] = column_named((*fields)[j], line);
+                    format_.headings[j] = column_named((*fields)[j], line);
                 }
             }
             return;
@@ -214,9 +212,9 @@ private:
     std::optional<std::vector<std::string>> names_in(const std::string& line) const {
         auto fields = row_of_names(line);
         for (const char delimiter : {';', ',', '\t'}) {
-            if (!fields && delimiter != above_.delimiter) {
+            if (!fields && delimiter != format_.delimiter) {
                 auto other = row_of_names(line, delimiter);
-                if (other && other->size() == above_.used &&
+                if (other && other->size() == above_.rows.used &&
                     std::ranges::all_of(*other, is_clear_name)) {
                     fields = std::move(other);
                 }
@@ -226,8 +224,8 @@ private:
     }
 
     bool ends_with_remark(const std::string& line) const {
-        const std::vector<std::string> fields = header_fields(line, above_.delimiter);
-        return fields.size() > above_.columns && meaning_of(fields.back()) == Meaning::remark;
+        const std::vector<std::string> fields = header_fields(line, format_.delimiter);
+        return std::ssize(fields) > format_.columns && meaning_of(fields.back()) == Meaning::remark;
     }
 
     bool named_above(std::size_t line) const {
@@ -238,7 +236,8 @@ private:
     }
 
     void take_labelled(std::size_t line) {
-        const std::vector<std::string> fields = header_fields(above_.lines[line], above_.delimiter);
+        const std::vector<std::string> fields =
+            header_fields(above_.lines[line], format_.delimiter);
         if (fields.empty()) {
             return;
         }
@@ -247,7 +246,7 @@ private:
             const std::string unit = to_utf8(trimmed(above_.lines[line].substr(colon + 1)));
             if (meaning_of(above_.lines[line].substr(0, colon)) == Meaning::units &&
                 is_known_unit(unit)) {
-                labelled_.assign(above_.columns, unit);
+                labelled_.assign(static_cast<std::size_t>(format_.columns), unit);
                 labelled_[0] = above_.first_unnamed ? "" : unit;
                 return;
             }
@@ -261,7 +260,7 @@ private:
         std::vector<std::string> found;
         if (fields.size() == 1 && line + 1 < above_.lines.size()) {
             found = row_of_names(above_.lines[line + 1]).value_or(std::vector<std::string>{});
-            header_.lines_used += found.empty() ? 0 : 1;
+            format_.header_lines_used += found.empty() ? 0 : 1;
         } else if (is_pairs(fields)) {
             for (std::size_t i = 0; i + 1 < fields.size(); i += 2) {
                 found.insert(found.end(), {fields[i + 1], std::string()});
@@ -273,7 +272,7 @@ private:
         if (found.empty()) {
             return;
         }
-        ++header_.lines_used;
+        ++format_.header_lines_used;
         for (std::string& value : found) {
             value = to_utf8(values == &labelled_ ? behind_colon(value) : trimmed(value));
         }
@@ -281,7 +280,7 @@ private:
     }
 
     const LinesAbove& above_;
-    TextHeader header_;
+    TextFormat& format_;
     std::vector<std::string> units_;
     std::vector<std::string> names_;     // of lines that say so
     std::vector<std::string> labelled_;  // units, likewise
@@ -289,8 +288,8 @@ private:
 
 }  // namespace
 
-TextHeader read_header(const LinesAbove& above) {
-    return HeaderLines(above).run();
+void read_header(const LinesAbove& above, TextFormat& format) {
+    HeaderLines(above, format).run();
 }
 
 }  // namespace vybeg

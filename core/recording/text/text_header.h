@@ -1,30 +1,25 @@
 #pragma once
 
-#include "core/recording/samples/recording.h"
+#include "core/recording/text/text_columns.h"
 
 #include <cstddef>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace vybeg {
 
-// What the lines above the numbers call the columns.
-struct TextHeader {
-    std::vector<Channel> columns;  // also those behind; empty names and units where unknown
-    int lines_used = 0;            // how many lines that took
-    bool has_remarks = false;      // the names end with one that may have remarks below it
+// The fields of a table's rows.
+struct RowExtent {
+    std::size_t longest = 0;  // of a row: the table's columns, or more
+    std::size_t used = 0;     // but for columns at the end that are empty in all rows
+    std::size_t named = 0;    // of these, but for columns at the end that hold words
 };
 
-// The lines above a table of so many columns.
+// The lines above a table.
 struct LinesAbove {
     std::span<const std::string> lines;
     std::size_t names_from = 0;  // lines above this one hold numbers, and do not name the columns
-    char delimiter = ',';
-    std::size_t columns = 0;
-    std::size_t behind = 0;      // more columns that some rows have
-    std::size_t used = 0;        // columns but for those at the end that are empty in all rows
-    std::size_t named = 0;       // of these, but for those at the end that hold words
+    RowExtent rows;
     bool first_unnamed = false;  // the first one counts the rows, rises as a time or holds words
     bool first_is_time = false;  // it rises and counts no rows: no other one is the time
 };
@@ -32,7 +27,9 @@ struct LinesAbove {
 // Names and units from the lines above the first row of numbers, of which the last ones count:
 // "t [s];S_C [V]", "C (V)", "# C, V", "Ch 1 Ch 2", without the first of them where that column may
 // have none, or names and below them a line of units; for what these leave
-// open, lines that say what they hold ("TraceName,C,D", "Vertical Units,V,V").
-TextHeader read_header(const LinesAbove& above);
+// open, lines that say what they hold ("TraceName,C,D", "Vertical Units,V,V"). `format` has the
+// delimiter and number of columns; it gets the headings, empty where unknown, of all fields that a
+// row has, how many lines they took, and whether they end with one that may have remarks below it.
+void read_header(const LinesAbove& above, TextFormat& format);
 
 }  // namespace vybeg

@@ -117,6 +117,25 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
     return found;
 }
 
+// Relative standard deviation of a number by its digits alone. Whole numbers are exact. A short
+// number may have lost its zeros and counts for six digits, unless its places are fixed: 0.000030.
+double written_relative_sd(std::string_view number, double value) {
+    const bool exponent = number.find_first_of("eE") != std::string_view::npos;
+    const bool point = number.find('.') != std::string_view::npos;
+    if (!exponent && !point) {
+        return 0;
+    }
+    constexpr int digits_of_a_short_number = 6;
+    constexpr double least_without_exponent = 1e-4;  // a number below it has its places fixed
+    const NumberDigits digits = digits_of(number);
+    const double last = std::pow(10.0, -digits.decimals);
+    const bool fixed =
+        !exponent && (number.back() == '0' || std::abs(value) < least_without_exponent);
+    const double sixth =
+        std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits_of_a_short_number);
+    return (fixed ? last : std::min(last, sixth)) / std::sqrt(12.0) / std::abs(value);
+}
+
 // Seconds or hertz per unit; nothing where the unit is none of its kind.
 std::optional<double> rate_factor(Meaning meaning, const std::string& unit) {
     return meaning == Meaning::step ? seconds_per(unit) : hertz_per(unit);
@@ -337,23 +356,6 @@ bool is_rate_line(std::string_view line) {
 
 bool is_rate_key(std::string_view text) {
     return key_of(text).meaning != Meaning::other;
-}
-
-double written_relative_sd(std::string_view number, double value) {
-    const bool exponent = number.find_first_of("eE") != std::string_view::npos;
-    const bool point = number.find('.') != std::string_view::npos;
-    if (!exponent && !point) {
-        return 0;
-    }
-    constexpr int digits_of_a_short_number = 6;
-    constexpr double least_without_exponent = 1e-4;  // a number below it has its places fixed
-    const NumberDigits digits = digits_of(number);
-    const double last = std::pow(10.0, -digits.decimals);
-    const bool fixed =
-        !exponent && (number.back() == '0' || std::abs(value) < least_without_exponent);
-    const double sixth =
-        std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits_of_a_short_number);
-    return (fixed ? last : std::min(last, sixth)) / std::sqrt(12.0) / std::abs(value);
 }
 
 }  // namespace vybeg

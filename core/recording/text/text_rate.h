@@ -26,8 +26,4 @@ bool is_rate_line(std::string_view line);
 // Whether a text is the name of a rate or of a step: "Sample Rate (kHz)", "XInc:", "dt".
 bool is_rate_key(std::string_view text);
 
-// Relative standard deviation of a number by its digits alone. Whole numbers are exact. A short
-// number may have lost its zeros and counts for six digits, unless its places are fixed: 0.000030.
-double written_relative_sd(std::string_view number, double value);
-
 }  // namespace vybeg

@@ -1,7 +1,7 @@
 #include "core/recording/text/text_reading.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/samples/recent_blocks.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 
 #include <tbb/parallel_for.h>
@@ -70,10 +70,9 @@ struct BlockScan {
     LeftOut left_out;
     std::optional<TextFault> fault;  // in the last line
     bool backwards = false;          // the time in the last line lies below the one before
-    double before = 0;               // of these, in the column's unit
-    double time = 0;
-    double first_time = 0;  // in the column's unit
-    double last_time = 0;
+    double time = 0;                 // of that line, in the column's unit
+    double first_time = 0;           // in the column's unit
+    double last_time = 0;            // that did not lie below the one before
     std::int64_t first_line = 0;     // of the first row
     std::int64_t repeated_line = 0;  // of the first row whose time is that of the row before
     double repeated = 0;             // this time
@@ -81,40 +80,45 @@ struct BlockScan {
     UniformTimeDetector times{0};
 };
 
-class BlockScanner {
-public:
-    BlockScanner(const TextTable& table, const UniformTimeDetector& empty)
-        : table_(table), empty_(empty) {}
+// Takes on the time of a row; false where it lies below the one before.
+bool take_time(const TextTable& table, const TextRows& row, BlockScan& found) {
+    if (found.rows == 0) {
+        found.first_time = row.time();
+        found.first_line = row.lines();
+    } else if (row.time() <= found.last_time) {
+        if (row.time() < found.last_time) {
+            found.backwards = true;
+            found.time = row.time();
+            return false;
+        }
+        if (found.repeated_line == 0) {
+            found.repeated_line = row.lines();
+            found.repeated = row.time();
+        }
+    }
+    found.last_time = row.time();
+    found.digits.add(row.time_digits(), row.time());
+    found.times.add(row.time() * table.format.time_unit_s);
+    return true;
+}
 
-    BlockScan scan(std::int64_t index) const {
-        BlockScan found;
-        found.times = empty_;
-        TextBlock block;
-        found.read = table_.blocks.read(index, block);
-        if (!found.read) {
-            return found;
-        }
-        TextRows rows(table_.format, table_.columns, block, SampleUse::check);
-        while (!found.backwards && rows.next()) {
-            take(rows, found);
-        }
-        found.fault = rows.fault();
-        found.lines = rows.lines();
-        found.left_out.lines_ignored = rows.ignored();
+// `empty`: the times to begin with.
+BlockScan scan_block(const TextTable& table, const UniformTimeDetector& empty, std::int64_t index) {
+    BlockScan found;
+    found.times = empty;
+    TextBlock block;
+    found.read = table.blocks.read(index, block);
+    if (!found.read) {
         return found;
     }
-
-private:
-    void take(const TextRows& row, BlockScan& found) const {
-        if (table_.columns.time >= 0 && !take_time(row, found)) {
-            return;
-        }
-        const bool two = table_.columns.d != table_.columns.c;
-        const int missing = (std::isnan(row.c()) ? 1 : 0) + (two && std::isnan(row.d()) ? 1 : 0);
+    const bool two = table.columns.d != table.columns.c;
+    LeftOut& out = found.left_out;
+    TextRows rows(table.format, table.columns, block, SampleUse::check);
+    while (rows.next() && (table.columns.time < 0 || take_time(table, rows, found))) {
+        const int missing = (std::isnan(rows.c()) ? 1 : 0) + (two && std::isnan(rows.d()) ? 1 : 0);
         if (missing > 0) {
-            LeftOut& out = found.left_out;
-            out.over_range[0] += row.c_over_range() ? 1 : 0;
-            out.over_range[1] += two && row.d_over_range() ? 1 : 0;
+            out.over_range[0] += rows.c_over_range() ? 1 : 0;
+            out.over_range[1] += two && rows.d_over_range() ? 1 : 0;
             out.missing_samples += missing;
             if (out.rows_with_missing++ == 0) {
                 out.first_missing_row = found.rows;
@@ -122,32 +126,11 @@ private:
         }
         ++found.rows;
     }
-
-    bool take_time(const TextRows& row, BlockScan& found) const {
-        if (found.rows == 0) {
-            found.first_time = row.time();
-            found.first_line = row.lines();
-        } else if (row.time() <= found.last_time) {
-            if (row.time() < found.last_time) {
-                found.backwards = true;
-                found.before = found.last_time;
-                found.time = row.time();
-                return false;
-            }
-            if (found.repeated_line == 0) {
-                found.repeated_line = row.lines();
-                found.repeated = row.time();
-            }
-        }
-        found.last_time = row.time();
-        found.digits.add(row.time_digits(), row.time());
-        found.times.add(row.time() * table_.format.time_unit_s);
-        return true;
-    }
-
-    const TextTable& table_;
-    UniformTimeDetector empty_;  // to begin with
-};
+    found.fault = rows.fault();
+    found.lines = rows.lines();
+    out.lines_ignored = rows.ignored();
+    return found;
+}
 
 // Puts the findings of the blocks together, in their order.
 class ScanSum {
@@ -170,7 +153,7 @@ public:
             note_repeated(block.repeated_line, block.repeated);
         }
         if (block.backwards) {
-            return backwards(block.lines, block.time, block.before);
+            return backwards(block.lines, block.time, block.last_time);
         }
         if (block.fault) {
             return fault_error(table_.blocks.file(), line(block.lines), *block.fault);
@@ -358,7 +341,6 @@ private:
 
 Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
     const auto empty = TRY(empty_line(table));
-    const BlockScanner scanner(table, empty);
     ScanSum sum(table, empty);
     std::vector<BlockScan> blocks;
     const std::int64_t count = table.blocks.count();
@@ -366,7 +348,7 @@ Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
         blocks.resize(static_cast<std::size_t>(std::min(blocks_at_once, count - first)));
         tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
             if (!job.cancelled()) {
-                blocks[i] = scanner.scan(first + static_cast<std::int64_t>(i));
+                blocks[i] = scan_block(table, empty, first + static_cast<std::int64_t>(i));
             }
         });
         TRY(job.go_on());

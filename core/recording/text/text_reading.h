@@ -3,7 +3,7 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/sample_source.h"
-#include "core/recording/text/text_table.h"
+#include "core/recording/text/text_lines.h"
 #include "core/recording/times/time_grid.h"
 #include "core/recording/times/uniform_times.h"
 

@@ -1,13 +1,12 @@
 #include "core/recording/text/text_recording.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/samples/channel_pair.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_format.h"
+#include "core/recording/text/text_lines.h"
 #include "core/recording/text/text_reading.h"
-#include "core/recording/text/text_table.h"
 
 #include <algorithm>
 #include <array>
@@ -19,43 +18,35 @@
 namespace vybeg {
 namespace {
 
-// Samples whose time or place tells their frame, and what is known of them.
-struct Samples {
-    std::shared_ptr<const SampleSource> source;
-    std::optional<SampleRate> rate;
-    std::int64_t first_missing = -1;  // frame
-    std::vector<Diagnostic> diagnostics;
-};
-
-Samples streamed(const TextTable& table, const TextScan& scan) {
-    Samples samples;
-    samples.first_missing = scan.left_out.first_missing_row;
-    if (scan.even) {
-        samples.rate =
-            SampleRate{scan.even->rate_hz, RateOrigin::time_column, scan.even->rate_relative_sd};
-        report_gaps(scan.even->gaps(), scan.even->rate_hz, samples.diagnostics);
-        if (samples.first_missing >= 0) {
-            samples.first_missing = scan.even->frame_of(samples.first_missing);
-        }
+// Adds samples whose place, or even time, tells their frame; returns the first frame with a missing
+// one, -1 without any.
+std::int64_t take_rows(const TextTable& table, const TextScan& scan, FoundSamples& found) {
+    found.source = text_source(table, scan);
+    const std::int64_t missing = scan.left_out.first_missing_row;
+    if (!scan.even) {
+        return missing;
     }
-    samples.source = text_source(table, scan);
-    return samples;
+    found.own_rate =
+        SampleRate{scan.even->rate_hz, RateOrigin::time_column, scan.even->rate_relative_sd};
+    report_gaps(scan.even->gaps(), scan.even->rate_hz, found.diagnostics);
+    return missing < 0 ? missing : scan.even->frame_of(missing);
 }
 
-// Uneven times are brought onto a grid, which takes all of them at once.
-Result<Samples> resampled(const TextTable& table, const TextScan& scan, const JobControl& job) {
+// The same of uneven times, which are brought onto a grid: that takes all of them at once.
+Result<std::int64_t> take_resampled(const TextTable& table, const TextScan& scan,
+                                    const JobControl& job, FoundSamples& found) {
     const auto rows = TRY(read_timed_rows(table, scan, job));
     auto grid = TRY(to_uniform_grid(rows, table.blocks.file().path().string()));
-    Samples samples;
-    samples.rate = SampleRate{grid.rate_hz, RateOrigin::time_column, grid.rate_relative_sd};
-    if (scan.left_out.first_missing_row >= 0) {
-        const double after =
-            rows.time_s[static_cast<std::size_t>(scan.left_out.first_missing_row)] - rows.time_s[0];
-        samples.first_missing = static_cast<std::int64_t>(std::floor(after * grid.rate_hz + 0.5));
+    found.own_rate = SampleRate{grid.rate_hz, RateOrigin::time_column, grid.rate_relative_sd};
+    found.diagnostics.insert(found.diagnostics.end(), grid.diagnostics.begin(),
+                             grid.diagnostics.end());
+    found.source = std::make_shared<MemorySource>(std::move(grid.c), std::move(grid.d));
+    const std::int64_t missing = scan.left_out.first_missing_row;
+    if (missing < 0) {
+        return missing;
     }
-    samples.diagnostics = std::move(grid.diagnostics);
-    samples.source = std::make_shared<MemorySource>(std::move(grid.c), std::move(grid.d));
-    return samples;
+    const double after = rows.time_s[static_cast<std::size_t>(missing)] - rows.time_s[0];
+    return static_cast<std::int64_t>(std::floor(after * grid.rate_hz + 0.5));
 }
 
 // The rate that the lines above the table name, where the times leave it open or are known less
@@ -104,7 +95,7 @@ Status take_table(const FileBytes& file, const TextTable& table, const OpenOptio
     found.present_frames = scan.rows();
     TRY(check_frames(file, found.present_frames));
     const LeftOut& left_out = scan.left_out;
-    // Nobody needs to be told of lines that were said to be skipped.
+    // Lines that were said to be skipped raise no warning.
     const bool said = options.text && options.text->lines_to_skip;
     const std::int64_t above = said ? 0 : table.header_lines - table.format.header_lines_used;
     const std::int64_t lines_ignored = above + left_out.lines_ignored + table.footer_lines;
@@ -118,21 +109,20 @@ Status take_table(const FileBytes& file, const TextTable& table, const OpenOptio
     // The rows are read with the factor; their units may have gone with --scale.
     note_units(written(options.channel_c, table.columns.c),
                written(options.channel_d, table.columns.d), found.diagnostics);
-    const bool uneven = table.columns.time >= 0 && !scan.even;
-    auto samples = TRY(uneven ? resampled(table, scan, job) : Result(streamed(table, scan)));
-    const auto rate = TRY(agreed_rate(samples.rate, table, options));
-    // Samples that were brought onto a grid have its rate.
-    found.own_rate = uneven ? samples.rate : rate;
-    if (samples.rate && !table.format.unknown_time_unit.empty()) {
+    if (table.columns.time >= 0 && !table.format.unknown_time_unit.empty()) {
         found.diagnostics.push_back(
             {DiagnosticKind::time_unit_unknown, {table.format.unknown_time_unit}});
     }
-    found.diagnostics.insert(found.diagnostics.end(), samples.diagnostics.begin(),
-                             samples.diagnostics.end());
+    const bool uneven = table.columns.time >= 0 && !scan.even;
+    const auto first_missing = TRY(uneven ? take_resampled(table, scan, job, found)
+                                          : Result(take_rows(table, scan, found)));
+    const auto rate = TRY(agreed_rate(found.own_rate, table, options));
+    // Samples that were brought onto a grid have its rate.
+    found.own_rate = uneven ? found.own_rate : rate;
     if (left_out.missing_samples > 0) {
         found.diagnostics.push_back({DiagnosticKind::missing_samples,
                                      {count_arg(left_out.missing_samples)},
-                                     samples.first_missing,
+                                     first_missing,
                                      left_out.rows_with_missing});
     }
     for (std::size_t i = 0; i < left_out.over_range.size(); ++i) {
@@ -146,7 +136,6 @@ Status take_table(const FileBytes& file, const TextTable& table, const OpenOptio
         found.diagnostics.push_back(
             {DiagnosticKind::text_lines_ignored, {count_arg(lines_ignored)}});
     }
-    found.source = std::move(samples.source);
     return {};
 }
 

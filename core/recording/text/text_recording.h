@@ -5,7 +5,7 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
-#include "core/recording/text/text_table.h"
+#include "core/recording/text/text_lines.h"
 
 #include <memory>
 

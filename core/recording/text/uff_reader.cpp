@@ -37,33 +37,23 @@ struct UffFunction {
     std::string name;   // from the first identification line, else node and direction; may be empty
     std::string start;  // third identification line: date and time
     std::string unit;   // of the values
-    int function = 0;   // 0 general, 1 time response, others are spectra and the like
-    int abscissa = 0;   // 0 unknown, 17 time, 18 frequency, ...
-    int data_type = 0;  // 2 and 4: real, of single and of double precision
-    bool is_complex = false;
+    int data_type = 0;  // 2 and 4: real, of single and of double precision; 5 and 6: complex
+    bool is_time_response = false;  // others are spectra and the like
     bool is_even = false;
     std::int64_t count = 0;
     double step_s = 0;  // seconds from value to value
     // Standard deviation of step_s relative to it, by its six digits.
     double step_relative_sd = 0;
-
-    bool is_time_response() const;
 };
 
-constexpr std::size_t uff_header_lines = 11;
+constexpr int uff_header_lines = 11;
 
 // What the identifier of a dataset 58b says of the bytes that follow its header.
 struct UffBinary {
     int byte_order = 0;    // 1 little endian, 2 big endian
     int float_format = 0;  // 1 DEC VMS, 2 IEEE 754, 3 IBM 5/370
-    std::int64_t header_lines = 0;
     std::int64_t bytes = 0;
 };
-
-constexpr int time_response = 1;
-constexpr int general = 0;
-constexpr int time_axis = 17;
-constexpr int unknown_axis = 0;
 
 // The characters of a line of fixed columns, without blanks; empty behind its end.
 std::string_view field(std::string_view line, std::size_t begin, std::size_t width) {
@@ -95,11 +85,6 @@ std::string node_and_direction(std::string_view line) {
     constexpr std::array<const char*, 6> axes{"X", "Y", "Z", "RX", "RY", "RZ"};
     return std::string(node) + (*direction > 0 ? "+" : "-") +
            axes[static_cast<std::size_t>(std::abs(*direction) - 1)];
-}
-
-bool UffFunction::is_time_response() const {
-    return (function == time_response || function == general) &&
-           (abscissa == time_axis || abscissa == unknown_axis);
 }
 
 // The values of a data line, written side by side or with blanks between them; appended to
@@ -142,17 +127,18 @@ std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& line
         !spacing || !axis || !parse_uff_values(field(form, 43, 13), step) || step.size() != 1) {
         return std::nullopt;
     }
+    constexpr int general = 0, time_response = 1;    // of functions
+    constexpr int unknown_axis = 0, time_axis = 17;  // of what they are given over
     UffFunction found;
+    found.is_time_response = (*function == time_response || *function == general) &&
+                             (*axis == time_axis || *axis == unknown_axis);
     found.name = told(lines[0]);
     if (found.name.empty()) {
         found.name = node_and_direction(kind);
     }
     found.start = told(lines[2]);
     found.unit = told(field(ordinate, 47, 20));
-    found.function = *function;
-    found.abscissa = *axis;
     found.data_type = *data_type;
-    found.is_complex = *data_type >= 5;
     found.is_even = *spacing == 1;
     found.count = *count;
     found.step_s = step[0] * seconds_per(told(field(abscissa, 47, 20))).value_or(1);
@@ -163,7 +149,7 @@ std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& line
     return found;
 }
 
-// "58b" and the numbers after it. Nothing where they are none.
+// "58b" and the numbers after it. Nothing where they are none, or not of a header of 58.
 std::optional<UffBinary> parse_uff_binary(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_of("bB") + 1, line.size()));
     std::array<std::int64_t, 4> numbers{};
@@ -177,9 +163,11 @@ std::optional<UffBinary> parse_uff_binary(std::string_view line) {
         value = *parsed;
         line.remove_prefix(word.size());
     }
+    if (numbers[2] != uff_header_lines) {
+        return std::nullopt;
+    }
     return UffBinary{static_cast<int>(std::min<std::int64_t>(numbers[0], 9)),
-                     static_cast<int>(std::min<std::int64_t>(numbers[1], 9)), numbers[2],
-                     numbers[3]};
+                     static_cast<int>(std::min<std::int64_t>(numbers[1], 9)), numbers[3]};
 }
 
 constexpr std::string_view separator = "-1";  // before and behind each dataset
@@ -188,8 +176,7 @@ constexpr std::int64_t lines_per_report = 1 << 14;
 constexpr std::size_t most_channels = 4096;
 
 bool is_dataset_number(std::string_view text) {
-    return !text.empty() && text.size() <= 6 &&
-           text.find_first_not_of("0123456789") == std::string_view::npos;
+    return are_digits(text) && text.size() <= 6;
 }
 
 // "58b" and the numbers behind it.
@@ -315,7 +302,7 @@ private:
                     {std::string(line.substr(0, 6))});
             }
             binary_ = parse_uff_binary(line);
-            if (!binary_ || binary_->header_lines != uff_header_lines) {
+            if (!binary_) {
                 return file_.damaged(
                     "UFF",
                     VYBEG_MESSAGE("Words", "the first line of a dataset 58b cannot be understood"));
@@ -329,7 +316,7 @@ private:
 
     Status take_header(std::string_view line, std::int64_t behind) {
         header_.emplace_back(line);
-        if (header_.size() < uff_header_lines) {
+        if (std::ssize(header_) < uff_header_lines) {
             return {};
         }
         auto function = parse_uff_header(header_);
@@ -339,12 +326,12 @@ private:
         }
         place_ = Place::data;
         taken_ = 0;
-        is_channel_ = function->is_time_response();
+        is_channel_ = function->is_time_response;
         to_skip_ = binary_ ? binary_->bytes : 0;
         if (!is_channel_) {
             return {};
         }
-        if (function->is_complex) {
+        if (function->data_type >= 5) {
             return file_.unsupported("UFF", VYBEG_MESSAGE("Words", "complex values"));
         }
         if (!function->is_even) {

@@ -33,6 +33,13 @@ double longest_rounded_step(double step_s, const TimeResolution& resolution, dou
     return step_s + 1.25 * resolution.at(time_s);
 }
 
+// How far a time may lie from a grid of the given step and still be even, s: a thousandth of a step
+// plus what its digits leave open.
+double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s) {
+    // Half of the last digit from rounding, and half of that again for what it does to the line.
+    return even_tolerance * step_s + 0.75 * resolution.at(time_s);
+}
+
 double median_step(std::span<const double> times_s) {
     std::vector<double> steps(times_s.size() - 1);
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -59,11 +66,6 @@ double TimeResolution::at(double time_s) const {
                                             std::numeric_limits<float>::digits)
             : 0;
     return std::max(absolute_s, relative) + single;
-}
-
-double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s) {
-    // Half of the last digit from rounding, and half of that again for what it does to the line.
-    return even_tolerance * step_s + 0.75 * resolution.at(time_s);
 }
 
 bool is_plausible_grid(double frames, double rows, double always) {

@@ -27,10 +27,6 @@ inline bool is_single(double number, double half_digit) {
     return apart <= half_digit * ties + parsing * std::abs(number);
 }
 
-// How far a time may lie from a grid of the given step and still be even, s: a thousandth of a step
-// plus what its digits leave open.
-double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s);
-
 // False where the gaps between so many rows are so long that a grid of so many frames would be
 // absurdly larger than the file. `always`: frames that it may have in any case.
 bool is_plausible_grid(double frames, double rows, double always = 1e7);
@@ -90,9 +86,9 @@ public:
     // Takes on the times of the rows that follow. Precondition: the same step.
     void append(const UniformTimeDetector& next);
 
-    // The grid, where no time lies further from it than allowed_deviation(). Nothing where the
-    // times are uneven, where that is not certain (steps halfway between one and two), and where
-    // there are more gaps than are kept.
+    // The grid, where no time lies further from it than a thousandth of a step and what its digits
+    // leave open. Nothing where the times are uneven, where that is not certain (steps halfway
+    // between one and two), and where there are more gaps than are kept.
     std::optional<EvenTimes> judge(const TimeResolution& resolution) const;
 
     std::vector<std::int64_t> rows_between_gaps() const;

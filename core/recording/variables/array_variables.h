@@ -26,8 +26,15 @@ struct StoredArray {
 
 // The recording that open_variables() finds among a file's arrays; `format` names it. Errors: those
 // of open_variables() and of the contents.
-Result<Recording> open_arrays(std::shared_ptr<const FileBytes> file, const std::string& format,
+Result<Recording> open_arrays(const FileBytes& file, const std::string& format,
                               std::vector<StoredArray> arrays, const OpenOptions& options,
                               const JobControl& job);
+
+// The NumPy arrays in a ZIP archive (NPZ), read on demand: stored ones in place, deflated ones
+// inflated on the way. Which of them is what: open_variables(). Errors: those of zip_members(),
+// zip_content(), read_npy_header() and open_variables(); format_unsupported, where there are no
+// arrays in it.
+Result<Recording> open_npz(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                           const JobControl& job);
 
 }  // namespace vybeg

@@ -4,7 +4,7 @@
 // deviation told; the mean of N squares in units of it has a deviation of sqrt(2/N).
 #include "core/analysis/phasor_windows.h"
 #include "core/analysis/window_choice.h"
-#include "core/recording/conditioning/filtered_source.h"
+#include "core/recording/conditioning/conditioned_source.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "tests/closeness.h"

@@ -1,7 +1,7 @@
 // Archives read by Python's zipfile and by the program itself, with and without ZIP64 fields.
 #include "core/output/stored_zip.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/bytes/zip_directory.h"
+#include "core/recording/bytes/packed_parts.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/test_registry.h"
 

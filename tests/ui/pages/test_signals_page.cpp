@@ -102,7 +102,7 @@ private slots:
                         std::hypot(std::sin(0.4), 0.1 * std::cos(0.4)),
                     0.01);
         // Of eight samples to a period the largest misses the crest by pi / 8 at most.
-        const double largest = static_cast<double>(all.columns[all.columns.size() / 2].c_max);
+        const double largest = static_cast<double>(all.columns[all.columns.size() / 2].c.max);
         VYBEG_LESS(largest, 1.01 * all.wave.c[middle]);
         VYBEG_MORE(largest, 0.99 * std::cos(std::numbers::pi / 8) * all.wave.c[middle]);
 

@@ -1,4 +1,4 @@
-#include "core/recording/envelope/envelope_builder.h"
+#include "core/recording/envelope/envelope.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "ui/plots/signal_view.h"
@@ -229,7 +229,7 @@ private slots:
     void what_has_only_been_looked_at_is_paler() {
         Bench bench;
         bench.view.setVisibleRange({0, 10});
-        EnvelopeBucket look{-1, 1, -0.1f, 0.1f};
+        EnvelopeBucket look{{-1, 1}, {-0.1f, 0.1f}};
         bench.view.setEnvelope(sampled_envelope(length, {look, look}), rate);
         const QImage image = bench.view.grab().toImage().scaled(bench.view.size());
         QCOMPARE(pixelsLike(image, 12, lightTheme().signalC), 0);

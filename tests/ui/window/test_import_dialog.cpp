@@ -1,5 +1,5 @@
 // The import dialog driven as a person drives it: choices, preview, opening, what is remembered.
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/open/open_recording.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <cstdint>

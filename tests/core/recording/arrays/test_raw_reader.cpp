@@ -1,4 +1,4 @@
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/bytes/sha256.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/test_registry.h"

@@ -1,4 +1,4 @@
-#include "core/recording/audio/audio_extent.h"
+#include "core/recording/audio/audio_reader.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/audio/audio_files.h"
 #include "tests/test_registry.h"

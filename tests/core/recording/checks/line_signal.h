@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/checks/lost_samples_check.h"
+#include "core/recording/checks/fault_checks.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 // What the recording check says of samples whose faults are known, and that it says nothing of
 // those without.
 #include "core/recording/checks/recording_check.h"
-#include "core/recording/conditioning/corrected_source.h"
+#include "core/recording/conditioning/conditioned_source.h"
 #include "core/recording/samples/sample_source.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"

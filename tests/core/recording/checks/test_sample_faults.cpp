@@ -1,5 +1,4 @@
-#include "core/recording/checks/clipping_check.h"
-#include "core/recording/checks/lost_samples_check.h"
+#include "core/recording/checks/fault_checks.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

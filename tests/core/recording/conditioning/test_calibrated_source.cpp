@@ -1,4 +1,4 @@
-#include "core/recording/conditioning/corrected_source.h"
+#include "core/recording/conditioning/conditioned_source.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/source_reading.h"
 #include "tests/test_registry.h"

@@ -1,4 +1,4 @@
-#include "core/recording/envelope/envelope_builder.h"
+#include "core/recording/envelope/envelope.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/source_reading.h"
 #include "tests/test_registry.h"
@@ -46,15 +46,15 @@ EnvelopeBucket by_brute_force(const Samples& samples, std::int64_t first, std::i
             max = std::fmax(max, static_cast<float>(x[i]));
         }
     };
-    extend(samples.c, bucket.c_min, bucket.c_max);
-    extend(samples.d, bucket.d_min, bucket.d_max);
+    extend(samples.c, bucket.c.min, bucket.c.max);
+    extend(samples.d, bucket.d.min, bucket.d.max);
     return bucket;
 }
 
 bool same(const EnvelopeBucket& a, const EnvelopeBucket& b) {
     const auto equal = [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-    return equal(a.c_min, b.c_min) && equal(a.c_max, b.c_max) && equal(a.d_min, b.d_min) &&
-           equal(a.d_max, b.d_max) && a.missing == b.missing;
+    return equal(a.c.min, b.c.min) && equal(a.c.max, b.c.max) && equal(a.d.min, b.d.min) &&
+           equal(a.d.max, b.d.max) && a.missing == b.missing;
 }
 
 std::shared_ptr<const Envelope> envelope_of(const Samples& samples) {
@@ -165,15 +165,15 @@ private slots:
         Samples samples = noise(64, 4);
         std::fill(samples.c.begin(), samples.c.end(), no_value);
         const auto bucket = envelope_of(samples)->buckets(0, 64, 1).at(0);
-        QVERIFY(std::isnan(bucket.c_min) && std::isnan(bucket.c_max));
-        QCOMPARE(bucket.d_min, static_cast<float>(*std::ranges::min_element(samples.d)));
+        QVERIFY(std::isnan(bucket.c.min) && std::isnan(bucket.c.max));
+        QCOMPARE(bucket.d.min, static_cast<float>(*std::ranges::min_element(samples.d)));
         QVERIFY(bucket.missing);
     }
 
     void samples_beyond_a_float_are_its_largest() {
         const auto bucket = envelope_of({{1e300, 0}, {-1e300, 0}})->buckets(0, 2, 1).at(0);
-        QCOMPARE(bucket.c_max, std::numeric_limits<float>::max());
-        QCOMPARE(bucket.d_min, std::numeric_limits<float>::lowest());
+        QCOMPARE(bucket.c.max, std::numeric_limits<float>::max());
+        QCOMPARE(bucket.d.min, std::numeric_limits<float>::lowest());
         QVERIFY(!bucket.missing);
     }
 
@@ -244,8 +244,8 @@ private slots:
         for (int i = 0; i < columns; ++i) {
             // 2048 parts: a column holds 20 of them, each known by its beginning.
             QVERIFY(buckets[i].coverage == Coverage::some);
-            VYBEG_WITHIN(static_cast<double>(buckets[i].c_min), 1e5 * i, 1e4);
-            VYBEG_WITHIN(static_cast<double>(buckets[i].c_max), 1e5 * (i + 1), 1e4);
+            VYBEG_WITHIN(static_cast<double>(buckets[i].c.min), 1e5 * i, 1e4);
+            VYBEG_WITHIN(static_cast<double>(buckets[i].c.max), 1e5 * (i + 1), 1e4);
         }
         // 2048 looks of 256 frames.
         VYBEG_AT_MOST(source.looked, frames / 16);
@@ -263,7 +263,7 @@ private slots:
             for (const EnvelopeBucket& bucket : buckets) {
                 QVERIFY(bucket.coverage == (parts > 0 ? Coverage::some : Coverage::none));
                 if (parts > 0) {
-                    different.push_back(bucket.c_min);
+                    different.push_back(bucket.c.min);
                 }
             }
             const auto rest = std::ranges::unique(different);
@@ -280,7 +280,7 @@ private slots:
         VYBEG_MORE(pictures.taken.size(), 3);
         const auto last = pictures.taken.at(0)->buckets(9'999'000, 10'000'000, 1);
         QVERIFY(last.at(0).coverage == Coverage::none);
-        QVERIFY(std::isnan(last.at(0).c_min));
+        QVERIFY(std::isnan(last.at(0).c.min));
     }
 
     void a_picture_keeps_what_it_showed() {

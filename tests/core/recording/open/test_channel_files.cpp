@@ -1,7 +1,7 @@
 // Recordings of several files: one for each channel, pieces one after the other; and channels with
 // times of their own.
 #include "core/recording/bytes/sha256.h"
-#include "core/recording/samples/partner_file.h"
+#include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/recording.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"

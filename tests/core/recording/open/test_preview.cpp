@@ -1,7 +1,7 @@
 // The beginning of a file as the import dialog shows it: what open_recording() reads, told before
 // the file is read.
-#include "core/recording/bytes/byte_order.h"
-#include "core/recording/open/file_format.h"
+#include "core/recording/bytes/number_type.h"
+#include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"

@@ -1,6 +1,6 @@
 // What is seen of a long text file before it is open.
 #include "core/base/number_text.h"
-#include "core/recording/open/quick_overview.h"
+#include "core/recording/open/preview.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/largest_of.h"
@@ -46,9 +46,9 @@ double largest_error(const std::vector<EnvelopeBucket>& parts) {
     double largest = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const double crest = 1 - static_cast<double>(i) / static_cast<double>(parts.size());
-        largest = largest_of({largest, std::abs(static_cast<double>(parts[i].c_max) - crest),
-                              std::abs(static_cast<double>(parts[i].c_min) + crest),
-                              std::abs(static_cast<double>(parts[i].d_max) - crest / 2)});
+        largest = largest_of({largest, std::abs(static_cast<double>(parts[i].c.max) - crest),
+                              std::abs(static_cast<double>(parts[i].c.min) + crest),
+                              std::abs(static_cast<double>(parts[i].d.max) - crest / 2)});
     }
     return largest;
 }
@@ -109,8 +109,8 @@ private slots:
         const auto look = look_at(path, swapped);
         QVERIFY(look.has_value());
         const auto first = look->envelope->buckets(0, 1000, 1).at(0);
-        VYBEG_CLOSE(first.c_max, 0.5F, 0.01F);
-        VYBEG_CLOSE(first.d_max, 1.0F, 0.01F);
+        VYBEG_CLOSE(first.c.max, 0.5F, 0.01F);
+        VYBEG_CLOSE(first.d.max, 1.0F, 0.01F);
     }
 
     void nothing_is_shown_of_what_opens_at_once_or_not_at_all() {

@@ -1,7 +1,6 @@
 // Files after the layouts of oscilloscopes, data acquisition programs and spreadsheets, each with
 // the channels, units, rate and samples that it holds (tests/data/text/expected.json).
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_clock.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/test_registry.h"

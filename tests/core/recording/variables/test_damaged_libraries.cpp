@@ -1,6 +1,6 @@
 // Damaged MAT and HDF5 files: whatever libhdf5 does on them, the program gets an error or a
 // recording.
-#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/number_type.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/damaged_files.h"
 #include "tests/core/recording/demo_files.h"

@@ -1,4 +1,4 @@
-#include "core/recording/variables/mat_format.h"
+#include "core/recording/variables/mat_file.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
 #include "tests/test_registry.h"

@@ -1,5 +1,5 @@
 // What vybeg-reader may no longer do when it reads the first byte of a file.
-#include "core/recording/variables/reader_process.h"
+#include "core/recording/variables/library_variables.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/audio/audio_files.h"
 #include "tests/core/recording/demo_files.h"

@@ -1,4 +1,4 @@
-#include "core/recording/variables/reader_process.h"
+#include "core/recording/variables/library_variables.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
 #include "tests/test_registry.h"

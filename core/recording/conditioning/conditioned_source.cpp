@@ -1,8 +1,8 @@
-#include "core/recording/conditioning/filtered_source.h"
+#include "core/recording/conditioning/conditioned_source.h"
 
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
-#include "core/recording/samples/recent_blocks.h"
+#include "core/recording/samples/sample_source.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,6 +14,38 @@
 #include <vector>
 
 namespace vybeg {
+std::shared_ptr<const SampleSource> calibrated(std::shared_ptr<const SampleSource> source,
+                                               const Calibration& calibration, double rate_hz) {
+    if (calibration.delay_d_s != 0) {
+        source = delayed_source(std::move(source), -calibration.delay_d_s * rate_hz);
+    }
+    if (calibration.kappa == 1 && calibration.offset_c == 0 && calibration.offset_d == 0) {
+        return source;
+    }
+    return mapped_source(std::move(source), [=](std::span<double> c, std::span<double> d) {
+        for (double& value : c) {
+            value -= calibration.offset_c;
+        }
+        for (double& value : d) {
+            value = calibration.kappa * (value - calibration.offset_d);
+        }
+    });
+}
+
+std::shared_ptr<const SampleSource> with_gaps(std::shared_ptr<const SampleSource> source,
+                                              std::span<const PhaseStep> steps) {
+    std::vector<SourcePiece> pieces{{0, source, 0, 0}};
+    for (const PhaseStep& step : steps) {
+        if (step.lost > 0) {
+            pieces.back().count = step.frame - pieces.back().from;
+            const std::int64_t first = pieces.back().end() + step.lost;
+            pieces.push_back({first, source, step.frame, 0});
+        }
+    }
+    pieces.back().count = source->frames() - pieces.back().from;
+    return pieces.size() == 1 ? source : joined_source(std::move(pieces));
+}
+
 namespace {
 
 // A band-pass is the difference of two low-passes, whose ripples may add: 87 dB each (4.5e-5) keep

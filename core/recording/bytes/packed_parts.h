@@ -5,11 +5,31 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace vybeg {
+
+// A deflated part of a file: position, size and properties of its content.
+struct DeflatedPart {
+    std::int64_t offset = 0;
+    std::int64_t packed_size = 0;
+    std::int64_t size = 0;               // unpacked
+    std::optional<std::uint32_t> crc32;  // of the unpacked bytes, if known
+    std::string format;                  // name of the part, for messages
+    std::string name;
+};
+
+inline constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
+
+// The unpacked bytes, inflated on demand and not stored. Reading forwards continues after the last
+// read; reading backwards begins at one of at most 72 stored states (3 MB together), at most a 64th
+// of the size plus 2 MiB away. Precondition: the file has the packed bytes. Errors of its reads:
+// format_damaged, also at the end of bytes whose checksum is wrong.
+std::shared_ptr<const ByteSource> inflated_part(std::shared_ptr<const FileBytes> file,
+                                                DeflatedPart part);
 
 // Whether the first bytes of a file are those of a ZIP archive.
 bool is_zip(std::string_view head);

@@ -1,25 +1,142 @@
-#include "core/recording/variables/mat_reader.h"
+#include "core/recording/variables/mat_file.h"
 
-#include "core/recording/bytes/inflated_part.h"
+#include "core/base/plain_text.h"
+#include "core/recording/bytes/packed_parts.h"
+#include "core/recording/samples/text_fields.h"
 #include "core/recording/variables/array_variables.h"
-#include "core/recording/variables/mat_format.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
 namespace vybeg {
+namespace {
+
+constexpr std::int64_t most_name_bytes = 256;
+constexpr std::array<NumberType, 6> types_by_precision{NumberType::f64, NumberType::f32,
+                                                       NumberType::i32, NumberType::i16,
+                                                       NumberType::u16, NumberType::u8};
+
+bool is_name(std::string_view name) {
+    return !name.empty() && is_letter(name.front()) &&
+           std::all_of(name.begin(), name.end(),
+                       [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+}
+
+}  // namespace
+
+std::optional<Mat4Header> mat4_header(std::string_view bytes) {
+    if (bytes.size() < mat4_header_bytes) {
+        return {};
+    }
+    // The type is MOPT in decimal: byte order, zero, precision, kind of matrix.
+    const bool big_endian = load<std::int32_t>(bytes.data(), false) > 9999 ||
+                            load<std::int32_t>(bytes.data(), false) < 0;
+    std::array<std::int32_t, 5> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        numbers[i] = load<std::int32_t>(bytes.data() + 4 * i, big_endian);
+    }
+    const auto [type, rows, columns, complex, name_bytes] = numbers;
+    if (type < 0 || type / 1000 != (big_endian ? 1 : 0) || type / 100 % 10 != 0 ||
+        type / 10 % 10 >= static_cast<std::int32_t>(types_by_precision.size()) || type % 10 > 2) {
+        return {};
+    }
+    if (rows < 0 || columns < 0 || complex < 0 || complex > 1 || name_bytes < 2 ||
+        name_bytes > most_name_bytes) {
+        return {};
+    }
+    const NumberType number = types_by_precision[static_cast<std::size_t>(type / 10 % 10)];
+    // 2^31 rows, 2^31 columns and 16 bytes do not fit into 63 bits.
+    if (columns > 0 && rows > (std::int64_t{1} << 50) / columns) {
+        return {};
+    }
+    return Mat4Header{rows,         columns,
+                      name_bytes,   std::int64_t{rows} * columns * bytes_of(number) * (1 + complex),
+                      number,       big_endian,
+                      complex == 1, type % 10 == 0};
+}
+
+bool is_mat4(std::string_view head, std::int64_t size) {
+    const auto header = mat4_header(head);
+    if (!header || header->rows == 0 || header->columns == 0) {
+        return false;
+    }
+    const std::string_view name = head.substr(
+        mat4_header_bytes,
+        std::min(static_cast<std::size_t>(header->name_bytes), head.size() - mat4_header_bytes));
+    return name.size() == static_cast<std::size_t>(header->name_bytes) && name.back() == '\0' &&
+           is_name(name.substr(0, name.size() - 1)) &&
+           size > mat4_header_bytes + header->name_bytes;
+}
+
+bool is_mat5(std::string_view head) {
+    return head.starts_with("MATLAB 5.0 MAT-file");
+}
 
 using namespace mat5;
 
 namespace {
+
+constexpr std::int64_t header_bytes = 128;
+constexpr std::uint32_t class_mask = 0xFF;
+constexpr std::uint32_t logical_flag = 0x200;
+constexpr std::uint32_t complex_flag = 0x800;
+
+// A piece of a level 5 file: tag and bytes.
+struct Element {
+    std::uint32_t type = 0;
+    std::int64_t data = 0;  // where its bytes begin
+    std::int64_t size = 0;
+    std::int64_t next = 0;  // where the element behind it begins
+
+    std::int64_t end() const { return data + size; }
+};
+
+// The element whose tag, of tag_bytes, stands at `at`. Up to four bytes may stand in the tag
+// itself; what is compressed is not padded.
+Element element_of(std::string_view tag, std::int64_t at, bool big_endian) {
+    const auto type = load<std::uint32_t>(tag.data(), big_endian);
+    if (type >> 16 != 0) {
+        return {type & 0xFFFF, at + 4, type >> 16, at + tag_bytes};
+    }
+    const std::int64_t size = load<std::uint32_t>(tag.data() + 4, big_endian);
+    const std::int64_t padding = type == compressed ? 0 : (8 - size % 8) % 8;
+    return {type, at + tag_bytes, size, at + tag_bytes + size + padding};
+}
+
+// Of an element; nothing where it holds no numbers.
+std::optional<NumberType> number_type(std::uint32_t element_type) {
+    switch (element_type) {
+        case int8: return NumberType::i8;
+        case 2: return NumberType::u8;
+        case 3: return NumberType::i16;
+        case 4: return NumberType::u16;
+        case int32: return NumberType::i32;
+        case uint32: return NumberType::u32;
+        case 7: return NumberType::f32;
+        case float64: return NumberType::f64;
+        case 12: return NumberType::i64;
+        case 13: return NumberType::u64;
+        default: return std::nullopt;
+    }
+}
+
+// That the numbers of a class have in MATLAB; a file may store them narrower. Nothing where it is
+// no class of numbers.
+std::optional<NumberType> class_type(std::uint32_t array_class) {
+    constexpr std::array<NumberType, 10> types{
+        NumberType::f64, NumberType::f32, NumberType::i8,  NumberType::u8,  NumberType::i16,
+        NumberType::u16, NumberType::i32, NumberType::u32, NumberType::i64, NumberType::u64};
+    const std::uint32_t place = array_class - double_class;  // of smaller ones a large number
+    return place < types.size() ? std::optional(types[place]) : std::nullopt;
+}
 
 constexpr int most_struct_depth = 8;
 constexpr int most_variables = 10000;  // and fields, of any kind
 constexpr std::int64_t longest_name = 4096;
 constexpr std::int64_t zlib_head_bytes = 2;  // before what is deflated, and four behind it
 constexpr std::int64_t zlib_bytes = zlib_head_bytes + 4;
-constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
 
 using Arrays = std::vector<StoredArray>;
 
@@ -298,8 +415,7 @@ Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOpti
     }
     auto arrays = TRY(is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job)
                                 : level4_arrays(file));
-    return open_arrays(std::move(file), is_level5 ? "MAT 5" : "MAT 4", std::move(arrays), options,
-                       job);
+    return open_arrays(*file, is_level5 ? "MAT 5" : "MAT 4", std::move(arrays), options, job);
 }
 
 }  // namespace vybeg

@@ -1,9 +1,14 @@
 #pragma once
 
-#include "core/recording/bytes/byte_order.h"
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/recording.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -36,10 +41,9 @@ bool is_mat5(std::string_view head);
 
 namespace mat5 {
 
-inline constexpr std::int64_t header_bytes = 128;
 inline constexpr std::int64_t tag_bytes = 8;
 
-// Types of elements (table 1-1) besides those of number_type().
+// Types of elements (table 1-1), those of some numbers among them.
 enum ElementType : std::uint32_t {
     int8 = 1,
     int32 = 5,
@@ -50,38 +54,21 @@ enum ElementType : std::uint32_t {
     utf8 = 16
 };
 
-// Classes of arrays (table 1-3) besides those of class_type().
+// Classes of arrays (table 1-3); those of numbers begin with the doubles.
 enum ArrayClass : std::uint32_t {
     cell_class = 1,
     struct_class = 2,
     char_class = 4,
     double_class = 6
 };
-inline constexpr std::uint32_t class_mask = 0xFF;
-inline constexpr std::uint32_t logical_flag = 0x200;
-inline constexpr std::uint32_t complex_flag = 0x800;
-
-// A piece of a level 5 file: tag and bytes.
-struct Element {
-    std::uint32_t type = 0;
-    std::int64_t data = 0;  // where its bytes begin
-    std::int64_t size = 0;
-    std::int64_t next = 0;  // where the element behind it begins
-
-    std::int64_t end() const { return data + size; }
-};
-
-// The element whose tag, of tag_bytes, stands at `at`. Up to four bytes may stand in the tag
-// itself; what is compressed is not padded.
-Element element_of(std::string_view tag, std::int64_t at, bool big_endian);
-
-// Of an element; nothing where it holds no numbers.
-std::optional<NumberType> number_type(std::uint32_t element_type);
-
-// That the numbers of a class have in MATLAB; a file may store them narrower. Nothing where it is
-// no class of numbers.
-std::optional<NumberType> class_type(std::uint32_t array_class);
 
 }  // namespace mat5
+
+// The arrays of real numbers in a MAT file of level 4 or 5 and, by "name.field", in its single
+// structs, read on demand: plain ones in place, compressed ones inflated on the way. Which of them
+// is what: open_variables(). Errors: format_damaged, also where a size does not fit the numbers
+// that are there; those of open_variables(); interrupted.
+Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                           const JobControl& job);
 
 }  // namespace vybeg
