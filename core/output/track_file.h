@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/output/output_file.h"
-#include "core/output/track_spool.h"
+#include "core/output/track_columns.h"
 #include "core/track/track.h"
 
 #include <filesystem>
