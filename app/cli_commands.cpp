@@ -15,7 +15,6 @@
 #include "core/output/output_paths.h"
 #include "core/output/recording_json.h"
 #include "core/output/track_file.h"
-#include "core/output/track_header.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/recording.h"
