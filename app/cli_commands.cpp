@@ -12,7 +12,7 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/batch/identify_set.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 #include "core/output/recording_json.h"
 #include "core/output/track_file.h"
 #include "core/recording/bytes/sha256.h"

@@ -7,7 +7,7 @@
 #include "core/batch/identify_set.h"
 #include "core/database/results_database.h"
 #include "core/output/identify_json.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 #include "core/output/passport_json.h"
 #include "core/recording/samples/open_table.h"
 #include "core/resonator/results/resonator_parameters.h"

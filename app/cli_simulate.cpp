@@ -8,7 +8,7 @@
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/base/setting_rows.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 #include "core/output/sample_files.h"
 #include "core/output/track_file.h"
 #include "core/simulation/simulate.h"

@@ -16,7 +16,6 @@
 #include "core/batch/batch_sets.h"
 #include "core/batch/identify_set.h"
 #include "core/output/output_file.h"
-#include "core/output/output_paths.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"

@@ -7,7 +7,7 @@
 #include "core/base/read_value.h"
 #include "core/batch/limits.h"
 #include "core/output/batch_csv.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/output/array_bytes.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 
 #include <sndfile.h>
 
