@@ -4,7 +4,7 @@
 #include "core/analysis/window_faults.h"
 #include "core/numerics/phase.h"
 #include "core/recording/checks/recording_check.h"
-#include "core/track/unwrap.h"
+#include "core/track/track.h"
 
 #include <algorithm>
 #include <cmath>

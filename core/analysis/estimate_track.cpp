@@ -2,7 +2,7 @@
 
 #include "core/analysis/window_noise.h"
 #include "core/track/motion.h"
-#include "core/track/unwrap.h"
+#include "core/track/track.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
