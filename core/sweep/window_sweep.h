@@ -2,7 +2,7 @@
 
 #include "core/analysis/settings.h"
 #include "core/base/error.h"
-#include "core/track/slow_variables.h"
+#include "core/track/track.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 #include "core/track/track.h"
 
+#include "core/base/message_arg.h"
 #include "core/numerics/phase.h"
 
 #include <algorithm>
@@ -16,6 +17,33 @@ void append_all(std::vector<Value>& values, const std::vector<Value>& more) {
 }
 
 }  // namespace
+
+const SlowVariableInfo& info(SlowVariable variable) {
+    static constexpr std::array<SlowVariableInfo, slow_variable_count> table{{
+        {"a_A", "a_A", "", VYBEG_MESSAGE("SlowVariable", "amplitude of the working wave"),
+         Quantity::amplitude, true},
+        {"a_B", "a_B", "", VYBEG_MESSAGE("SlowVariable", "amplitude of the quadrature wave"),
+         Quantity::amplitude, true},
+        {"two_theta_A_rad", "2θ_A", "rad",
+         VYBEG_MESSAGE("SlowVariable", "angle of the standing wave"), Quantity::angle, true},
+        {"f_Hz", "ω_cp", "Hz", VYBEG_MESSAGE("SlowVariable", "mean frequency"), Quantity::frequency,
+         true},
+        {"delta_phi_CD_rad", "Δφ_CD", "rad",
+         VYBEG_MESSAGE("SlowVariable", "phase difference of the pick-off signals"), Quantity::angle,
+         true},
+        {"alpha_rad", "α", "rad", VYBEG_MESSAGE("SlowVariable", "phase of the standing waves"),
+         Quantity::angle, true},
+        {"noise", "σ", "",
+         VYBEG_MESSAGE("SlowVariable", "noise per sample and channel, of the residual"),
+         Quantity::amplitude, false},
+        {"rms", "rms", "", VYBEG_MESSAGE("SlowVariable", "root of the error functional F"),
+         Quantity::amplitude, false},
+        {"orthogonality", "⟨S_A S_B⟩", "",
+         VYBEG_MESSAGE("SlowVariable", "orthogonality of the standing waves, relative"),
+         Quantity::ratio, false},
+    }};
+    return table[static_cast<std::size_t>(variable)];
+}
 
 Track::Track(std::size_t rows) : time_s_(rows), flags_(rows), leakage_f_hz_(rows) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/describe.h"
-#include "core/track/slow_variables.h"
+#include "core/track/track.h"
 
 #include <QString>
 
