@@ -4,7 +4,6 @@
 #include "core/simulation/carrier_noise.h"
 #include "core/simulation/decay_motion.h"
 #include "core/simulation/gaussian_noise.h"
-#include "core/simulation/slow_motion.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "core/simulation/software_lock_in.h"
 
 #include "core/base/number_text.h"
-#include "core/simulation/slow_motion.h"
+#include "core/simulation/decay_motion.h"
 
 #include <cmath>
 #include <numbers>
