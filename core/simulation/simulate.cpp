@@ -3,7 +3,6 @@
 #include "core/base/number_text.h"
 #include "core/simulation/carrier_noise.h"
 #include "core/simulation/decay_motion.h"
-#include "core/simulation/gaussian_noise.h"
 
 #include <algorithm>
 #include <array>
