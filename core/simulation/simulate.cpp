@@ -1,8 +1,8 @@
 #include "core/simulation/simulate.h"
 
 #include "core/base/number_text.h"
-#include "core/simulation/carrier_noise.h"
 #include "core/simulation/decay_motion.h"
+#include "core/simulation/noise.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 // told; the mean of their squares in units of it is 1 within sqrt(2/(4 N)).
 #include "core/analysis/phasor_windows.h"
 #include "core/resonator/runs/wave_motion.h"
-#include "core/simulation/carrier_noise.h"
 #include "core/simulation/decay_motion.h"
+#include "core/simulation/noise.h"
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"

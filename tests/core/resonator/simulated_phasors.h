@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/resonator/model/phasor_run.h"
-#include "core/simulation/carrier_noise.h"
 #include "core/simulation/decay_motion.h"
+#include "core/simulation/noise.h"
 
 #include <cmath>
 #include <cstdint>

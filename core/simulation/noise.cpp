@@ -1,4 +1,4 @@
-#include "core/simulation/carrier_noise.h"
+#include "core/simulation/noise.h"
 
 #include "core/simulation/decay_motion.h"
 
