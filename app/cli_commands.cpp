@@ -8,7 +8,6 @@
 #include "core/analysis/inspect.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/diagnostic.h"
-#include "core/base/finding.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/batch/identify_set.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/base/job_control.h"
 #include "core/output/output_file.h"
 #include "core/resonator/model/reason.h"

@@ -9,7 +9,6 @@
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/base/job_control.h"
 #include "core/base/read_value.h"
 #include "core/base/result.h"

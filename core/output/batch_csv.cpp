@@ -3,7 +3,6 @@
 #include "core/analysis/measurement_list.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/recording/samples/text_fields.h"

@@ -2,7 +2,6 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/estimators/wave/estimator.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/model/reason.h"
