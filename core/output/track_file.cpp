@@ -7,7 +7,6 @@
 #include "core/hdf5/hdf5_layout.h"
 #include "core/output/array_bytes.h"
 #include "core/output/output_file.h"
-#include "core/output/stored_zip.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
