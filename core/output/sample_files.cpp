@@ -1,7 +1,7 @@
 #include "core/output/sample_files.h"
 
 #include "core/base/number_text.h"
-#include "core/output/array_bytes.h"
+#include "core/output/array_files.h"
 #include "core/output/output_file.h"
 
 #include <sndfile.h>

@@ -5,7 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/hdf5/hdf5_layout.h"
-#include "core/output/array_bytes.h"
+#include "core/output/array_files.h"
 #include "core/output/output_file.h"
 
 #include <tbb/parallel_for.h>

@@ -1,4 +1,4 @@
-#include "core/output/array_bytes.h"
+#include "core/output/array_files.h"
 
 #include "core/base/plain_text.h"
 #include "core/recording/variables/mat_format.h"
