@@ -1,6 +1,5 @@
 #include "core/base/diagnostic.h"
 
-#include "core/base/diagnostic_rows.h"
 #include "core/base/plain_text.h"
 
 #include <algorithm>

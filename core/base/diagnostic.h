@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/diagnostic_rows.h"
 #include "core/base/message_arg.h"
 
 #include <cstddef>

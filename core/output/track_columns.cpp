@@ -41,7 +41,7 @@ Status pass(Values values, const Sink& sink) {
 }
 
 constexpr std::size_t most_in_memory = std::size_t{1} << 23;
-constexpr std::size_t piece = std::size_t{1} << 20;  // bytes between two checks of the stop token
+constexpr std::size_t piece_bytes = std::size_t{1} << 20;  // between two checks of the stop token
 
 }  // namespace
 
@@ -121,7 +121,7 @@ Status Spool::spill() {
 Status Spool::write_out(std::string_view left) {
     while (!left.empty()) {
         TRY(job_.go_on());
-        const ssize_t written = ::write(descriptor_, left.data(), std::min(left.size(), piece));
+        const ssize_t written = ::write(descriptor_, left.data(), std::min(left.size(), piece_bytes));
         if (written < 0 && errno != EINTR) {
             return failed(errno);
         }

@@ -30,9 +30,6 @@ namespace vybeg {
 namespace {
 
 using ByteSink = std::function<Status(std::string_view bytes)>;
-using FlagCounts = std::map<Flags, std::size_t>;
-using FlagCells = std::map<Flags, std::string>;
-using Columns = std::array<std::span<const double>, track_number_columns>;
 
 void add_results(const AnalysisSummary& analysis, std::vector<std::string>& lines) {
     lines.push_back("f0_Hz: " + round_trip_text(analysis.f0_hz()));
@@ -49,6 +46,16 @@ void add_results(const AnalysisSummary& analysis, std::vector<std::string>& line
     }
 }
 
+// Header lines as they go into a file: a file name may contain a line feed, a line may not.
+std::vector<std::string> single_lines(std::span<const std::string> header) {
+    std::vector<std::string> lines(header.begin(), header.end());
+    for (std::string& line : lines) {
+        std::ranges::replace_if(
+            line, [](char character) { return static_cast<unsigned char>(character) < ' '; }, ' ');
+    }
+    return lines;
+}
+
 ByteSink into(OutputFile& file) {
     return [&file](std::string_view bytes) { return file.write(bytes); };
 }
@@ -60,6 +67,7 @@ Status pass_numbers(const TrackColumns& columns, std::size_t column, const ByteS
 
 // The combinations of flags that a track has, each with the number of its rows. There are few, so
 // that every format makes their texts once. Errors: those of TrackColumns.
+using FlagCounts = std::map<Flags, std::size_t>;
 Result<FlagCounts> count_flags(const TrackColumns& columns) {
     FlagCounts counts;
     TRY(columns.flags([&counts](std::span<const Flags> rows) -> Status {
@@ -75,6 +83,7 @@ Result<FlagCounts> count_flags(const TrackColumns& columns) {
 }
 
 // What each combination looks like in a file.
+using FlagCells = std::map<Flags, std::string>;
 FlagCells make_cells(const FlagCounts& counts,
                      const std::function<std::string(const std::string&)>& cell) {
     FlagCells cells;
@@ -327,6 +336,8 @@ std::string head_text(std::span<const std::string> header) {
 constexpr std::size_t longest_row =
     track_number_columns * (longest_round_trip + 1) + longest_flags_text + 1;
 
+using Columns = std::array<std::span<const double>, track_number_columns>;
+
 Columns columns_of(const Track& track) {
     Columns columns;
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -448,15 +459,6 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
         lines.push_back(name + ": " + value);
     }
     add_results(analysis, lines);
-    return lines;
-}
-
-std::vector<std::string> single_lines(std::span<const std::string> header) {
-    std::vector<std::string> lines(header.begin(), header.end());
-    for (std::string& line : lines) {
-        std::ranges::replace_if(
-            line, [](char character) { return static_cast<unsigned char>(character) < ' '; }, ' ');
-    }
     return lines;
 }
 

@@ -24,9 +24,6 @@ std::vector<std::string> track_header(const std::string& program, const std::fil
                                       const std::string& sha256, const LogChoice& choice,
                                       const AnalysisSummary& analysis);
 
-// Header lines as they go into a file: a file name may contain a line feed, a line may not.
-std::vector<std::string> single_lines(std::span<const std::string> header);
-
 enum class TrackFormat { csv, mat, hdf5, npz };
 
 // Format by the ending of the name (.mat, .h5, .hdf5, .npz; upper case too); CSV under every other

@@ -23,7 +23,7 @@ inline constexpr std::array<Algorithm, 4> closed_form_algorithms{
     Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes, Algorithm::demodulation};
 
 // One variable in windows of one length: standard deviations of a typical window, in the unit of
-// the stored values (slow_variables.h). NaN where the variable or the value does not exist.
+// the stored values (track.h). NaN where the variable or the value does not exist.
 struct SweepValue {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 

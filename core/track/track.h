@@ -71,7 +71,7 @@ public:
     std::size_t rows() const { return time_s_.size(); }
     std::span<const double> time_s() const { return time_s_; }
     std::span<const double> values(SlowVariable variable) const { return values_[index(variable)]; }
-    // Standard deviations; empty where the variable has none (slow_variables.h).
+    // Standard deviations; empty where the variable has none.
     std::span<const double> sds(SlowVariable variable) const { return sds_[index(variable)]; }
     std::span<const Flags> flags() const { return flags_; }
     // Frequency of a closed form (algorithms 1 to 4) less that of the best wave of its window, Hz;

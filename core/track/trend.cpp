@@ -11,8 +11,7 @@
 namespace vybeg {
 namespace {
 
-using Vector = Eigen::Vector<double, parameter_count>;
-using Matrix = Eigen::Matrix<double, parameter_count, parameter_count>;
+// Points of a beat with times in units of the span, from its middle on.
 using Points = std::vector<TrendPoint>;
 
 constexpr double significant = 3;  // standard deviations of chi^2 per degree of freedom
@@ -32,10 +31,10 @@ constexpr double significant_amplitude = 6;   // standard deviations
 constexpr int most_iterations = 30;
 constexpr double converged = 1e-6;  // change of the frequency in its deviations
 
-// Frequency and damping in units of the span, value and amplitudes as they are.
+// Of a beat: frequency and damping in units of the span, value and amplitudes as they are.
 enum Parameter { offset, slope, in_phase, quadrature, frequency, damping, parameter_count };
-
-// Points with times in units of the span, from its middle on.
+using BeatVector = Eigen::Vector<double, parameter_count>;
+using BeatMatrix = Eigen::Matrix<double, parameter_count, parameter_count>;
 
 Points averaged(const Points& points, std::size_t most) {
     const std::size_t group = (points.size() + most - 1) / most;
@@ -60,7 +59,7 @@ Points averaged(const Points& points, std::size_t most) {
 }
 
 // Model and derivatives at a time.
-double model(const Vector& x, double u, Vector& derivative) {
+double model(const BeatVector& x, double u, BeatVector& derivative) {
     const double turn = 2 * std::numbers::pi;
     const double decay = std::exp(-x[damping] * u);
     const double c = decay * std::cos(turn * x[frequency] * u);
@@ -71,8 +70,8 @@ double model(const Vector& x, double u, Vector& derivative) {
 }
 
 struct Fit {
-    Vector x = Vector::Zero();
-    Matrix covariance = Matrix::Zero();
+    BeatVector x = BeatVector::Zero();
+    BeatMatrix covariance = BeatMatrix::Zero();
     double chi2 = std::numeric_limits<double>::infinity();
 };
 
@@ -84,7 +83,7 @@ Fit linear_fit(const Points& points, double periods) {
     Fit fit;
     fit.x[frequency] = periods;
     double squares = 0;
-    Vector derivative;
+    BeatVector derivative;
     for (const TrendPoint& p : points) {
         model(fit.x, p.time_s, derivative);
         const auto basis = derivative.head<count>();
@@ -112,11 +111,11 @@ Fit search(const Points& points) {
 
 // Gauss-Newton; a step that raises chi^2 is halved.
 Fit refined(const Points& points, Fit fit) {
-    const auto evaluate = [&](const Vector& x, Matrix& normal, Vector& right) {
+    const auto evaluate = [&](const BeatVector& x, BeatMatrix& normal, BeatVector& right) {
         normal.setZero();
         right.setZero();
         double chi2 = 0;
-        Vector derivative;
+        BeatVector derivative;
         for (const TrendPoint& p : points) {
             const double off = p.value - model(x, p.time_s, derivative);
             normal.selfadjointView<Eigen::Lower>().rankUpdate(derivative, p.weight);
@@ -125,14 +124,14 @@ Fit refined(const Points& points, Fit fit) {
         }
         return chi2;
     };
-    Matrix normal;
-    Vector right;
+    BeatMatrix normal;
+    BeatVector right;
     fit.chi2 = evaluate(fit.x, normal, right);
     for (int round = 0; round < most_iterations; ++round) {
         const auto solver = normal.selfadjointView<Eigen::Lower>().ldlt();
-        Vector step = solver.solve(right);
-        fit.covariance = solver.solve(Matrix::Identity());
-        Vector next = fit.x + step;
+        BeatVector step = solver.solve(right);
+        fit.covariance = solver.solve(BeatMatrix::Identity());
+        BeatVector next = fit.x + step;
         double chi2 = evaluate(next, normal, right);
         for (int halved = 0; halved < 20 && !(chi2 <= fit.chi2); ++halved) {
             step *= 0.5;
@@ -351,12 +350,12 @@ std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double 
     }
     points = averaged(points, fitted_points);
     const Fit fit = refined(points, search(averaged(points, searched_points)));
-    const Vector& x = fit.x;
-    Vector derivative;
+    const BeatVector& x = fit.x;
+    BeatVector derivative;
     const Scatter scatter =
         scatter_about(points, parameter_count, [&](double u) { return model(x, u, derivative); });
     beat.chi2_per_dof = scatter.chi2_per_dof;
-    const auto sd = [&](const Vector& direction) {
+    const auto sd = [&](const BeatVector& direction) {
         return std::sqrt(direction.dot(fit.covariance * direction));
     };
     beat.value = first + x[offset];
@@ -364,12 +363,12 @@ std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double 
     beat.in_phase = x[in_phase];
     beat.quadrature = x[quadrature];
     beat.frequency_hz = x[frequency] / span;
-    beat.sd_frequency_hz = sd(Vector::Unit(frequency)) / span;
+    beat.sd_frequency_hz = sd(BeatVector::Unit(frequency)) / span;
     beat.damping_per_s = x[damping] / span;
-    beat.sd_damping_per_s = sd(Vector::Unit(damping)) / span;
+    beat.sd_damping_per_s = sd(BeatVector::Unit(damping)) / span;
     beat.amplitude = std::hypot(x[in_phase], x[quadrature]);
     beat.sd_amplitude =
-        sd((x[in_phase] * Vector::Unit(in_phase) + x[quadrature] * Vector::Unit(quadrature)) /
+        sd((x[in_phase] * BeatVector::Unit(in_phase) + x[quadrature] * BeatVector::Unit(quadrature)) /
            beat.amplitude);
     const bool found = x[frequency] >= least_periods && x[frequency] <= most_periods + 1 &&
                        scatter.enlargement == 1 &&
