@@ -121,7 +121,8 @@ Status Spool::spill() {
 Status Spool::write_out(std::string_view left) {
     while (!left.empty()) {
         TRY(job_.go_on());
-        const ssize_t written = ::write(descriptor_, left.data(), std::min(left.size(), piece_bytes));
+        const ssize_t written =
+            ::write(descriptor_, left.data(), std::min(left.size(), piece_bytes));
         if (written < 0 && errno != EINTR) {
             return failed(errno);
         }

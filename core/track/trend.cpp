@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 namespace vybeg {
 namespace {
-
-// Points of a beat with times in units of the span, from its middle on.
-using Points = std::vector<TrendPoint>;
 
 constexpr double significant = 3;  // standard deviations of chi^2 per degree of freedom
 constexpr std::size_t most_groups = 24;
@@ -21,6 +19,88 @@ constexpr std::size_t least_in_group = 4;  // points
 constexpr std::size_t least_trend_windows = 3;
 constexpr double decays_from = 2;  // standard deviations of the slope
 
+// A value of a slow variable for a trend, stored units or their logarithm; weight: 1/sd^2.
+struct TrendPoint {
+    double time_s = 0;
+    double value = 0;
+    double weight = 0;
+};
+
+using Points = std::vector<TrendPoint>;
+
+// The windows that count (trend.h).
+Points trend_points(const Track& track, SlowVariable variable, double from_s, double to_s,
+                    std::size_t apart, TrendOf of = TrendOf::value) {
+    if (track.sds(variable).empty()) {
+        return {};
+    }
+    constexpr double turn = 2 * std::numbers::pi;
+    const bool wrapped = variable == SlowVariable::delta_phi_CD || variable == SlowVariable::alpha;
+    const auto times = track.time_s();
+    const auto values = track.values(variable);
+    const auto sds = track.sds(variable);
+    const auto first =
+        static_cast<std::size_t>(std::ranges::lower_bound(times, from_s) - times.begin());
+    Points found;
+    for (std::size_t k = first; k < times.size() && times[k] <= to_s;) {
+        double value = values[k];
+        double sd = sds[k];
+        if (of == TrendOf::logarithm) {
+            sd /= value;
+            value = std::log(value);
+        }
+        if (!is_sound_window(track.flags()[k]) || !std::isfinite(value) || !(sd > 0)) {
+            ++k;
+            continue;
+        }
+        if (wrapped && !found.empty()) {
+            value -= turn * std::round((value - found.back().value) / turn);
+        }
+        // Each window with its own deviation: that of a short one rests on a hundred degrees of
+        // freedom, too, so that weights do not favour windows whose deviations are too small by
+        // chance.
+        found.push_back({times[k], value, 1 / (sd * sd)});
+        k += apart;
+    }
+    return found;
+}
+
+// How the points lie about a trend, in their standard deviations.
+struct Scatter {
+    double chi2_per_dof = 0;
+    double enlargement = 1;
+};
+
+Scatter scatter_about(const Points& points, int parameters,
+                      const std::function<double(double)>& trend) {
+    const std::size_t groups = std::min(most_groups, points.size() / least_in_group);
+    double chi2 = 0;
+    double chi2_of_means = 0;
+    for (std::size_t group = 0, k = 0; group < std::max<std::size_t>(groups, 1); ++group) {
+        const std::size_t end = groups == 0 ? points.size() : (group + 1) * points.size() / groups;
+        double weight = 0;
+        double off = 0;
+        for (; k < end; ++k) {
+            const TrendPoint& p = points[k];
+            const double residual = p.value - trend(p.time_s);
+            chi2 += p.weight * residual * residual;
+            weight += p.weight;
+            off += p.weight * residual;
+        }
+        chi2_of_means += off * off / weight;
+    }
+    Scatter scatter;
+    const auto larger = [&](double sum, std::size_t count) {
+        const double dof = static_cast<double>(count) - parameters;
+        return dof > 0 && sum / dof > 1 + significant * std::sqrt(2 / dof) ? std::sqrt(sum / dof)
+                                                                           : 1.0;
+    };
+    scatter.chi2_per_dof = chi2 / (static_cast<double>(points.size()) - parameters);
+    scatter.enlargement = std::max(larger(chi2, points.size()), larger(chi2_of_means, groups));
+    return scatter;
+}
+
+// Of a beat, whose points have times in units of the span, from its middle on.
 constexpr std::size_t least_beat_windows = 10;
 constexpr double least_periods = 1.25;
 constexpr double most_periods = 100;
@@ -153,78 +233,13 @@ Fit refined(const Points& points, Fit fit) {
 
 }  // namespace
 
-std::vector<TrendPoint> trend_points(const Track& track, SlowVariable variable, double from_s,
-                                     double to_s, std::size_t apart, TrendOf of) {
-    if (track.sds(variable).empty()) {
-        return {};
-    }
-    constexpr double turn = 2 * std::numbers::pi;
-    const bool wrapped = variable == SlowVariable::delta_phi_CD || variable == SlowVariable::alpha;
-    const auto times = track.time_s();
-    const auto values = track.values(variable);
-    const auto sds = track.sds(variable);
-    const auto first =
-        static_cast<std::size_t>(std::ranges::lower_bound(times, from_s) - times.begin());
-    std::vector<TrendPoint> found;
-    for (std::size_t k = first; k < times.size() && times[k] <= to_s;) {
-        double value = values[k];
-        double sd = sds[k];
-        if (of == TrendOf::logarithm) {
-            sd /= value;
-            value = std::log(value);
-        }
-        if (!is_sound_window(track.flags()[k]) || !std::isfinite(value) || !(sd > 0)) {
-            ++k;
-            continue;
-        }
-        if (wrapped && !found.empty()) {
-            value -= turn * std::round((value - found.back().value) / turn);
-        }
-        // Each window with its own deviation: that of a short one rests on a hundred degrees of
-        // freedom, too, so that weights do not favour windows whose deviations are too small by
-        // chance.
-        found.push_back({times[k], value, 1 / (sd * sd)});
-        k += apart;
-    }
-    return found;
-}
-
-Scatter scatter_about(const std::vector<TrendPoint>& points, int parameters,
-                      const std::function<double(double)>& trend) {
-    const std::size_t groups = std::min(most_groups, points.size() / least_in_group);
-    double chi2 = 0;
-    double chi2_of_means = 0;
-    for (std::size_t group = 0, k = 0; group < std::max<std::size_t>(groups, 1); ++group) {
-        const std::size_t end = groups == 0 ? points.size() : (group + 1) * points.size() / groups;
-        double weight = 0;
-        double off = 0;
-        for (; k < end; ++k) {
-            const TrendPoint& p = points[k];
-            const double residual = p.value - trend(p.time_s);
-            chi2 += p.weight * residual * residual;
-            weight += p.weight;
-            off += p.weight * residual;
-        }
-        chi2_of_means += off * off / weight;
-    }
-    Scatter scatter;
-    const auto larger = [&](double sum, std::size_t count) {
-        const double dof = static_cast<double>(count) - parameters;
-        return dof > 0 && sum / dof > 1 + significant * std::sqrt(2 / dof) ? std::sqrt(sum / dof)
-                                                                           : 1.0;
-    };
-    scatter.chi2_per_dof = chi2 / (static_cast<double>(points.size()) - parameters);
-    scatter.enlargement = std::max(larger(chi2, points.size()), larger(chi2_of_means, groups));
-    return scatter;
-}
-
 std::size_t windows_apart(std::int64_t length, std::int64_t hop) {
     return static_cast<std::size_t>(std::max<std::int64_t>((length + hop - 1) / hop, 1));
 }
 
 std::optional<Trend> line_trend(const Track& track, SlowVariable variable, double from_s,
                                 double to_s, std::size_t apart, TrendOf of) {
-    const std::vector<TrendPoint> found = trend_points(track, variable, from_s, to_s, apart, of);
+    const Points found = trend_points(track, variable, from_s, to_s, apart, of);
     if (found.size() < least_trend_windows) {
         return std::nullopt;
     }
@@ -282,7 +297,7 @@ std::optional<PolynomialTrend> polynomial_trend(const Track& track, SlowVariable
     constexpr int most = most_trend_degree + 1;
     using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
-    const std::vector<TrendPoint> points = trend_points(track, variable, from_s, to_s, apart);
+    const Points points = trend_points(track, variable, from_s, to_s, apart);
     const int count = degree + 1;
     if (points.size() < static_cast<std::size_t>(count) + 1) {
         return std::nullopt;
@@ -367,9 +382,9 @@ std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double 
     beat.damping_per_s = x[damping] / span;
     beat.sd_damping_per_s = sd(BeatVector::Unit(damping)) / span;
     beat.amplitude = std::hypot(x[in_phase], x[quadrature]);
-    beat.sd_amplitude =
-        sd((x[in_phase] * BeatVector::Unit(in_phase) + x[quadrature] * BeatVector::Unit(quadrature)) /
-           beat.amplitude);
+    beat.sd_amplitude = sd(
+        (x[in_phase] * BeatVector::Unit(in_phase) + x[quadrature] * BeatVector::Unit(quadrature)) /
+        beat.amplitude);
     const bool found = x[frequency] >= least_periods && x[frequency] <= most_periods + 1 &&
                        scatter.enlargement == 1 &&
                        beat.amplitude > significant_amplitude * beat.sd_amplitude;
