@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/setting_rows.h"
 
 #include <cstdint>
 #include <string>
@@ -113,6 +114,12 @@ struct FreeDecay {
 };
 
 FreeDecay demo_decay();
+
+// The options of `simulate` that describe a decay, in the order of its help. The text of one that
+// is not given is empty; that of mode_beside_option may be read once for each mode, and is not
+// written.
+const std::vector<SettingRow<FreeDecay>>& decay_settings();
+inline constexpr const char* mode_beside_option = "mode-beside";
 
 // Whether friction or a drive changes the amplitude.
 bool has_amplitude_factor(const FreeDecay& decay);
