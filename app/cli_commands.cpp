@@ -149,7 +149,7 @@ private:
         }
         ++computed_;
         if (print_) {
-            std::fputs((row.text + "\n").c_str(), stdout);
+            std::fputs((csv_row(row.fields) + "\n").c_str(), stdout);
             std::fflush(stdout);
         }
         spent_.read_s += row.timing.read_s;

@@ -83,12 +83,13 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
     TRY(output.write((request.excel ? excel_head(head) : head) + "\n"));
     for (const SetTask& task : tasks) {
         const auto row = TRY(journal.row(task.key));
+        const BatchRow fields = csv_fields(row);
         if (limits) {
-            const std::string field = csv_fields(row).at(static_cast<std::size_t>(passed));
+            const std::string& field = fields.at(static_cast<std::size_t>(passed));
             counts.failed += field == passed_text(Conformity::outside) ? 1 : 0;
             counts.undecided += field == passed_text(Conformity::unknown) ? 1 : 0;
         }
-        TRY(output.write((request.excel ? excel_row(row, limits) : row) + "\n"));
+        TRY(output.write((request.excel ? excel_row(fields, limits) : row) + "\n"));
     }
     return output.commit();
 }
@@ -292,7 +293,7 @@ private:
             if (is_kept(tasks[k])) {  // the row of an earlier batch
                 const auto row = TRY(journal_->row(tasks[k].key));
                 events_.finished({.set = k,
-                                  .text = row,
+                                  .fields = csv_fields(row),
                                   .kept = true,
                                   .warnings = {},
                                   .error = {},

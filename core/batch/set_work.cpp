@@ -93,7 +93,7 @@ void SetWork::finish(const SetTask& task) {
         return;
     }
     const std::optional<LimitVerdict> limits = verdict_of(task, &result->identification);
-    FinishedRow row{.text = batch_row(*result, limits ? &*limits : nullptr),
+    FinishedRow row{.fields = batch_row(*result, limits ? &*limits : nullptr),
                     .warnings = std::move(warnings),
                     .error = {},
                     .timing = result->identification.timing,
@@ -151,7 +151,7 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
         give_up(error);
     } else {
         const std::optional<LimitVerdict> limits = verdict_of(task, nullptr);
-        add_row(task, {.text = batch_row(*task.set, error, limits ? &*limits : nullptr),
+        add_row(task, {.fields = batch_row(*task.set, error, limits ? &*limits : nullptr),
                        .warnings = warnings,
                        .error = error,
                        .timing = {}});
@@ -160,7 +160,7 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
 
 void SetWork::add_row(const SetTask& task, FinishedRow row) {
     const std::unique_lock lock(batch_.mutex);
-    const Status kept = batch_.journal.append(task.key, row.text);
+    const Status kept = batch_.journal.append(task.key, csv_row(row.fields));
     if (!kept) {
         fault_ = fault_ ? fault_ : kept.error();
         halt_.request_stop();

@@ -49,10 +49,9 @@ std::string number(double value) {
 }
 
 // `results`: from the model to the warnings; empty: there are none.
-std::string whole_row(const MeasurementSet& set, const std::string& status,
-                      const std::string& message, const std::vector<std::string>& results,
-                      const LimitVerdict* limits) {
-    std::vector<std::string> texts{
+BatchRow whole_row(const MeasurementSet& set, const std::string& status, const std::string& message,
+                   const BatchRow& results, const LimitVerdict* limits) {
+    BatchRow texts{
         set.name, gyro_of(set), list_date_of(set), joined(set.recordings, ";", &RecordingRef::file),
         status,   message};
     texts.insert(texts.end(), results.begin(), results.end());
@@ -67,7 +66,8 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
     for (std::size_t k = 0; k < set.recordings.front().others.size(); ++k) {
         texts.push_back(other_of(set, k));
     }
-    return csv_row(texts);
+    std::ranges::transform(texts, texts.begin(), plain_text);
+    return texts;
 }
 
 // The verdict about the gyro, and the names of the parameters that have changed, without Q, which
@@ -155,15 +155,18 @@ std::string batch_head(std::span<const std::string> header,
     return text + csv_row(names);
 }
 
-std::string batch_row(const MeasurementSet& set, const Error& error, const LimitVerdict* limits) {
+BatchRow batch_row(const MeasurementSet& set) {
+    return whole_row(set, "", "", {}, nullptr);
+}
+
+BatchRow batch_row(const MeasurementSet& set, const Error& error, const LimitVerdict* limits) {
     return whole_row(set, std::to_string(exit_status(error.code)), english(error), {}, limits);
 }
 
-std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
+BatchRow batch_row(const SetResult& result, const LimitVerdict* limits) {
     const Identification& found = result.identification;
     const ResonatorFit& fit = found.fit;
-    std::vector<std::string> results{fit.model == ResonatorModel::structured ? "structured"
-                                                                             : "free"};
+    BatchRow results{fit.model == ResonatorModel::structured ? "structured" : "free"};
     for (const ResonatorParameter& parameter : parameters) {
         const Estimate& estimate = fit.resonator.*parameter.member;
         results.push_back(estimate.given() ? number(estimate.value) : "");
@@ -188,25 +191,24 @@ std::string excel_head(const std::string& head) {
            csv_row(csv_fields(head.substr(head.rfind('\n') + 1)), ';');
 }
 
-std::string excel_row(const std::string& row, bool limits) {
+std::string excel_row(BatchRow row, bool limits) {
     const std::vector<std::string> names = batch_columns(limits);
-    std::vector<std::string> fields = csv_fields(row);
     constexpr std::array texts{"set",     "gyro",    "date",     "files",    "message",
                                "comment", "verdict", "operator", "failed_by"};
     std::vector<std::string_view> parts;
-    for (std::size_t k = 0; k < std::min(fields.size(), names.size()); ++k) {
+    for (std::size_t k = 0; k < std::min(row.size(), names.size()); ++k) {
         const bool is_text = std::ranges::find(texts, names[k]) != texts.end();
         // Conditions that differ are several numbers: "20.5;21.5".
-        split_fields(fields[k], ';', parts);
+        split_fields(row[k], ';', parts);
         const bool is_number =
             !parts.empty() && std::ranges::all_of(parts, [](std::string_view part) {
                 return parse_number(part).has_value();
             });
         if (!is_text && is_number) {
-            std::ranges::replace(fields[k], '.', ',');
+            std::ranges::replace(row[k], '.', ',');
         }
     }
-    return csv_row(fields, ';');
+    return csv_row(row, ';');
 }
 
 LimitVerdict limit_verdict(const Identification* found, const std::vector<ParameterLimit>& limits) {
