@@ -6,6 +6,8 @@
 #include "core/batch/limits.h"
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +19,6 @@ namespace vybeg {
 // set_not_chosen without a name.
 Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
                                  const std::string& name);
-
-// Size of a file and times of the last change of its bytes and of its inode.
-std::string file_stamp(const std::filesystem::path& path);
-inline constexpr const char* no_file = "-";  // its stamp
 
 // All that the row of a task depends on, as a hash: program, columns of the table, set, conditions,
 // settings, limits, the files by size and time of change, and what else its result goes into;
@@ -36,6 +34,32 @@ std::string journal_of(const std::string& output);
 // The sets of the list, or of the folder without what the batch itself writes there. Errors: those
 // of read_measurement_list() and list_of_folder().
 Result<MeasurementList> wanted_list(const BatchRequest& request);
+
+// What has come to a folder so far: the sets of its measurement list, where it has one, whose
+// recordings are all there, and every other file as a set of its own. A file counts when its size
+// and times are those of the look before: nothing writes it any more.
+class FolderWatch {
+public:
+    static constexpr double pause_s = 1;  // between two looks
+
+    // `request` must outlive this object.
+    explicit FolderWatch(const BatchRequest& request) : request_(request) {}
+
+    // Nothing while the folder's list has a fault or is being written. Errors: those of
+    // list_of_folder().
+    Result<MeasurementList> look();
+
+    // Why the folder's list does not count at the last look: those of read_measurement_list(), and
+    // list_invalid for a second list.
+    const std::optional<Error>& fault() const { return fault_; }
+
+private:
+    bool is_settled(const std::filesystem::path& path);
+
+    const BatchRequest& request_;
+    std::optional<Error> fault_;
+    std::map<std::filesystem::path, std::string> stamps_;  // of the look before, and of this one
+};
 
 // The sets with their passports, limits, and the files of their results. A new passport has the
 // name of the gyro, as a later comparison looks for it, or of the set where several sets are of one
