@@ -39,9 +39,8 @@ void add_log_options(CLI::App& app, LogOptions& options, bool with_verbose = tru
 }
 
 void add_input(CLI::App& app, std::string& input) {
-    app.add_option("FILE", input,
-                   "The recording: WAV, FLAC, AIFF, CSV, raw samples; recognised by content")
-        ->type_name("")
+    add_text(app, "FILE", "", input,
+             "The recording: WAV, FLAC, AIFF, CSV, raw samples; recognised by content")
         ->required();
 }
 
@@ -50,9 +49,8 @@ void add_timing(CLI::App& app, bool& timing) {
 }
 
 void add_database(CLI::App& app, std::string& database) {
-    app.add_option("--database", database,
-                   "Also the result of each set, into a database (SQLite) that many runs share")
-        ->type_name("FILE");
+    add_text(app, "--database", "FILE", database,
+             "Also the result of each set, into a database (SQLite) that many runs share");
 }
 
 void add_drift_options(CLI::App& app, DriftRequest& request) {
@@ -60,10 +58,9 @@ void add_drift_options(CLI::App& app, DriftRequest& request) {
         ->type_name("")
         ->required();
     add_settings(app, drift_settings(), request.settings);
-    app.add_option("-o,--output", request.output,
-                   "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
-                   "standard output")
-        ->type_name("FILE");
+    add_text(app, "-o,--output", "FILE", request.output,
+             "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
+             "standard output");
     app.add_flag("--json", request.json,
                  "The result on standard output, JSON, in place of the summary");
 }
@@ -89,9 +86,8 @@ void add_compare_options(CLI::App& app, CompareOptions& options) {
 void add_batch_options(CLI::App& app, BatchCommand& command) {
     BatchRequest& request = command.batch;
     CLI::Option* const list =
-        app.add_option("LIST", request.list,
-                       "Measurement list, CSV, or a folder in which each file is a set of its own")
-            ->type_name("");
+        add_text(app, "LIST", "", request.list,
+                 "Measurement list, CSV, or a folder in which each file is a set of its own");
     app.add_option_function<std::string>(
            "--watch",
            [&request](const std::string& folder) {
@@ -102,24 +98,19 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
            "standard output, too")
         ->type_name("DIR")
         ->excludes(list);
-    app.add_option("-o,--output", request.output,
-                   "The table, CSV: a row for each set; - for standard output")
-        ->type_name("RESULTS.csv")
+    add_text(app, "-o,--output", "RESULTS.csv", request.output,
+             "The table, CSV: a row for each set; - for standard output")
         ->required();
-    app.add_option("--json", request.json, "Also the result of each set, as identify writes it")
-        ->type_name("DIR");
-    app.add_option("--passport", request.passports,
-                   "Compare each set with the passport of its gyro, DIR/GYRO.json")
-        ->type_name("DIR");
-    app.add_option("--passports-out", request.new_passports,
-                   "Also a passport of each set: DIR/GYRO.json, or DIR/SET.json where the gyro has "
-                   "several sets")
-        ->type_name("DIR");
-    app.add_option(
-           "--limits", request.limits,
-           "Limits, CSV: parameter, least, greatest, gyro_type; adds the columns passed and "
-           "failed_by, by the value with its expanded uncertainty")
-        ->type_name("LIMITS.csv");
+    add_text(app, "--json", "DIR", request.json,
+             "Also the result of each set, as identify writes it");
+    add_text(app, "--passport", "DIR", request.passports,
+             "Compare each set with the passport of its gyro, DIR/GYRO.json");
+    add_text(app, "--passports-out", "DIR", request.new_passports,
+             "Also a passport of each set: DIR/GYRO.json, or DIR/SET.json where the gyro has "
+             "several sets");
+    add_text(app, "--limits", "LIMITS.csv", request.limits,
+             "Limits, CSV: parameter, least, greatest, gyro_type; adds the columns passed and "
+             "failed_by, by the value with its expanded uncertainty");
     app.add_flag("--excel", request.excel,
                  "The table for table programs with a decimal comma: semicolons, no comment lines");
     add_database(app, request.database);
@@ -134,7 +125,7 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
               });
     app.add_flag("--resume", request.resume,
                  "Keep the rows of an interrupted run whose files and options are the same");
-    app.add_option("--only", request.only, "This set alone")->type_name("NAME");
+    add_text(app, "--only", "NAME", request.only, "This set alone");
     add_identify_options(app, request.settings);
     add_settings(app, open_settings(), request.open);
     add_compare_options(app, request.compare);
@@ -147,16 +138,13 @@ void add_identification(CLI::App& app, IdentifyRequest& request) {
                    "The recordings of one resonator, started at different angles")
         ->type_name("");
     CLI::Option* const list =
-        app.add_option("--list", request.list,
-                       "Measurement list, CSV: a row for each recording, with its options")
-            ->type_name("LIST.csv")
+        add_text(app, "--list", "LIST.csv", request.list,
+                 "Measurement list, CSV: a row for each recording, with its options")
             ->excludes("FILE");
-    app.add_option("--set", request.set, "The set of the list (default: its only one)")
-        ->type_name("NAME")
+    add_text(app, "--set", "NAME", request.set, "The set of the list (default: its only one)")
         ->needs(list);
-    app.add_option("-o,--output", request.output,
-                   "The result, JSON; - for standard output (default: a summary there)")
-        ->type_name("RESULT.json");
+    add_text(app, "-o,--output", "RESULT.json", request.output,
+             "The result, JSON; - for standard output (default: a summary there)");
     add_identify_options(app, request.settings);
     add_settings(app, open_settings(), request.open);
     add_timing(app, request.timing);

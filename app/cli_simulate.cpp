@@ -92,13 +92,12 @@ std::vector<Diagnostic> without_effect(const SimulateRequest& request) {
 
 void add_simulate_options(CLI::App& app, SimulateRequest& request) {
     FreeDecay& decay = request.decay;
-    app.add_option("-o,--output", request.output,
-                   "Samples, by the ending: .wav (64-bit float; PCM with --bits), .csv, .npy, "
-                   ".mat; - for CSV on standard output")
-        ->type_name("FILE")
+    add_text(app, "-o,--output", "FILE", request.output,
+             "Samples, by the ending: .wav (64-bit float; PCM with --bits), .csv, .npy, "
+             ".mat; - for CSV on standard output")
         ->required();
-    add_value(app, "--truth", "FILE", "The true track, as that of analyze; - for standard output",
-              [&request](const auto&, const auto& text) { request.truth = text; });
+    add_text(app, "--truth", "FILE", request.truth,
+             "The true track, as that of analyze; - for standard output");
     add_value(app, "--window", "N", "Window of the truth, samples (default 60)",
               [&request](const auto& option, const auto& text) {
                   request.window = accepted(read_whole(option, text));

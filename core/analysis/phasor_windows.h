@@ -30,7 +30,7 @@ struct PhasorWindows {
 // the first electrode is subtracted.
 //
 // The deviations are those of the noise at the carrier: of the windows' residual where the noise is
-// white, else of the density between the lines (carrier_lines()), behind a band-pass with what it
+// white, else of the density between the lines (CarrierLines), behind a band-pass with what it
 // lets through of a window's bandwidth. A window whose residual stands out has a
 // deviation in proportion.
 //

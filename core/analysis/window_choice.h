@@ -28,18 +28,6 @@ struct CarrierLines {
     std::vector<double> mains_hz;
 };
 
-// Looks at up to 32 segments of the prepared range, each of 64 windows (`window` samples) where
-// the range is long enough, with a Kaiser window whose side lobes of -150 dB keep an offset and
-// other modes out of the carrier's surroundings. A line is a peak of the mean spectrum
-// that stands above its noise and above 1e-7 of the strongest one. The modes' lines are those
-// within 80 Hz (at most an eighth of the carrier, and within the band-pass) of the strongest line
-// of the main lobe around f0; where the main lobe has none and the engineer gave f0, of the
-// strongest line within 400 Hz (at most a third of f0). Errors: those of the source,
-// carrier_not_near where the engineer gave f0 and no line stands there, interrupted.
-Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
-                                   const SignalSettings& settings, std::int64_t window,
-                                   double rate_hz, const JobControl& job);
-
 // Least window of an identification: 16 samples and two periods, so that six numbers a channel
 // leave a residual.
 std::int64_t least_phasor_window(double f0_hz, double rate_hz);
@@ -59,10 +47,11 @@ struct WindowChoice {
 
 // Windows in which the phasors of all modes turn by at most a tenth of a revolution, so that
 // neither their beat nor a carrier given beside them is aliased. Where they turn faster at f0, the
-// frequency of demodulation moves to the middle of the modes' lines (carrier_lines()), and a window
-// that the engineer did not choose is shortened. Errors: those of prepare() and carrier_lines(),
-// fit_window_too_short, window_too_long, fit_window_turns where a window that the engineer chose
-// turns by more than a quarter, fit_beat_too_fast where two periods are too long.
+// frequency of demodulation moves to the middle of the modes' lines (CarrierLines), and a window
+// that the engineer did not choose is shortened. Errors: those of prepare(), carrier_not_near
+// where the engineer gave f0 and no line stands there, fit_window_too_short, window_too_long,
+// fit_window_turns where a window that the engineer chose turns by more than a quarter,
+// fit_beat_too_fast where two periods are too long.
 Result<WindowChoice> choose_windows(const Recording& recording, const SignalSettings& settings,
                                     const PhasorWindowSettings& wished, const JobControl& job);
 
