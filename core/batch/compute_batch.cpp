@@ -228,8 +228,7 @@ void SetWork::finish(const SetTask& task) {
         give_up(kept.error());
         return;
     }
-    const std::optional<LimitVerdict> limits = verdict_of(task, &result->identification);
-    FinishedRow row{.fields = batch_row(*result, limits ? &*limits : nullptr),
+    FinishedRow row{.fields = batch_row(*result, verdict_of(task, &result->identification)),
                     .warnings = std::move(warnings),
                     .error = {},
                     .timing = result->identification.timing,
@@ -286,8 +285,7 @@ void SetWork::add_failure(const SetTask& task, const Error& error,
     if (ends_batch(error.code)) {
         give_up(error);
     } else {
-        const std::optional<LimitVerdict> limits = verdict_of(task, nullptr);
-        add_row(task, {.fields = batch_row(*task.set, error, limits ? &*limits : nullptr),
+        add_row(task, {.fields = batch_row(*task.set, error, verdict_of(task, nullptr)),
                        .warnings = warnings,
                        .error = error,
                        .timing = {}});

@@ -50,14 +50,14 @@ std::string number(double value) {
 
 // `results`: from the model to the warnings; empty: there are none.
 BatchRow whole_row(const MeasurementSet& set, const std::string& status, const std::string& message,
-                   const BatchRow& results, const LimitVerdict* limits) {
+                   const BatchRow& results, const std::optional<LimitVerdict>& limits) {
     BatchRow texts{
         set.name, gyro_of(set), list_date_of(set), joined(set.recordings, ";", &RecordingRef::file),
         status,   message};
     texts.insert(texts.end(), results.begin(), results.end());
     const auto conditions = conditions_of(set);
     texts.resize(batch_columns().size() - conditions.size());
-    if (limits != nullptr) {
+    if (limits) {
         texts.insert(texts.end(), {passed_text(limits->conformity), joined(limits->failed, ";")});
     }
     for (const auto& [column, field] : conditions) {
@@ -156,14 +156,15 @@ std::string batch_head(std::span<const std::string> header,
 }
 
 BatchRow batch_row(const MeasurementSet& set) {
-    return whole_row(set, "", "", {}, nullptr);
+    return whole_row(set, "", "", {}, {});
 }
 
-BatchRow batch_row(const MeasurementSet& set, const Error& error, const LimitVerdict* limits) {
+BatchRow batch_row(const MeasurementSet& set, const Error& error,
+                   const std::optional<LimitVerdict>& limits) {
     return whole_row(set, std::to_string(exit_status(error.code)), english(error), {}, limits);
 }
 
-BatchRow batch_row(const SetResult& result, const LimitVerdict* limits) {
+BatchRow batch_row(const SetResult& result, const std::optional<LimitVerdict>& limits) {
     const Identification& found = result.identification;
     const ResonatorFit& fit = found.fit;
     BatchRow results{fit.model == ResonatorModel::structured ? "structured" : "free"};

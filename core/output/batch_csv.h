@@ -38,13 +38,12 @@ std::string batch_head(std::span<const std::string> header,
 // The row of a set as the list has it; status and message are empty.
 BatchRow batch_row(const MeasurementSet& set);
 
-// The row of a set that has no result; `limits` as below.
+// The row of a set that has no result; `limits`: none, the table has none.
 BatchRow batch_row(const MeasurementSet& set, const Error& error,
-                   const LimitVerdict* limits = nullptr);
+                   const std::optional<LimitVerdict>& limits);
 
-// The row of a set. A serious warning stands as the message, in place of a verdict. `limits`: null,
-// the table has none.
-BatchRow batch_row(const SetResult& result, const LimitVerdict* limits = nullptr);
+// The row of a set. A serious warning stands as the message, in place of a verdict.
+BatchRow batch_row(const SetResult& result, const std::optional<LimitVerdict>& limits);
 
 // The head of the same table for table programs: a byte order mark and the line of names.
 std::string excel_head(const std::string& head);

@@ -448,7 +448,8 @@ Result<SweepLength> in_windows(const WindowPlan& plan, const WindowSweep& sweep,
 
 }  // namespace
 
-std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last, int steps) {
+std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last) {
+    constexpr int steps = 15;
     std::vector<std::int64_t> lengths;
     const double ratio = static_cast<double>(last) / static_cast<double>(first);
     for (int k = 0; k < steps; ++k) {

@@ -12,12 +12,9 @@
 
 namespace vybeg {
 
-inline constexpr int sweep_steps = 15;
-
-// Whole numbers from `first` to `last` in about equal ratios, ascending, each once. Precondition:
-// 1 <= first <= last, steps >= 2.
-std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last,
-                                         int steps = sweep_steps);
+// 15 whole numbers from `first` to `last` in about equal ratios, ascending, each once: fewer where
+// they lie close. Precondition: 1 <= first <= last.
+std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last);
 
 // The algorithm of the settings in adjacent windows of each length; with `snap` each is moved to
 // whole half-periods. The settings' window, periods and hop do not count. One preparation serves
