@@ -1,23 +1,40 @@
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
 #include "core/analysis/window_choice.h"
 #include "core/resonator/model/phasor_run.h"
+#include "core/resonator/runs/run_track.h"
+#include "core/resonator/runs/wave_motion.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace vybeg {
 
-// The phasors of one recording, for the identification of its resonator (METHOD section 8).
-struct PhasorWindows {
-    PhasorRun run;    // those of the windows that count
-    WindowPlan plan;  // of all windows
+// What became of one recording.
+struct IdentifiedRun {
+    double f0_hz = 0;
+    std::int64_t window = 0;        // samples
+    std::int64_t windows = 0;       // in the range
+    std::int64_t windows_used = 0;  // without faults
     // Per sample and channel, recording units: of white noise with the density at the carrier.
     double noise_sd = 0;
+    Calibration calibration;              // offsets resolved
     std::vector<Diagnostic> diagnostics;  // of the preparation and of the samples
-    double read_s = 0;
-    double estimate_s = 0;  // summed over the threads, divided by their number
+    RunTrack track;
+    WaveMotion wave;
+};
+
+// Phasors of one recording, of the windows that count, for the identification of its resonator
+// (METHOD section 8), and what is known of it.
+struct RecordedRun {
+    std::string name;
+    double rate_relative_sd = 0;  // what the digits of its file leave open of its clock
+    PhasorRun phasors;
+    IdentifiedRun told;  // without track and wave
+    Timing timing = {};  // of recordings
 };
 
 // Demodulates windows of `length` samples, one after the other, at the fixed carrier
@@ -37,8 +54,8 @@ struct PhasorWindows {
 // Precondition: the plan's windows lie in the prepared range, hop = length, at least
 // least_phasor_window(). Errors: those of the source, no_valid_samples where no window is left,
 // every_window_clipped where clipping leaves none, interrupted. The result is the same to the last
-// bit for any number of threads.
-Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz, int threads,
-                                     const JobControl& job);
+// bit for any number of threads. It has no name yet.
+Result<RecordedRun> phasor_windows(const WindowChoice& choice, double rate_hz, int threads,
+                                   const JobControl& job);
 
 }  // namespace vybeg
