@@ -79,8 +79,8 @@ std::string described(const Recording& recording, const std::string& sha256,
 }
 
 // `windows`: of an analysis.
-void tell_timing(const Timing& timing, double write_s, std::int64_t windows) {
-    say_timing({{"read_s", timing.read_s},
+void tell_timing(const Timing& timing, double write_s, std::int64_t windows, const Log& log) {
+    log.timing({{"read_s", timing.read_s},
                 {"carrier_s", timing.carrier_s},
                 {"estimate_s", timing.estimate_s},
                 {"write_s", write_s},
@@ -101,11 +101,9 @@ Status write_log_track(const AnalyzeRequest& request, TrackFormat format, Output
     TRY(write_track(output, format, analysis.track,
                     track_header(program, request.input, sha256, request.log, analysis), job));
     TRY(output.commit());
-    if (request.timing) {
-        Timing timing = analysis.timing;
-        timing.estimate_s = analysed - begun - timing.read_s;
-        tell_timing(timing, seconds_now() - analysed, analysis.plan.count);
-    }
+    Timing timing = analysis.timing;
+    timing.estimate_s = analysed - begun - timing.read_s;
+    tell_timing(timing, seconds_now() - analysed, analysis.plan.count, log);
     return {};
 }
 
@@ -122,16 +120,16 @@ public:
     }
 
     void tell_timing(double batch_s, int jobs) const {
-        say_timing({{"read_s", spent_.read_s},
-                    {"carrier_s", spent_.carrier_s},
-                    {"estimate_s", spent_.estimate_s},
-                    {"fit_s", spent_.fit_s},
-                    {"write_s", write_s_},
-                    {"batch_s", batch_s},
-                    {"sets", computed_},
-                    {"windows", windows_},
-                    {"threads", spent_.threads},
-                    {"jobs", jobs}});
+        log_.timing({{"read_s", spent_.read_s},
+                     {"carrier_s", spent_.carrier_s},
+                     {"estimate_s", spent_.estimate_s},
+                     {"fit_s", spent_.fit_s},
+                     {"write_s", write_s_},
+                     {"batch_s", batch_s},
+                     {"sets", computed_},
+                     {"windows", windows_},
+                     {"threads", spent_.threads},
+                     {"jobs", jobs}});
     }
 
 private:
@@ -190,9 +188,7 @@ Status run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     TRY(write_text(request.json ? recording_json(recording, sha256, faults.findings)
                                 : described(recording, sha256, faults.findings, request.verbose),
                    silent_job(stop)));
-    if (request.timing) {
-        tell_timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0);
-    }
+    tell_timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0, log);
     return {};
 }
 
@@ -245,20 +241,18 @@ Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop
         return output.as_it_stands(written.error());
     }
     write_s += seconds_now() - analysed;
-    if (request.timing) {
-        Timing timing = analysis->timing;
-        timing.read_s += opened - begun;
-        tell_timing(timing, write_s, analysis->plan.count);
-    }
+    Timing timing = analysis->timing;
+    timing.read_s += opened - begun;
+    tell_timing(timing, write_s, analysis->plan.count, log);
     return {};
 }
 
-Status run_batch(const BatchCommand& request, Log& log, std::stop_token stop) {
-    BatchLog told(log, request.batch.watch);
+Status run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
+    BatchLog told(log, request.watch);
     const double begun = seconds_now();
-    const Status done = compute_batch(request.batch, told.events(), std::move(stop));
-    if (done && request.timing) {
-        told.tell_timing(seconds_now() - begun, request.batch.jobs);
+    const Status done = compute_batch(request, told.events(), std::move(stop));
+    if (done) {
+        told.tell_timing(seconds_now() - begun, request.jobs);
     }
     return done;
 }

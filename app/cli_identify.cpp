@@ -304,13 +304,14 @@ Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
     return {};
 }
 
-void tell_timing(const Identification& identification, double open_s, double write_s) {
+void tell_timing(const Identification& identification, double open_s, double write_s,
+                 const Log& log) {
     const IdentifyTiming& timing = identification.timing;
     std::int64_t windows = 0;
     for (const IdentifiedRun& run : identification.runs) {
         windows += run.windows;
     }
-    say_timing({{"open_s", open_s},
+    log.timing({{"open_s", open_s},
                 {"read_s", timing.read_s},
                 {"carrier_s", timing.carrier_s},
                 {"estimate_s", timing.estimate_s},
@@ -359,9 +360,7 @@ Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token st
         files.push_back(&*passport);
     }
     TRY(OutputFile::commit_together(files));
-    if (request.timing) {
-        tell_timing(result->identification, opened - begun, seconds_now() - identified);
-    }
+    tell_timing(result->identification, opened - begun, seconds_now() - identified, log);
     return {};
 }
 

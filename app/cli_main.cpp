@@ -26,6 +26,7 @@ struct LogOptions {
     bool quiet = false;
     bool json = false;
     bool verbose = false;
+    bool timing = false;
 };
 
 void add_log_options(CLI::App& app, LogOptions& options, bool with_verbose = true) {
@@ -83,8 +84,7 @@ void add_compare_options(CLI::App& app, CompareOptions& options) {
               });
 }
 
-void add_batch_options(CLI::App& app, BatchCommand& command) {
-    BatchRequest& request = command.batch;
+void add_batch_options(CLI::App& app, BatchRequest& request, bool& timing) {
     CLI::Option* const list =
         add_text(app, "LIST", "", request.list,
                  "Measurement list, CSV, or a folder in which each file is a set of its own");
@@ -129,11 +129,11 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
     add_identify_options(app, request.settings);
     add_settings(app, open_settings(), request.open);
     add_compare_options(app, request.compare);
-    add_timing(app, command.timing);
+    add_timing(app, timing);
 }
 
 // What identify and compare share.
-void add_identification(CLI::App& app, IdentifyRequest& request) {
+void add_identification(CLI::App& app, IdentifyRequest& request, bool& timing) {
     app.add_option("FILE", request.inputs,
                    "The recordings of one resonator, started at different angles")
         ->type_name("");
@@ -147,7 +147,7 @@ void add_identification(CLI::App& app, IdentifyRequest& request) {
              "The result, JSON; - for standard output (default: a summary there)");
     add_identify_options(app, request.settings);
     add_settings(app, open_settings(), request.open);
-    add_timing(app, request.timing);
+    add_timing(app, timing);
 }
 
 bool asks_for_json(std::span<char*> words) {
@@ -174,7 +174,7 @@ int run(int argc, char** argv) {
     add_input(*info_command, info.input);
     info_command->add_flag("--json", info.json, "As JSON");
     add_settings(*info_command, open_settings(), info.open);
-    add_timing(*info_command, info.timing);
+    add_timing(*info_command, log_options.timing);
     add_log_options(*info_command, log_options);
 
     AnalyzeRequest analyze;
@@ -191,12 +191,12 @@ int run(int argc, char** argv) {
     add_settings(*analyze_command, open_settings(), analyze.open);
     add_settings(*analyze_command, log_settings(), analyze.log);
     add_log_options(*analyze_command, log_options);
-    add_timing(*analyze_command, analyze.timing);
+    add_timing(*analyze_command, log_options.timing);
 
     IdentifyRequest identification;  // of the one or the other
     CLI::App* const identify_command = app.add_subcommand(
         "identify", "The resonator behind one or several recordings of its free decay");
-    add_identification(*identify_command, identification);
+    add_identification(*identify_command, identification, log_options.timing);
     identify_command
         ->add_option("--passport", identification.new_passport,
                      "Also write the gyro's passport, to compare with later")
@@ -211,7 +211,7 @@ int run(int argc, char** argv) {
                      "A passport that identify has written")
         ->type_name("")
         ->required();
-    add_identification(*compare_command, identification);
+    add_identification(*compare_command, identification, log_options.timing);
     add_compare_options(*compare_command, identification.compare);
     add_log_options(*compare_command, log_options);
 
@@ -221,18 +221,18 @@ int run(int argc, char** argv) {
     add_drift_options(*drift_command, drift);
     add_log_options(*drift_command, log_options);
 
-    BatchCommand batch;
-    batch.batch.program = program;
+    BatchRequest batch;
+    batch.program = program;
     CLI::App* const batch_command =
         app.add_subcommand("batch", "The resonators of a measurement list, as a table");
-    add_batch_options(*batch_command, batch);
+    add_batch_options(*batch_command, batch, log_options.timing);
     add_log_options(*batch_command, log_options);
 
     SimulateRequest simulation;
     CLI::App* const simulate_command =
         app.add_subcommand("simulate", "A recording from the equations of motion, and its truth");
     add_simulate_options(*simulate_command, simulation);
-    add_timing(*simulate_command, simulation.timing);
+    add_timing(*simulate_command, log_options.timing);
     add_log_options(*simulate_command, log_options, false);
 
     let_repeated_options_parse(app);
@@ -248,7 +248,8 @@ int run(int argc, char** argv) {
     }
 
     // A simulation has no warnings but of options, and says each.
-    Log log(log_options.json, log_options.quiet, log_options.verbose || simulate_command->parsed());
+    Log log(log_options.json, log_options.quiet, log_options.verbose || simulate_command->parsed(),
+            log_options.timing);
     info.verbose = log_options.verbose;
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return log.fail_usage(fault);
@@ -265,7 +266,7 @@ int run(int argc, char** argv) {
         return ended(run_simulate(simulation, log, interrupt.token()));
     }
     const int threads = std::max(
-        {analyze.settings.threads, identification.settings.threads, batch.batch.settings.threads});
+        {analyze.settings.threads, identification.settings.threads, batch.settings.threads});
     if (const Status enough = check_threads(threads); !enough) {
         return log.fail(enough.error());
     }
@@ -280,12 +281,12 @@ int run(int argc, char** argv) {
     }
     if (batch_command->parsed()) {
         for (const char* option : {"--f-limit", "--limit"}) {
-            if (batch.batch.passports.empty() && batch_command->count(option) > 0) {
+            if (batch.passports.empty() && batch_command->count(option) > 0) {
                 log.warnings({{DiagnosticKind::option_without_effect,
                                {option, "there is no --passport to compare with"}}});
             }
         }
-        if (batch.batch.list.empty()) {
+        if (batch.list.empty()) {
             return log.fail_usage("LIST is required.");
         }
         return ended(run_batch(batch, log, interrupt.token()));

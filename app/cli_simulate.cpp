@@ -207,14 +207,13 @@ Status run_simulate(const SimulateRequest& request, Log& log, std::stop_token st
         return error;
     }
     log.warnings(without_effect(request));
-    if (request.timing) {  // the samples are made while they are written
-        say_timing({{"read_s", 0.0},
-                    {"carrier_s", 0.0},
-                    {"estimate_s", 0.0},
-                    {"write_s", seconds_now() - begun},
-                    {"windows", 0},
-                    {"threads", 1}});
-    }
+    // The samples are made while they are written.
+    log.timing({{"read_s", 0.0},
+                {"carrier_s", 0.0},
+                {"estimate_s", 0.0},
+                {"write_s", seconds_now() - begun},
+                {"windows", 0},
+                {"threads", 1}});
     return {};
 }
 
