@@ -240,18 +240,14 @@ std::string identify_text(const SetResult& result) {
 
 // The recordings of the command line as one set, or that of the list.
 Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
+    const ListDefaults defaults{request.open, request.settings};
     if (request.list.empty()) {
-        MeasurementSet set{request.inputs.front(), {}, request.settings};
-        for (const std::string& name : request.inputs) {
-            set.recordings.push_back({name, name, request.open});
-        }
-        return MeasurementList{{}, {std::move(set)}, {}};
+        return list_of_files(request.inputs.front(), request.inputs, defaults);
     }
-    auto list = TRY(read_measurement_list(request.list, {request.open, request.settings}));
+    auto list = TRY(read_measurement_list(request.list, defaults));
     log.warnings(list.warnings);
     if (!request.set.empty() || list.sets.size() > 1) {
-        auto set = TRY(set_named(list, "--set", request.set));
-        list.sets = {std::move(set)};
+        TRY(keep_set(list, "--set", request.set));
     }
     return list;
 }

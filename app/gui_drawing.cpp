@@ -161,17 +161,12 @@ Result<MeasurementList> wanted_sets(const GuiRequest& request) {
     settings.tolerance = request.identify.tolerance;
     settings.threads = request.settings.threads;
     if (request.list.empty()) {
-        MeasurementSet set{"", {}, settings};
-        for (const std::string& name : request.inputs) {
-            set.recordings.push_back({name, name, request.open, {}, {}});
-        }
-        return MeasurementList{{}, {std::move(set)}, {}};
+        return list_of_files("", request.inputs, {request.open, settings});
     }
     auto list = TRY(read_measurement_list(request.list, {request.open, settings}));
     warn(list.warnings);
     if (!request.set.empty()) {
-        auto named = TRY(set_named(list, "--set", request.set));
-        list.sets = {std::move(named)};
+        TRY(keep_set(list, "--set", request.set));
     }
     return list;
 }

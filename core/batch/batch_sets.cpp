@@ -91,17 +91,26 @@ std::string file_stamp(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
-                                 const std::string& name) {
+Status keep_set(MeasurementList& list, const std::string& option, const std::string& name) {
     const auto found = std::ranges::find(list.sets, name, &MeasurementSet::name);
     if (found != list.sets.end()) {
-        return *found;
+        list.sets = {MeasurementSet(*found)};
+        return {};
     }
     std::string names = joined(std::span(list.sets).first(std::min(list.sets.size(), most_names)),
                                ", ", &MeasurementSet::name);
     names += list.sets.size() > most_names ? ", ..." : "";
     return name.empty() ? Error{ErrorCode::set_not_chosen, "", {option, names}}
                         : refused_value(option, name, "the sets of the list are " + names);
+}
+
+MeasurementList list_of_files(const std::string& set, const std::vector<std::string>& files,
+                              const ListDefaults& defaults) {
+    MeasurementList list{{}, {{set, {}, defaults.settings}}, {}};
+    for (const std::string& name : files) {
+        list.sets.front().recordings.push_back({name, name, defaults.open});
+    }
+    return list;
 }
 
 Result<std::string> row_key(const BatchRequest& request, const SetTask& task,

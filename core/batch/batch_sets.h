@@ -15,10 +15,13 @@ namespace vybeg {
 
 // Sets of a measurement list or a batch, and the files that belong to them.
 
-// The set that an option names. Errors, with the names that there are: setting_invalid;
-// set_not_chosen without a name.
-Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
-                                 const std::string& name);
+// Leaves the set alone that an option names. Errors, with the names that there are:
+// setting_invalid; set_not_chosen without a name.
+Status keep_set(MeasurementList& list, const std::string& option, const std::string& name);
+
+// A list of one set, of the recordings that a command line names.
+MeasurementList list_of_files(const std::string& set, const std::vector<std::string>& files,
+                              const ListDefaults& defaults);
 
 // All that the row of a task depends on, as a hash: program, columns of the table, set, conditions,
 // settings, limits, the files by size and time of change, and what else its result goes into;

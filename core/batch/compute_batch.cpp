@@ -352,8 +352,7 @@ private:
         auto list = TRY(wanted_list(request_));
         events_.warned(list.warnings);
         if (!request_.only.empty()) {
-            auto set = TRY(set_named(list, "--only", request_.only));
-            list.sets = {std::move(set)};
+            TRY(keep_set(list, "--only", request_.only));
         }
         return list;
     }
