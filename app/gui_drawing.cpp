@@ -185,12 +185,6 @@ std::vector<std::string> files_of(const GuiRequest& request,
     return files;
 }
 
-// Faults that are no property of a set.
-bool ends_report(ErrorCode code) {
-    return code == ErrorCode::out_of_memory || code == ErrorCode::out_of_threads ||
-           exit_status(code) == exit_status(ErrorCode::interrupted);
-}
-
 QString program_text() {
     return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
 }
@@ -288,7 +282,7 @@ Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& 
         Result<ui::ReportContent> content =
             report_of_set(set, request.settings, request.title, job);
         if (!content) {
-            if (ends_report(content.error().code)) {
+            if (ends_all(content.error().code)) {
                 return content.error();
             }
             (void)fail(content.error());

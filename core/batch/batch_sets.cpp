@@ -91,6 +91,13 @@ std::string file_stamp(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool ends_all(ErrorCode code) {
+    const int status = exit_status(code);
+    return code == ErrorCode::out_of_memory || code == ErrorCode::out_of_threads ||
+           status == exit_status(ErrorCode::output_failed) ||
+           status == exit_status(ErrorCode::interrupted);
+}
+
 Status keep_set(MeasurementList& list, const std::string& option, const std::string& name) {
     const auto found = std::ranges::find(list.sets, name, &MeasurementSet::name);
     if (found != list.sets.end()) {

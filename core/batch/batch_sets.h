@@ -15,6 +15,10 @@ namespace vybeg {
 
 // Sets of a measurement list or a batch, and the files that belong to them.
 
+// Whether a fault is no property of a set: memory, threads, an output, an interruption. It ends the
+// work on all sets, and the set is computed again later.
+bool ends_all(ErrorCode code);
+
 // Leaves the set alone that an option names. Errors, with the names that there are:
 // setting_invalid; set_not_chosen without a name.
 Status keep_set(MeasurementList& list, const std::string& option, const std::string& name);

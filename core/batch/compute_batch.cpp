@@ -102,14 +102,6 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
     return output.commit();
 }
 
-// Faults that are no property of a set: they end the batch, and the set is computed again later.
-bool ends_batch(ErrorCode code) {
-    const int status = exit_status(code);
-    return code == ErrorCode::out_of_memory || code == ErrorCode::out_of_threads ||
-           status == exit_status(ErrorCode::output_failed) ||
-           status == exit_status(ErrorCode::interrupted);
-}
-
 // None where the table has no limits.
 std::optional<LimitVerdict> verdict_of(const SetTask& task, const Identification* found) {
     return task.limits ? std::optional(limit_verdict(found, *task.limits)) : std::nullopt;
@@ -282,7 +274,7 @@ Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const SetRes
 
 void SetWork::add_failure(const SetTask& task, const Error& error,
                           const std::vector<NamedWarnings>& warnings) {
-    if (ends_batch(error.code)) {
+    if (ends_all(error.code)) {
         give_up(error);
     } else {
         add_row(task, {.fields = batch_row(*task.set, error, verdict_of(task, nullptr)),
