@@ -1,6 +1,7 @@
 #include "core/simulation/free_decay.h"
 
 #include "core/base/number_text.h"
+#include "core/base/setting_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/base/setting_rows.h"
 
 #include <cstdint>
 #include <string>
@@ -9,6 +8,9 @@
 #include <vector>
 
 namespace vybeg {
+
+template <class S>
+struct SettingRow;
 
 // Another mode in the same recording, in the pick-off signals: adds a e^{-t/tau} cos(2 pi f t -
 // phase) to each channel, before the pick-off's cubic.
