@@ -505,7 +505,6 @@ Result<RecordedRun> phasor_windows(const WindowChoice& choice, double rate_hz, i
     told.f0_hz = prepared.f0_hz;
     told.window = plan.length;
     told.windows = plan.count;
-    told.calibration = prepared.calibration;
     auto estimates = TRY(estimate_all(prepared, plan, mean, threads, job, found.timing));
     told.diagnostics = prepared.diagnostics;
     const SampleFaults faults = prepared.check->finish();

@@ -21,7 +21,6 @@ struct IdentifiedRun {
     std::int64_t windows_used = 0;  // without faults
     // Per sample and channel, recording units: of white noise with the density at the carrier.
     double noise_sd = 0;
-    Calibration calibration;              // offsets resolved
     std::vector<Diagnostic> diagnostics;  // of the preparation and of the samples
     RunTrack track;
     WaveMotion wave;

@@ -338,7 +338,6 @@ Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
     }
     if (carrier) {
         const double near = std::min(80.0, carrier->f_hz / 8);
-        found.found = true;
         found.strongest_hz = found.lowest_hz = found.highest_hz = carrier->f_hz;
         for (const Line& line : lines) {
             if (std::abs(line.f_hz - carrier->f_hz) <= near) {

@@ -18,7 +18,6 @@ struct CarrierLines {
     double strongest_hz = 0;
     double lowest_hz = 0;
     double highest_hz = 0;
-    bool found = false;
     // Variance per sample and channel of the white noise that has the density found beside the
     // carrier, and its relative standard deviation; the median over segments. NaN where the
     // samples are too few.
