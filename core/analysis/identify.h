@@ -9,10 +9,7 @@
 #include "core/resonator/results/resonator_fit.h"
 #include "core/resonator/runs/channels.h"
 
-#include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace vybeg {
