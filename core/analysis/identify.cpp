@@ -2,7 +2,6 @@
 
 #include "core/analysis/prepare.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/number_text.h"
 #include "core/resonator/results/free_decay.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/merge_windows.h"
