@@ -1,5 +1,4 @@
-#include "core/analysis/window_choice.h"
-
+#include "core/analysis/phasor_windows.h"
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"

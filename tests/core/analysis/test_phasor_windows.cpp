@@ -3,7 +3,6 @@
 // Statistical model: the errors of the four real parts are independent and Gaussian with the
 // deviation told; the mean of N squares in units of it has a deviation of sqrt(2/N).
 #include "core/analysis/phasor_windows.h"
-#include "core/analysis/window_choice.h"
 #include "core/recording/conditioning/filtered_source.h"
 #include "core/simulation/decay_motion.h"
 #include "core/simulation/simulate.h"
