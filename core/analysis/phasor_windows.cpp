@@ -1,6 +1,6 @@
 #include "core/analysis/phasor_windows.h"
 
-#include "core/analysis/window_faults.h"
+#include "core/analysis/estimate_track.h"
 #include "core/base/plain_text.h"
 #include "core/estimators/wave/wave_state.h"
 #include "core/estimators/wave/window_moments.h"

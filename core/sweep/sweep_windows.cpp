@@ -3,7 +3,6 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/setting_table.h"
-#include "core/analysis/window_faults.h"
 #include "core/analysis/window_noise.h"
 #include "core/estimators/wave/precision_bound.h"
 #include "core/estimators/wave/wave_state.h"
