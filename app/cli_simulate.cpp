@@ -13,7 +13,6 @@
 #include "core/output/track_file.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/software_lock_in.h"
-#include "core/simulation/true_track.h"
 #include "core/track/track.h"
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,9 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/simulation/free_decay.h"
+#include "core/track/track.h"
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -35,5 +37,13 @@ Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink
 
 // The same in memory. Precondition: enough memory.
 Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job);
+
+// Exact slow variables at the centres of consecutive windows of `window` samples, from the axes of
+// the ellipse of (c, d): the wave itself, without errors of channels, noise about the carrier and
+// lost samples. sd columns are zero, rms is the white noise's sqrt(2) sigma. f is f(t) plus the
+// mean rate of phase of both signals, weighted with their power: Im(z^H dz/dt) / (2 pi |z|^2).
+// Angles are NaN where the wave is circular within 1e-12 (flag circular), delta_phi_CD also where
+// one of the signals vanishes. Errors: simulation_impossible.
+Result<Track> true_track(const FreeDecay& decay, std::int64_t window);
 
 }  // namespace vybeg

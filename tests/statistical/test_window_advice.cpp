@@ -1,5 +1,5 @@
 #include "core/analysis/analyse.h"
-#include "core/simulation/true_track.h"
+#include "core/simulation/simulate.h"
 #include "core/sweep/sweep_windows.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"

@@ -4,7 +4,6 @@
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/settings.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/true_track.h"
 #include "core/track/track.h"
 #include "core/windows/window_plan.h"
 #include "tests/closeness.h"
