@@ -12,7 +12,6 @@
 #include "core/output/sample_files.h"
 #include "core/output/track_file.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/software_lock_in.h"
 #include "core/track/track.h"
 
 #include <nlohmann/json.hpp>
