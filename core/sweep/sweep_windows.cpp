@@ -1,5 +1,3 @@
-#include "core/sweep/sweep_windows.h"
-
 #include "core/analysis/analyse.h"
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/setting_table.h"
@@ -7,6 +5,7 @@
 #include "core/estimators/wave/precision_bound.h"
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/statistics.h"
+#include "core/sweep/window_sweep.h"
 
 #include <algorithm>
 #include <array>
