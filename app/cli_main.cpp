@@ -4,7 +4,7 @@
 #include "app/process_guard.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/error.h"
-#include "core/batch/limits.h"
+#include "core/batch/batch_sets.h"
 #include "core/drift/drift_settings.h"
 #include "core/recording/samples/open_table.h"
 #include "core/simulation/simulate.h"

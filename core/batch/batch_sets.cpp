@@ -5,7 +5,6 @@
 #include "core/base/message_arg.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
-#include "core/batch/limits.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
 #include "core/recording/bytes/sha256.h"

@@ -7,7 +7,6 @@
 #include "core/batch/batch_request.h"
 #include "core/batch/batch_sets.h"
 #include "core/batch/identify_set.h"
-#include "core/batch/limits.h"
 #include "core/database/results_database.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
