@@ -8,25 +8,23 @@
 #include "core/analysis/inspect.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/diagnostic.h"
-#include "core/base/finding.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
+#include "core/batch/batch_request.h"
 #include "core/batch/identify_set.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 #include "core/output/recording_json.h"
 #include "core/output/track_file.h"
-#include "core/output/track_header.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/recording.h"
-#include "core/simulation/simulate.h"
-#include "core/simulation/software_lock_in.h"
-#include "core/simulation/true_track.h"
 #include "core/track/track.h"
 
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vybeg::cli {
@@ -81,8 +79,8 @@ std::string described(const Recording& recording, const std::string& sha256,
 }
 
 // `windows`: of an analysis.
-void tell_timing(const Timing& timing, double write_s, std::int64_t windows) {
-    say_timing({{"read_s", timing.read_s},
+void tell_timing(const Timing& timing, double write_s, std::int64_t windows, const Log& log) {
+    log.timing({{"read_s", timing.read_s},
                 {"carrier_s", timing.carrier_s},
                 {"estimate_s", timing.estimate_s},
                 {"write_s", write_s},
@@ -103,13 +101,79 @@ Status write_log_track(const AnalyzeRequest& request, TrackFormat format, Output
     TRY(write_track(output, format, analysis.track,
                     track_header(program, request.input, sha256, request.log, analysis), job));
     TRY(output.commit());
-    if (request.timing) {
-        Timing timing = analysis.timing;
-        timing.estimate_s = analysed - begun - timing.read_s;
-        tell_timing(timing, seconds_now() - analysed, analysis.plan.count);
-    }
+    Timing timing = analysis.timing;
+    timing.estimate_s = analysed - begun - timing.read_s;
+    tell_timing(timing, seconds_now() - analysed, analysis.plan.count, log);
     return {};
 }
+
+// Writes the events of a batch into the log.
+class BatchLog {
+public:
+    // `print`: rows go to standard output as they come.
+    BatchLog(Log& log, bool print) : log_(log), print_(print) {}
+
+    BatchEvents events() {
+        return {[this](const auto& warnings) { log_.warnings(warnings); },
+                [this](const auto& list) { begin(list); }, [this](const auto& row) { add(row); },
+                seconds_now, [this](const auto& error) { log_.fail(error); }};
+    }
+
+    void tell_timing(double batch_s, int jobs) const {
+        log_.timing({{"read_s", spent_.read_s},
+                     {"carrier_s", spent_.carrier_s},
+                     {"estimate_s", spent_.estimate_s},
+                     {"fit_s", spent_.fit_s},
+                     {"write_s", write_s_},
+                     {"batch_s", batch_s},
+                     {"sets", computed_},
+                     {"windows", windows_},
+                     {"threads", spent_.threads},
+                     {"jobs", jobs}});
+    }
+
+private:
+    void begin(const MeasurementList& list) {
+        names_.clear();
+        done_ = 0;
+        for (const MeasurementSet& set : list.sets) {
+            names_.push_back(set.name);
+        }
+    }
+    void add(const FinishedRow& row) {
+        ++done_;
+        if (row.kept) {
+            return;
+        }
+        ++computed_;
+        if (print_) {
+            std::fputs((csv_row(row.fields) + "\n").c_str(), stdout);
+            std::fflush(stdout);
+        }
+        spent_.read_s += row.timing.read_s;
+        spent_.carrier_s += row.timing.carrier_s;
+        spent_.estimate_s += row.timing.estimate_s;
+        spent_.fit_s += row.timing.fit_s;
+        spent_.threads = row.timing.threads;
+        write_s_ += row.write_s;
+        windows_ += row.windows;
+        const std::string& name = names_[row.set];
+        log_.warnings(row.warnings, name);
+        if (row.error) {
+            log_.fail(*row.error, name);
+        }
+        log_.progress(static_cast<double>(done_) / static_cast<double>(names_.size()));
+    }
+
+    Log& log_;
+    bool print_;
+    std::vector<std::string> names_;  // of the sets
+    std::size_t done_ = 0;
+    std::size_t computed_ = 0;
+    IdentifyTiming spent_;  // summed over the sets that were computed
+    double write_s_ = 0;
+    std::int64_t windows_ = 0;
+};
 
 }  // namespace
 
@@ -124,9 +188,7 @@ Status run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     TRY(write_text(request.json ? recording_json(recording, sha256, faults.findings)
                                 : described(recording, sha256, faults.findings, request.verbose),
                    silent_job(stop)));
-    if (request.timing) {
-        tell_timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0);
-    }
+    tell_timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0, log);
     return {};
 }
 
@@ -179,12 +241,20 @@ Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop
         return output.as_it_stands(written.error());
     }
     write_s += seconds_now() - analysed;
-    if (request.timing) {
-        Timing timing = analysis->timing;
-        timing.read_s += opened - begun;
-        tell_timing(timing, write_s, analysis->plan.count);
-    }
+    Timing timing = analysis->timing;
+    timing.read_s += opened - begun;
+    tell_timing(timing, write_s, analysis->plan.count, log);
     return {};
+}
+
+Status run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
+    BatchLog told(log, request.watch);
+    const double begun = seconds_now();
+    const Status done = compute_batch(request, told.events(), std::move(stop));
+    if (done) {
+        told.tell_timing(seconds_now() - begun, request.jobs);
+    }
+    return done;
 }
 
 }  // namespace vybeg::cli

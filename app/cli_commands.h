@@ -25,7 +25,6 @@ struct InfoRequest {
     OpenOptions open;
     bool json = false;
     bool verbose = false;
-    bool timing = false;
 };
 
 struct AnalyzeRequest {
@@ -34,7 +33,6 @@ struct AnalyzeRequest {
     OpenOptions open;
     Settings settings;
     LogChoice log;  // the input is one, where it is given
-    bool timing = false;
 };
 
 // `identify` and, with a passport to compare with, `compare`.
@@ -49,7 +47,6 @@ struct IdentifyRequest {
     OpenOptions open;
     IdentifySettings settings;
     CompareOptions compare;
-    bool timing = false;
 };
 
 struct DriftRequest {
@@ -59,15 +56,9 @@ struct DriftRequest {
     DriftSettings settings;
 };
 
-struct BatchCommand {
-    BatchRequest batch;
-    bool timing = false;
-};
-
 struct SimulateRequest {
     std::string output;
     std::string truth;  // empty: none
-    bool timing = false;
     FreeDecay decay;
     std::int64_t window = 60;  // of the truth
     LockIn lock_in;            // order 0: none
@@ -82,7 +73,7 @@ Status run_info(const InfoRequest& request, Log& log, std::stop_token stop);
 Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop);
 Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop);
 Status run_drift(const DriftRequest& request, Log& log, std::stop_token stop);
-Status run_batch(const BatchCommand& request, Log& log, std::stop_token stop);
+Status run_batch(const BatchRequest& request, Log& log, std::stop_token stop);
 Status run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop);
 
 // The options of `simulate`. `request` must outlive the parse.

@@ -5,7 +5,7 @@
 #include "core/drift/whole_angle_drift.h"
 #include "core/drift/whole_angle_log.h"
 #include "core/output/drift_json.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 
 #include <cmath>
 #include <numbers>

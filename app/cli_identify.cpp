@@ -7,7 +7,7 @@
 #include "core/batch/identify_set.h"
 #include "core/database/results_database.h"
 #include "core/output/identify_json.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 #include "core/output/passport_json.h"
 #include "core/recording/samples/open_table.h"
 #include "core/resonator/results/resonator_parameters.h"
@@ -240,18 +240,14 @@ std::string identify_text(const SetResult& result) {
 
 // The recordings of the command line as one set, or that of the list.
 Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
+    const ListDefaults defaults{request.open, request.settings};
     if (request.list.empty()) {
-        MeasurementSet set{request.inputs.front(), {}, request.settings};
-        for (const std::string& name : request.inputs) {
-            set.recordings.push_back({name, name, request.open});
-        }
-        return MeasurementList{{}, {std::move(set)}, {}};
+        return list_of_files(request.inputs.front(), request.inputs, defaults);
     }
-    auto list = TRY(read_measurement_list(request.list, {request.open, request.settings}));
+    auto list = TRY(read_measurement_list(request.list, defaults));
     log.warnings(list.warnings);
     if (!request.set.empty() || list.sets.size() > 1) {
-        auto set = TRY(set_named(list, "--set", request.set));
-        list.sets = {std::move(set)};
+        TRY(keep_set(list, "--set", request.set));
     }
     return list;
 }
@@ -304,13 +300,14 @@ Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
     return {};
 }
 
-void tell_timing(const Identification& identification, double open_s, double write_s) {
+void tell_timing(const Identification& identification, double open_s, double write_s,
+                 const Log& log) {
     const IdentifyTiming& timing = identification.timing;
     std::int64_t windows = 0;
     for (const IdentifiedRun& run : identification.runs) {
         windows += run.windows;
     }
-    say_timing({{"open_s", open_s},
+    log.timing({{"open_s", open_s},
                 {"read_s", timing.read_s},
                 {"carrier_s", timing.carrier_s},
                 {"estimate_s", timing.estimate_s},
@@ -359,9 +356,7 @@ Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token st
         files.push_back(&*passport);
     }
     TRY(OutputFile::commit_together(files));
-    if (request.timing) {
-        tell_timing(result->identification, opened - begun, seconds_now() - identified);
-    }
+    tell_timing(result->identification, opened - begun, seconds_now() - identified, log);
     return {};
 }
 

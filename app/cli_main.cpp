@@ -4,7 +4,7 @@
 #include "app/process_guard.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/error.h"
-#include "core/batch/limits.h"
+#include "core/batch/batch_sets.h"
 #include "core/drift/drift_settings.h"
 #include "core/recording/samples/open_table.h"
 #include "core/simulation/simulate.h"
@@ -15,7 +15,6 @@
 #include <exception>
 #include <span>
 #include <string_view>
-#include <vector>
 
 namespace {
 
@@ -26,6 +25,7 @@ struct LogOptions {
     bool quiet = false;
     bool json = false;
     bool verbose = false;
+    bool timing = false;
 };
 
 void add_log_options(CLI::App& app, LogOptions& options, bool with_verbose = true) {
@@ -39,9 +39,8 @@ void add_log_options(CLI::App& app, LogOptions& options, bool with_verbose = tru
 }
 
 void add_input(CLI::App& app, std::string& input) {
-    app.add_option("FILE", input,
-                   "The recording: WAV, FLAC, AIFF, CSV, raw samples; recognised by content")
-        ->type_name("")
+    add_text(app, "FILE", "", input,
+             "The recording: WAV, FLAC, AIFF, CSV, raw samples; recognised by content")
         ->required();
 }
 
@@ -50,9 +49,8 @@ void add_timing(CLI::App& app, bool& timing) {
 }
 
 void add_database(CLI::App& app, std::string& database) {
-    app.add_option("--database", database,
-                   "Also the result of each set, into a database (SQLite) that many runs share")
-        ->type_name("FILE");
+    add_text(app, "--database", "FILE", database,
+             "Also the result of each set, into a database (SQLite) that many runs share");
 }
 
 void add_drift_options(CLI::App& app, DriftRequest& request) {
@@ -60,10 +58,9 @@ void add_drift_options(CLI::App& app, DriftRequest& request) {
         ->type_name("")
         ->required();
     add_settings(app, drift_settings(), request.settings);
-    app.add_option("-o,--output", request.output,
-                   "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
-                   "standard output")
-        ->type_name("FILE");
+    add_text(app, "-o,--output", "FILE", request.output,
+             "The drift by angle, CSV, or the result, JSON, by the ending; - for CSV on "
+             "standard output");
     app.add_flag("--json", request.json,
                  "The result on standard output, JSON, in place of the summary");
 }
@@ -86,12 +83,10 @@ void add_compare_options(CLI::App& app, CompareOptions& options) {
               });
 }
 
-void add_batch_options(CLI::App& app, BatchCommand& command) {
-    BatchRequest& request = command.batch;
+void add_batch_options(CLI::App& app, BatchRequest& request, bool& timing) {
     CLI::Option* const list =
-        app.add_option("LIST", request.list,
-                       "Measurement list, CSV, or a folder in which each file is a set of its own")
-            ->type_name("");
+        add_text(app, "LIST", "", request.list,
+                 "Measurement list, CSV, or a folder in which each file is a set of its own");
     app.add_option_function<std::string>(
            "--watch",
            [&request](const std::string& folder) {
@@ -102,24 +97,19 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
            "standard output, too")
         ->type_name("DIR")
         ->excludes(list);
-    app.add_option("-o,--output", request.output,
-                   "The table, CSV: a row for each set; - for standard output")
-        ->type_name("RESULTS.csv")
+    add_text(app, "-o,--output", "RESULTS.csv", request.output,
+             "The table, CSV: a row for each set; - for standard output")
         ->required();
-    app.add_option("--json", request.json, "Also the result of each set, as identify writes it")
-        ->type_name("DIR");
-    app.add_option("--passport", request.passports,
-                   "Compare each set with the passport of its gyro, DIR/GYRO.json")
-        ->type_name("DIR");
-    app.add_option("--passports-out", request.new_passports,
-                   "Also a passport of each set: DIR/GYRO.json, or DIR/SET.json where the gyro has "
-                   "several sets")
-        ->type_name("DIR");
-    app.add_option(
-           "--limits", request.limits,
-           "Limits, CSV: parameter, least, greatest, gyro_type; adds the columns passed and "
-           "failed_by, by the value with its expanded uncertainty")
-        ->type_name("LIMITS.csv");
+    add_text(app, "--json", "DIR", request.json,
+             "Also the result of each set, as identify writes it");
+    add_text(app, "--passport", "DIR", request.passports,
+             "Compare each set with the passport of its gyro, DIR/GYRO.json");
+    add_text(app, "--passports-out", "DIR", request.new_passports,
+             "Also a passport of each set: DIR/GYRO.json, or DIR/SET.json where the gyro has "
+             "several sets");
+    add_text(app, "--limits", "LIMITS.csv", request.limits,
+             "Limits, CSV: parameter, least, greatest, gyro_type; adds the columns passed and "
+             "failed_by, by the value with its expanded uncertainty");
     app.add_flag("--excel", request.excel,
                  "The table for table programs with a decimal comma: semicolons, no comment lines");
     add_database(app, request.database);
@@ -134,32 +124,29 @@ void add_batch_options(CLI::App& app, BatchCommand& command) {
               });
     app.add_flag("--resume", request.resume,
                  "Keep the rows of an interrupted run whose files and options are the same");
-    app.add_option("--only", request.only, "This set alone")->type_name("NAME");
+    add_text(app, "--only", "NAME", request.only, "This set alone");
     add_identify_options(app, request.settings);
     add_settings(app, open_settings(), request.open);
     add_compare_options(app, request.compare);
-    add_timing(app, command.timing);
+    add_timing(app, timing);
 }
 
 // What identify and compare share.
-void add_identification(CLI::App& app, IdentifyRequest& request) {
+void add_identification(CLI::App& app, IdentifyRequest& request, bool& timing) {
     app.add_option("FILE", request.inputs,
                    "The recordings of one resonator, started at different angles")
         ->type_name("");
     CLI::Option* const list =
-        app.add_option("--list", request.list,
-                       "Measurement list, CSV: a row for each recording, with its options")
-            ->type_name("LIST.csv")
+        add_text(app, "--list", "LIST.csv", request.list,
+                 "Measurement list, CSV: a row for each recording, with its options")
             ->excludes("FILE");
-    app.add_option("--set", request.set, "The set of the list (default: its only one)")
-        ->type_name("NAME")
+    add_text(app, "--set", "NAME", request.set, "The set of the list (default: its only one)")
         ->needs(list);
-    app.add_option("-o,--output", request.output,
-                   "The result, JSON; - for standard output (default: a summary there)")
-        ->type_name("RESULT.json");
+    add_text(app, "-o,--output", "RESULT.json", request.output,
+             "The result, JSON; - for standard output (default: a summary there)");
     add_identify_options(app, request.settings);
     add_settings(app, open_settings(), request.open);
-    add_timing(app, request.timing);
+    add_timing(app, timing);
 }
 
 bool asks_for_json(std::span<char*> words) {
@@ -186,7 +173,7 @@ int run(int argc, char** argv) {
     add_input(*info_command, info.input);
     info_command->add_flag("--json", info.json, "As JSON");
     add_settings(*info_command, open_settings(), info.open);
-    add_timing(*info_command, info.timing);
+    add_timing(*info_command, log_options.timing);
     add_log_options(*info_command, log_options);
 
     AnalyzeRequest analyze;
@@ -203,12 +190,12 @@ int run(int argc, char** argv) {
     add_settings(*analyze_command, open_settings(), analyze.open);
     add_settings(*analyze_command, log_settings(), analyze.log);
     add_log_options(*analyze_command, log_options);
-    add_timing(*analyze_command, analyze.timing);
+    add_timing(*analyze_command, log_options.timing);
 
     IdentifyRequest identification;  // of the one or the other
     CLI::App* const identify_command = app.add_subcommand(
         "identify", "The resonator behind one or several recordings of its free decay");
-    add_identification(*identify_command, identification);
+    add_identification(*identify_command, identification, log_options.timing);
     identify_command
         ->add_option("--passport", identification.new_passport,
                      "Also write the gyro's passport, to compare with later")
@@ -223,7 +210,7 @@ int run(int argc, char** argv) {
                      "A passport that identify has written")
         ->type_name("")
         ->required();
-    add_identification(*compare_command, identification);
+    add_identification(*compare_command, identification, log_options.timing);
     add_compare_options(*compare_command, identification.compare);
     add_log_options(*compare_command, log_options);
 
@@ -233,18 +220,18 @@ int run(int argc, char** argv) {
     add_drift_options(*drift_command, drift);
     add_log_options(*drift_command, log_options);
 
-    BatchCommand batch;
-    batch.batch.program = program;
+    BatchRequest batch;
+    batch.program = program;
     CLI::App* const batch_command =
         app.add_subcommand("batch", "The resonators of a measurement list, as a table");
-    add_batch_options(*batch_command, batch);
+    add_batch_options(*batch_command, batch, log_options.timing);
     add_log_options(*batch_command, log_options);
 
     SimulateRequest simulation;
     CLI::App* const simulate_command =
         app.add_subcommand("simulate", "A recording from the equations of motion, and its truth");
     add_simulate_options(*simulate_command, simulation);
-    add_timing(*simulate_command, simulation.timing);
+    add_timing(*simulate_command, log_options.timing);
     add_log_options(*simulate_command, log_options, false);
 
     let_repeated_options_parse(app);
@@ -260,7 +247,8 @@ int run(int argc, char** argv) {
     }
 
     // A simulation has no warnings but of options, and says each.
-    Log log(log_options.json, log_options.quiet, log_options.verbose || simulate_command->parsed());
+    Log log(log_options.json, log_options.quiet, log_options.verbose || simulate_command->parsed(),
+            log_options.timing);
     info.verbose = log_options.verbose;
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return log.fail_usage(fault);
@@ -277,7 +265,7 @@ int run(int argc, char** argv) {
         return ended(run_simulate(simulation, log, interrupt.token()));
     }
     const int threads = std::max(
-        {analyze.settings.threads, identification.settings.threads, batch.batch.settings.threads});
+        {analyze.settings.threads, identification.settings.threads, batch.settings.threads});
     if (const Status enough = check_threads(threads); !enough) {
         return log.fail(enough.error());
     }
@@ -292,12 +280,12 @@ int run(int argc, char** argv) {
     }
     if (batch_command->parsed()) {
         for (const char* option : {"--f-limit", "--limit"}) {
-            if (batch.batch.passports.empty() && batch_command->count(option) > 0) {
+            if (batch.passports.empty() && batch_command->count(option) > 0) {
                 log.warnings({{DiagnosticKind::option_without_effect,
                                {option, "there is no --passport to compare with"}}});
             }
         }
-        if (batch.batch.list.empty()) {
+        if (batch.list.empty()) {
             return log.fail_usage("LIST is required.");
         }
         return ended(run_batch(batch, log, interrupt.token()));

@@ -47,10 +47,6 @@ Result<std::optional<OutputFile>> open_named(const std::string& name, const JobC
     return std::optional(std::move(file));
 }
 
-void say_timing(const nlohmann::ordered_json& times) {
-    std::fputs((times.dump() + "\n").c_str(), stderr);
-}
-
 Status write_text(const std::string& text, const JobControl& job) {
     OutputFile output = OutputFile::onto(STDOUT_FILENO, "standard output", job);
     TRY(output.write(text));
@@ -63,8 +59,12 @@ Status write_answer(const CLI::App& app, const CLI::ParseError& asked) {
     return write_text(text.str(), JobControl());
 }
 
-Log::Log(bool json, bool quiet, bool verbose)
-    : json_(json), quiet_(quiet), verbose_(verbose), terminal_(isatty(STDERR_FILENO)) {}
+Log::Log(bool json, bool quiet, bool verbose, bool timing)
+    : json_(json),
+      quiet_(quiet),
+      verbose_(verbose),
+      timing_(timing),
+      terminal_(isatty(STDERR_FILENO)) {}
 
 Log::~Log() {
     clear_progress();
@@ -196,6 +196,12 @@ void Log::progress(double fraction) {
         std::fprintf(stderr, "\r%3d %% ", percent);
     }
     percent_ = percent;
+}
+
+void Log::timing(const nlohmann::ordered_json& times) const {
+    if (timing_) {
+        std::fputs((times.dump() + "\n").c_str(), stderr);
+    }
 }
 
 std::string text_of(const Estimate& estimate, const std::string& unit) {

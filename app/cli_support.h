@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/base/job_control.h"
 #include "core/output/output_file.h"
 #include "core/resonator/model/reason.h"
@@ -24,8 +24,8 @@ namespace vybeg::cli {
 class Log {
 public:
     // `quiet` leaves only errors; `verbose` shows people all warnings, and notes. Progress for
-    // people is shown on a terminal alone.
-    Log(bool json, bool quiet, bool verbose = false);
+    // people is shown on a terminal alone. `timing`: --timing.
+    Log(bool json, bool quiet, bool verbose = false, bool timing = false);
     ~Log();
 
     // The worst of them, each kind once. `set`: which they concern, where there are several.
@@ -37,6 +37,8 @@ public:
     int fail_usage(const std::string& sentence);
     // Never called from two threads at once; fraction 0..1.
     void progress(double fraction);
+    // Where the time went, as the last line, where it is asked for.
+    void timing(const nlohmann::ordered_json& times) const;
 
 private:
     void line(const std::string& text);
@@ -47,6 +49,7 @@ private:
     bool json_;
     bool quiet_;
     bool verbose_;
+    bool timing_;
     bool terminal_;
     int percent_ = -1;  // on the screen
 };
@@ -61,9 +64,6 @@ JobControl silent_job(std::stop_token stop);
 
 // The file of an option; none where it is not given.
 Result<std::optional<OutputFile>> open_named(const std::string& name, const JobControl& job);
-
-// The last line of --timing on standard error.
-void say_timing(const nlohmann::ordered_json& times);
 
 // Text to standard output.
 Status write_text(const std::string& text, const JobControl& job);

@@ -141,6 +141,11 @@ CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string
         ->type_name(placeholder);
 }
 
+CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& placeholder,
+                      std::string& target, const std::string& help) {
+    return app.add_option(name, target, help)->type_name(placeholder);
+}
+
 void let_repeated_options_parse(CLI::App& app) {
     for (CLI::Option* option : app.get_options()) {
         if (!may_repeat(*option)) {

@@ -36,6 +36,10 @@ CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string
                        const std::string& help,
                        std::function<void(const std::string&, const std::string&)> take);
 
+// Adds an option, or for an empty placeholder a positional one, whose text goes into `target`.
+CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& placeholder,
+                      std::string& target, const std::string& help);
+
 // To be called when all options are defined: an option of one value, or of none, that is given
 // twice parses, so that usage_fault() can name it.
 void let_repeated_options_parse(CLI::App& app);

@@ -9,14 +9,12 @@
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/base/job_control.h"
 #include "core/base/read_value.h"
 #include "core/base/result.h"
 #include "core/batch/batch_sets.h"
 #include "core/batch/identify_set.h"
 #include "core/output/output_file.h"
-#include "core/output/output_paths.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
@@ -163,17 +161,12 @@ Result<MeasurementList> wanted_sets(const GuiRequest& request) {
     settings.tolerance = request.identify.tolerance;
     settings.threads = request.settings.threads;
     if (request.list.empty()) {
-        MeasurementSet set{"", {}, settings};
-        for (const std::string& name : request.inputs) {
-            set.recordings.push_back({name, name, request.open, {}, {}});
-        }
-        return MeasurementList{{}, {std::move(set)}, {}};
+        return list_of_files("", request.inputs, {request.open, settings});
     }
     auto list = TRY(read_measurement_list(request.list, {request.open, settings}));
     warn(list.warnings);
     if (!request.set.empty()) {
-        auto named = TRY(set_named(list, "--set", request.set));
-        list.sets = {std::move(named)};
+        TRY(keep_set(list, "--set", request.set));
     }
     return list;
 }
@@ -190,12 +183,6 @@ std::vector<std::string> files_of(const GuiRequest& request,
         files.push_back(request.list);
     }
     return files;
-}
-
-// Faults that are no property of a set.
-bool ends_report(ErrorCode code) {
-    return code == ErrorCode::out_of_memory || code == ErrorCode::out_of_threads ||
-           exit_status(code) == exit_status(ErrorCode::interrupted);
 }
 
 QString program_text() {
@@ -295,7 +282,7 @@ Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& 
         Result<ui::ReportContent> content =
             report_of_set(set, request.settings, request.title, job);
         if (!content) {
-            if (ends_report(content.error().code)) {
+            if (ends_all(content.error().code)) {
                 return content.error();
             }
             (void)fail(content.error());

@@ -2,9 +2,7 @@
 #include "app/command_line.h"
 #include "app/gui_drawing.h"
 #include "app/process_guard.h"
-#include "core/analysis/idle_options.h"
 #include "core/analysis/setting_table.h"
-#include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/base/result.h"
@@ -55,21 +53,16 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
 
 void add_report_options(CLI::App& app, GuiRequest& request) {
     CLI::Option* const report =
-        app.add_option(
-               "--report", request.report,
-               "Write a report of the recordings, as one set, into this file, without a window: "
-               ".pdf")
-            ->type_name("REPORT")
+        add_text(app, "--report", "REPORT", request.report,
+                 "Write a report of the recordings, as one set, into this file, without a window: "
+                 ".pdf")
             ->excludes(app.get_option("--figure"));
     CLI::Option* const list =
-        app.add_option("--list", request.list,
-                       "With --report: of the sets of this measurement list, a chapter each")
-            ->type_name("LIST.csv")
+        add_text(app, "--list", "LIST.csv", request.list,
+                 "With --report: of the sets of this measurement list, a chapter each")
             ->needs(report)
             ->excludes(app.get_option("FILE"));
-    app.add_option("--set", request.set, "Of this set of the list alone")
-        ->type_name("NAME")
-        ->needs(list);
+    add_text(app, "--set", "NAME", request.set, "Of this set of the list alone")->needs(list);
     app.add_flag("--summary", request.summary, "With --report: one page a set, to be signed")
         ->needs(report);
     for (const ui::TitleField& field : ui::title_fields) {
@@ -92,9 +85,8 @@ void describe(CLI::App& app, GuiRequest& request) {
     add_analysis_options(app, request.settings);
     add_setting(app, *row_named(identify_settings(), "tolerance"), request.identify);
     add_settings(app, open_settings(), request.open);
-    app.add_option("--figure", request.figure,
-                   "Draw the stacked plots into this file, without a window: .svg, .pdf or .png")
-        ->type_name("FIGURE");
+    add_text(app, "--figure", "FIGURE", request.figure,
+             "Draw the stacked plots into this file, without a window: .svg, .pdf or .png");
     add_value(app, "--windows", "N,N...",
               "With --figure: one column for each of these window lengths, samples",
               [&request](const std::string& option, const std::string& text) {

@@ -12,11 +12,11 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <fcntl.h>
 #include <mutex>
 #include <pthread.h>
+#include <string_view>
 #include <sys/resource.h>
 #include <system_error>
 #include <thread>
@@ -26,9 +26,9 @@
 namespace vybeg::cli {
 namespace {
 
-void say(const char* text) {
+void say(std::string_view text) {
     // Nothing can be done about a standard error that takes no more.
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
 [[noreturn]] void last_words() {
@@ -41,7 +41,7 @@ void say(const char* text) {
     }
     say(program_invocation_short_name);
     say(": ");
-    say(message_row(code).sentence);
+    pass_sentence(message_row(code).sentence, false, say);
     say("\n");
     std::_Exit(exit_status(code));
 }

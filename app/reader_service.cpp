@@ -5,6 +5,7 @@
 #include "core/recording/variables/reader_protocol.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -95,6 +96,14 @@ constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
 #else
 constexpr std::uint32_t architecture = 0;
 #endif
+
+[[maybe_unused]] constexpr std::array allowed_calls{
+    SYS_read,         SYS_readv,        SYS_pread64,        SYS_preadv,       SYS_lseek,
+    SYS_close,        SYS_fstat,        SYS_recvfrom,       SYS_sendto,       SYS_brk,
+    SYS_munmap,       SYS_mremap,       SYS_madvise,        SYS_futex,        SYS_clock_gettime,
+    SYS_gettimeofday, SYS_getrusage,    SYS_getrandom,      SYS_sysinfo,      SYS_getpid,
+    SYS_gettid,       SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_restart_syscall,
+    SYS_sched_yield,  SYS_exit,         SYS_exit_group};
 
 // A list of what is allowed, as the kernel's filter runs it for each system call.
 class CallFilter {
@@ -191,34 +200,7 @@ bool forbid_system_calls() {
         return false;
     }
     CallFilter filter;
-    for (const int call : {SYS_read,
-                           SYS_readv,
-                           SYS_pread64,
-                           SYS_preadv,
-                           SYS_lseek,
-                           SYS_close,
-                           SYS_fstat,
-                           SYS_recvfrom,
-                           SYS_sendto,
-                           SYS_brk,
-                           SYS_munmap,
-                           SYS_mremap,
-                           SYS_madvise,
-                           SYS_futex,
-                           SYS_clock_gettime,
-                           SYS_gettimeofday,
-                           SYS_getrusage,
-                           SYS_getrandom,
-                           SYS_sysinfo,
-                           SYS_getpid,
-                           SYS_gettid,
-                           SYS_rt_sigaction,
-                           SYS_rt_sigprocmask,
-                           SYS_rt_sigreturn,
-                           SYS_restart_syscall,
-                           SYS_sched_yield,
-                           SYS_exit,
-                           SYS_exit_group}) {
+    for (const int call : allowed_calls) {
         filter.allow(call);
     }
     filter.allow_without(SYS_mmap, 2, PROT_EXEC);

@@ -1277,10 +1277,6 @@
         <translation>%1: ошибка чтения: %2. Проверьте диск и скопируйте файл заново.</translation>
     </message>
     <message>
-        <source>%1: neither an audio file nor a table of numbers. Save the recording as WAV or CSV, or give the layout of raw samples with --raw.</source>
-        <translation>%1: это не звуковой файл и не таблица чисел. Сохраните запись в WAV или CSV либо задайте расположение отсчётов параметром --raw.</translation>
-    </message>
-    <message>
         <source>%1: the %2 file is damaged: %3. Copy it again.</source>
         <translation>%1: файл %2 повреждён: %3. Скопируйте его заново.</translation>
     </message>
@@ -1297,16 +1293,8 @@
         <translation>%1, строка %2: время %3 не следует за %4. Столбец времени должен возрастать.</translation>
     </message>
     <message>
-        <source>%1: there is no channel %2; the file has %3. Choose other channels with --channels.</source>
-        <translation>%1: канала %2 нет, в файле их %3. Выберите другие каналы (--channels).</translation>
-    </message>
-    <message>
         <source>%1 holds %2 sample(s), and at least %3 are needed.</source>
         <translation>%1: отсчётов %2, а нужно не менее %3.</translation>
-    </message>
-    <message>
-        <source>%1: the file does not tell its sample rate. Give it with --rate, in Hz.</source>
-        <translation>%1: в файле не указана частота дискретизации. Задайте её в герцах (--rate).</translation>
     </message>
     <message>
         <source>%1 changed while it was read: its size or the time of its last change is another. Wait until it is complete, and open it again.</source>
@@ -1329,10 +1317,6 @@
         <translation>%1: несущая частота %2 Гц не ниже половины частоты дискретизации, %3 Гц. Проверьте обе частоты.</translation>
     </message>
     <message>
-        <source>%1: no carrier stands out of the spectrum. Give it with --f0, or the band to look in with --band.</source>
-        <translation>%1: несущая не выделяется в спектре. Задайте её (--f0) или полосу поиска (--band).</translation>
-    </message>
-    <message>
         <source>%1: no line stands out of the spectrum within %3 Hz of the carrier given, %2 Hz. Give a nearer one, or leave it out so that it is looked for.</source>
         <translation>%1: в пределах %3 Гц от заданной несущей, %2 Гц, в спектре нет ни одной линии. Задайте частоту точнее или не задавайте её: программа найдёт несущую сама.</translation>
     </message>
@@ -1349,10 +1333,6 @@
         <translation>%1: на участке нет ни одного годного отсчёта (все NaN).</translation>
     </message>
     <message>
-        <source>%1: every window holds clipped samples (channel %2). Record with a lower gain, begin the range where the wave is weaker (--from), or shorten the window.</source>
-        <translation>%1: в каждом окне есть ограниченные отсчёты (канал %2). Уменьшите усиление при записи, начните участок там, где волна слабее (--from), или возьмите окно короче.</translation>
-    </message>
-    <message>
         <source>This decay cannot be simulated: %2.</source>
         <translation>Такой выбег смоделировать нельзя: %2.</translation>
     </message>
@@ -1365,20 +1345,12 @@
         <translation>%1 и %2 содержат одни и те же отсчёты (SHA-256): запись, учтённая дважды, новых данных не даёт. Укажите каждую запись один раз.</translation>
     </message>
     <message>
-        <source>%1: the band from %2 Hz to %3 Hz is too narrow for the search for the carrier; at this length it needs at least %4 Hz. Give the carrier with --f0, or a wider band.</source>
-        <translation>%1: полоса от %2 до %3 Гц слишком узка для поиска несущей; при такой длине нужно не меньше %4 Гц. Задайте несущую параметром --f0 или более широкую полосу.</translation>
-    </message>
-    <message>
         <source>%1: channel %2 has no samples in the range: every one is missing (NaN). Choose other channels or another range.</source>
         <translation>%1: в канале %2 на этом участке нет отсчётов: все пропущены (NaN). Выберите другие каналы или другой участок.</translation>
     </message>
     <message>
         <source>There is not enough memory. Choose a shorter range, or end other programs.</source>
         <translation>Не хватает памяти. Выберите участок короче или закройте другие программы.</translation>
-    </message>
-    <message>
-        <source>The system starts no more threads. Raise the limit of processes, or give a smaller number with --threads.</source>
-        <translation>Система больше не запускает потоков. Увеличьте ограничение на число процессов или задайте меньшее число параметром --threads.</translation>
     </message>
     <message>
         <source>A fault of Vybeg stopped this work (%2). Please report it, with the recording and the settings; all else goes on.</source>
@@ -1469,24 +1441,12 @@
         <translation>%1: паспорт схемы %2; эта программа знает схемы до %3. Возьмите программу, которая его записала, или более новую.</translation>
     </message>
     <message>
-        <source>%1: there is no variable &quot;%2&quot; to read; the file has %3. Choose others with --variables.</source>
-        <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие (--variables).</translation>
-    </message>
-    <message>
         <source>Channel %1: %2 samples lie beyond its range and are missing. Record with a larger range.</source>
         <translation>Канал %1: отсчётов за пределами шкалы: %2, они пропущены. Запишите с большим пределом измерения.</translation>
     </message>
     <message>
         <source>Channel %1 is in %2 in the file; it was converted to %3, the unit of channel C.</source>
         <translation>Канал %1 записан в файле в %2; пересчитан в %3, единицу канала C.</translation>
-    </message>
-    <message>
-        <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit with --time-unit, or their rate with --time-column none and --rate.</source>
-        <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу (--time-unit) или частоту дискретизации (--time-column none и --rate).</translation>
-    </message>
-    <message>
-        <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit with --channels, or give the gain ratio with --kappa.</source>
-        <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей (--channels) или задайте отношение коэффициентов передачи (--kappa).</translation>
     </message>
     <message>
         <source>Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged.</source>
@@ -1511,18 +1471,6 @@
     <message>
         <source>Channel %1 stays within %2 levels of the converter: its signal is below one bit.</source>
         <translation>Канал %1 не выходит за %2 уровня преобразователя: сигнал меньше одного разряда.</translation>
-    </message>
-    <message>
-        <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out (--offset auto).</source>
-        <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка (--offset auto).</translation>
-    </message>
-    <message>
-        <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out (--filter).</source>
-        <translation>Сетевая наводка на %1 Гц, %2 % несущей. Её убирает полосовой фильтр (--filter).</translation>
-    </message>
-    <message>
-        <source>The first %1 s do not decay as what follows. The range can leave them out (--from).</source>
-        <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном (--from).</translation>
     </message>
     <message>
         <source>Lost samples made gaps, as asked for: %1; places: %2. Windows over them have no values.</source>
@@ -1559,10 +1507,6 @@
     <message>
         <source>%1: the resonator needs %3 windows without faults, and there are %2. Use a longer recording or shorter windows.</source>
         <translation>%1: для резонатора нужно не меньше %3 окон без дефектов, а их %2. Возьмите запись длиннее или окна короче.</translation>
-    </message>
-    <message>
-        <source>%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the shortest at this carrier. Keep one pair of modes with --filter.</source>
-        <translation>%1: биения линий %2 Гц и %3 Гц слишком быстры для окон в %4 отсчётов, самых коротких при этой несущей. Оставьте одну пару мод полосовым фильтром (--filter).</translation>
     </message>
     <message>
         <source>%1: the window of %2 samples is too long for the beat between the lines at %3 Hz and %4 Hz. Use at most %5 samples, or leave the window out.</source>
@@ -1617,31 +1561,11 @@
         <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
     </message>
     <message>
-        <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out (--from).</source>
-        <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды (--from).</translation>
-    </message>
-    <message>
-        <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Take it out with a narrower band-pass (--filter).</source>
-        <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром (--filter).</translation>
-    </message>
-    <message>
-        <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or tell its tolerance (--tolerance).</source>
-        <translation>Невязка такая, как при ошибке каналов, принятой за ноль: %1, около %2. Откалибруйте её или задайте её допуск (--tolerance).</translation>
-    </message>
-    <message>
-        <source>The quadrature of the recordings at their starts follows the angle, as an error of the channels makes it: %1, about %2. Split, axes and rotation may be off by more than their uncertainties. Measure it and correct the signals (--delay), or state its tolerance (--tolerance).</source>
-        <translation>Квадратура записей в их начале следует за углом, как при ошибке каналов: %1, около %2. Разночастотность, оси и вращение могут быть ошибочны больше своих неопределённостей. Измерьте её и исправьте сигналы (--delay) или задайте её допуск (--tolerance).</translation>
-    </message>
-    <message>
-        <source>The quadrature of the recordings at their starts follows the angle, as an error of the channels makes it: %1, about %2. Split, axes and rotation may be off by more than their uncertainties. Measure it and correct the signals, or state its tolerance.</source>
+        <source>The quadrature of the recordings at their starts follows the angle, as an error of the channels makes it: %1, about %2. Split, axes and rotation may be off by more than their uncertainties. Measure it and correct the signals{ (--delay), or state its tolerance (--tolerance)|, or state its tolerance}.</source>
         <translation>Квадратура записей в их начале следует за углом, как при ошибке каналов: %1, около %2. Разночастотность, оси и вращение могут быть ошибочны больше своих неопределённостей. Измерьте её и исправьте сигналы или задайте её допуск.</translation>
     </message>
     <message>
-        <source>The waves turn by %1, faster than the Earth. Where the base turns, that is right. Where it stands still, it is an error of the channels, %2 of about %3, and split and axes are off, too: measure it and correct the signals (--delay).</source>
-        <translation>Волны поворачиваются со скоростью %1, быстрее Земли. Если основание вращается, так и есть. Если оно неподвижно, это ошибка каналов: %2, около %3; тогда ошибочны и разночастотность, и оси: измерьте её и исправьте сигналы (--delay).</translation>
-    </message>
-    <message>
-        <source>The waves turn by %1, faster than the Earth. Where the base turns, that is right. Where it stands still, it is an error of the channels, %2 of about %3, and split and axes are off, too: measure it and correct the signals.</source>
+        <source>The waves turn by %1, faster than the Earth. Where the base turns, that is right. Where it stands still, it is an error of the channels, %2 of about %3, and split and axes are off, too: measure it and correct the signals{ (--delay)}.</source>
         <translation>Волны поворачиваются со скоростью %1, быстрее Земли. Если основание вращается, так и есть. Если оно неподвижно, это ошибка каналов: %2, около %3; тогда ошибочны и разночастотность, и оси: измерьте её и исправьте сигналы.</translation>
     </message>
     <message>
@@ -1685,71 +1609,71 @@
         <translation>%1 ни на что не влияет: %2.</translation>
     </message>
     <message>
-        <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit, or give the gain ratio.</source>
+        <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit{ with --channels, or give the gain ratio with --kappa|, or give the gain ratio}.</source>
         <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей или задайте отношение коэффициентов передачи.</translation>
     </message>
     <message>
-        <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit, or open the file without a time column and give the sample rate.</source>
+        <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit{ with --time-unit, or their rate with --time-column none and --rate|, or open the file without a time column and give the sample rate}.</source>
         <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу или откройте файл без столбца времени и задайте частоту дискретизации.</translation>
     </message>
     <message>
-        <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out.</source>
+        <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out{ (--offset auto)}.</source>
         <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка.</translation>
     </message>
     <message>
-        <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out.</source>
+        <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out{ (--filter)}.</source>
         <translation>Сетевая наводка на %1 Гц, %2 % несущей. Её убирает полосовой фильтр.</translation>
     </message>
     <message>
-        <source>The first %1 s do not decay like the rest. The range can leave them out.</source>
+        <source>The first %1 s do not decay {as what follows. The range can leave them out (--from)|like the rest. The range can leave them out}.</source>
         <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном.</translation>
     </message>
     <message>
-        <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out of the range.</source>
+        <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out {(--from)|of the range}.</source>
         <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды из диапазона.</translation>
     </message>
     <message>
-        <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Take it out with a narrower band-pass.</source>
+        <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Take it out with a narrower band-pass{ (--filter)}.</source>
         <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром.</translation>
     </message>
     <message>
-        <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or state its tolerance.</source>
+        <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or {tell its tolerance (--tolerance)|state its tolerance}.</source>
         <translation>Невязка такая, как при ошибке каналов, принятой за ноль: %1, около %2. Откалибруйте её или задайте её допуск.</translation>
     </message>
     <message>
-        <source>%1: there is no channel %2; the file has %3. Choose other channels.</source>
+        <source>%1: there is no channel %2; the file has %3. Choose other channels{ with --channels}.</source>
         <translation>%1: канала %2 нет, в файле их %3. Выберите другие каналы.</translation>
     </message>
     <message>
-        <source>%1: the file does not tell its sample rate. Give it, in Hz.</source>
+        <source>%1: the file does not tell its sample rate. Give it{ with --rate}, in Hz.</source>
         <translation>%1: в файле не указана частота дискретизации. Задайте её в герцах.</translation>
     </message>
     <message>
-        <source>%1: there is no variable &quot;%2&quot; to read; the file has %3. Choose others.</source>
+        <source>%1: there is no variable &quot;%2&quot; to read; the file has %3. Choose others{ with --variables}.</source>
         <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие.</translation>
     </message>
     <message>
-        <source>%1: no carrier stands out of the spectrum. Give its frequency, or the band to look in.</source>
+        <source>%1: no carrier stands out of the spectrum. Give {it with --f0, or the band to look in with --band|its frequency, or the band to look in}.</source>
         <translation>%1: несущая не выделяется в спектре. Задайте её частоту или полосу поиска.</translation>
     </message>
     <message>
-        <source>%1: every window holds clipped samples (channel %2). Record with a lower gain, begin the range where the wave is weaker, or shorten the window.</source>
+        <source>%1: every window holds clipped samples (channel %2). Record with a lower gain, begin the range where the wave is weaker{ (--from)}, or shorten the window.</source>
         <translation>%1: в каждом окне есть ограниченные отсчёты (канал %2). Уменьшите усиление при записи, начните участок там, где волна слабее, или возьмите окно короче.</translation>
     </message>
     <message>
-        <source>%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the shortest at this carrier. Keep one pair of modes with the band-pass.</source>
+        <source>%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the shortest at this carrier. Keep one pair of modes with {--filter|the band-pass}.</source>
         <translation>%1: биения линий %2 Гц и %3 Гц слишком быстры для окон в %4 отсчётов, самых коротких при этой несущей. Оставьте одну пару мод полосовым фильтром.</translation>
     </message>
     <message>
-        <source>%1: the band from %2 Hz to %3 Hz is too narrow for the search for the carrier; at this length it needs at least %4 Hz. Give the frequency of the carrier, or a wider band.</source>
+        <source>%1: the band from %2 Hz to %3 Hz is too narrow for the search for the carrier; at this length it needs at least %4 Hz. Give the {carrier with --f0|frequency of the carrier}, or a wider band.</source>
         <translation>%1: полоса от %2 до %3 Гц слишком узка для поиска несущей; при такой длине нужно не меньше %4 Гц. Задайте частоту несущей или более широкую полосу.</translation>
     </message>
     <message>
-        <source>The system starts no more threads. Raise the limit of processes.</source>
+        <source>The system starts no more threads. Raise the limit of processes{, or give a smaller number with --threads}.</source>
         <translation>Система больше не запускает потоков. Увеличьте ограничение на число процессов.</translation>
     </message>
     <message>
-        <source>%1: neither an audio file nor a table of numbers. Save the recording as WAV or CSV, or give the layout of raw samples under Import.</source>
+        <source>%1: neither an audio file nor a table of numbers. Save the recording as WAV or CSV, or give the layout of raw samples {with --raw|under Import}.</source>
         <translation>%1: это не звуковой файл и не таблица чисел. Сохраните запись в WAV или CSV либо задайте расположение отсчётов через «Импорт».</translation>
     </message>
     <message>
@@ -1761,11 +1685,7 @@
         <translation>%1: запятые разделяют и столбцы, и десятичные знаки, например: «%2». Сохраните таблицу с точкой с запятой или табуляцией между столбцами либо с десятичной точкой.</translation>
     </message>
     <message>
-        <source>%1: channel %2 rises by equal steps: it holds times or numbers of rows, no signal. Choose other channels with --channels.</source>
-        <translation>%1: канал %2 растёт равными шагами: это время или номера строк, а не сигнал. Выберите другие каналы (--channels).</translation>
-    </message>
-    <message>
-        <source>%1: channel %2 rises by equal steps: it holds times or numbers of rows, no signal. Choose other channels.</source>
+        <source>%1: channel %2 rises by equal steps: it holds times or numbers of rows, no signal. Choose other channels{ with --channels}.</source>
         <translation>%1: канал %2 растёт равными шагами: это время или номера строк, а не сигнал. Выберите другие каналы.</translation>
     </message>
     <message>
@@ -1777,11 +1697,7 @@
         <translation>%1: у записей различается %2 (%3 и %4), а модель предполагает одно значение для всех. Разнесите их по разным наборам.</translation>
     </message>
     <message>
-        <source>Interrupted; %2 of %3 sets are done. Continue with --resume.</source>
-        <translation>Прервано; готово наборов: %2 из %3. Продолжить можно с --resume.</translation>
-    </message>
-    <message>
-        <source>Interrupted; %2 of %3 sets are done.</source>
+        <source>Interrupted; %2 of %3 sets are done.{ Continue with --resume.}</source>
         <translation>Прервано; готово наборов: %2 из %3.</translation>
     </message>
     <message>
@@ -1853,11 +1769,7 @@
         <translation>Частоты записей отличаются на %1 млн⁻¹ (%2: %3 Гц, %4: %5 Гц). Средняя частота и моды не приводятся.</translation>
     </message>
     <message>
-        <source>The residual is that of a damping by %1 (about %2 % of the damping at the largest amplitude), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit parts of the recordings in which the amplitude changes less (--from, --to).</source>
-        <translation>Невязка такая, как при затухании, которое создаёт %1 (около %2 % затухания при наибольшей амплитуде); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите участки записей, где амплитуда меняется меньше (--from, --to).</translation>
-    </message>
-    <message>
-        <source>The residual is that of a damping by %1 (about %2 % of the damping at the largest amplitude), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit parts of the recordings in which the amplitude changes less.</source>
+        <source>The residual is that of a damping by %1 (about %2 % of the damping at the largest amplitude), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit parts of the recordings in which the amplitude changes less{ (--from, --to)}.</source>
         <translation>Невязка такая, как при затухании, которое создаёт %1 (около %2 % затухания при наибольшей амплитуде); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите участки записей, где амплитуда меняется меньше.</translation>
     </message>
     <message>
@@ -1865,11 +1777,7 @@
         <translation>Запись %1: это не свободный выбег: %2. Затухание, добротность и всё, что на них опирается, могут быть ошибочны больше своих СКО.</translation>
     </message>
     <message>
-        <source>Recording %1: this is no free decay from start to end. From %2 s to %3 s it decays freely: take this part (--from %2 --to %3).</source>
-        <translation>Запись %1: это не свободный выбег от начала до конца. От %2 с до %3 с выбег свободный: возьмите этот участок (--from %2 --to %3).</translation>
-    </message>
-    <message>
-        <source>Recording %1: this is no free decay from start to end. From %2 s to %3 s it decays freely: set the range to this part.</source>
+        <source>Recording %1: this is no free decay from start to end. From %2 s to %3 s it decays freely: {take this part (--from %2 --to %3)|set the range to this part}.</source>
         <translation>Запись %1: это не свободный выбег от начала до конца. От %2 с до %3 с выбег свободный: выберите этот участок диапазоном.</translation>
     </message>
     <message>
@@ -1893,27 +1801,15 @@
         <translation>%1 — канал или устройство, а запись читается не один раз. Сначала сохраните её в файл, например cat %1 &gt; run.wav, и укажите этот файл.</translation>
     </message>
     <message>
-        <source>%1 states a sample rate of %2 Hz, and its times give %3 Hz. Say which holds: --time-unit for the unit of the times, or --rate with one of both.</source>
-        <translation>%1: указана частота дискретизации %2 Гц, а по столбцу времени она равна %3 Гц. Скажите, что верно: единица времени (--time-unit) или одна из двух частот (--rate).</translation>
-    </message>
-    <message>
-        <source>%1 states a sample rate of %2 Hz, and its times give %3 Hz. Choose the unit of the times, or give the one that holds as the sample rate.</source>
+        <source>%1 states a sample rate of %2 Hz, and its times give %3 Hz. {Say which holds: --time-unit for the unit of the times, or --rate with one of both|Choose the unit of the times, or give the one that holds as the sample rate}.</source>
         <translation>%1: указана частота дискретизации %2 Гц, а по столбцу времени она равна %3 Гц. Выберите единицу времени или задайте верную из двух частот.</translation>
     </message>
     <message>
-        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, name it: --channel-d %4.</source>
-        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, укажите его: --channel-d %4.</translation>
-    </message>
-    <message>
-        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, drop both files into the window together, or choose it under Import (%4).</source>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import (%4)}.</source>
         <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, перетащите в окно оба файла вместе или выберите его в окне «Импорт» (%4).</translation>
     </message>
     <message>
-        <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or give --raw f32 --raw-channels 1 --rate HZ.</source>
-        <translation>%1: только отсчёты, а ни %2.anp, ни %2.xml рядом не сообщают частоту дискретизации. Скопируйте и этот файл или задайте --raw f32 --raw-channels 1 --rate ГЦ.</translation>
-    </message>
-    <message>
-        <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or read it as raw samples under Import.</source>
+        <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or {give --raw f32 --raw-channels 1 --rate HZ|read it as raw samples under Import}.</source>
         <translation>%1: только отсчёты, а ни %2.anp, ни %2.xml рядом не сообщают частоту дискретизации. Скопируйте и этот файл или прочитайте как отсчёты без заголовка в окне «Импорт».</translation>
     </message>
     <message>
@@ -1921,11 +1817,7 @@
         <translation>%1 и %2 не составляют одну запись: не согласуются %3 (%4 и %5). Выберите файлы, записанные вместе.</translation>
     </message>
     <message>
-        <source>The times of channel D begin %1 s (%2 samples) after those of channel C; D was interpolated to C&apos;s times. What its times are wrong by is a phase between the channels (--delay).</source>
-        <translation>Отсчёты времени канала D начинаются на %1 с (%2 отсчёта) позже, чем у канала C; канал D интерполирован на моменты канала C. Погрешность этого сдвига — фаза между каналами (--delay).</translation>
-    </message>
-    <message>
-        <source>The times of channel D begin %1 s (%2 samples) after those of channel C; D was interpolated to C&apos;s times. What its times are wrong by is a phase between the channels (delay of D).</source>
+        <source>The times of channel D begin %1 s (%2 samples) after those of channel C; D was interpolated to C&apos;s times. What its times are wrong by is a phase between the channels ({--delay|delay of D}).</source>
         <translation>Отсчёты времени канала D начинаются на %1 с (%2 отсчёта) позже, чем у канала C; канал D интерполирован на моменты канала C. Погрешность этого сдвига — фаза между каналами (задержка D).</translation>
     </message>
     <message>
@@ -1933,19 +1825,11 @@
         <translation>Части записи (%1) не сообщают время начала: принято, что они следуют одна за другой без пропуска.</translation>
     </message>
     <message>
-        <source>%1: there is no column &quot;%2&quot;; the file has %3. Name the columns with --columns.</source>
-        <translation>%1: столбца «%2» нет; в файле есть %3. Назовите столбцы (--columns).</translation>
-    </message>
-    <message>
-        <source>%1: there is no column &quot;%2&quot;; the file has %3. Name others.</source>
+        <source>%1: there is no column &quot;%2&quot;; the file has %3. Name {the columns with --columns|others}.</source>
         <translation>%1: столбца «%2» нет; в файле есть %3. Назовите другие.</translation>
     </message>
     <message>
-        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. Give it with --angle-unit: deg or rad.</source>
-        <translation>%1: в столбце «%2» не указана единица углов. Задайте её (--angle-unit): deg или rad.</translation>
-    </message>
-    <message>
-        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. Choose degrees or radians.</source>
+        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. {Give it with --angle-unit: deg or rad|Choose degrees or radians}.</source>
         <translation>%1: в столбце «%2» не указана единица углов. Выберите градусы или радианы.</translation>
     </message>
     <message>
@@ -1957,11 +1841,7 @@
         <translation>%1: сумма R² + S² + Q² составляет %2 % от E², а должна быть равна E². Один из столбцов записан в других единицах или содержит другую величину: E — это |c|² + |d|², R — |c|² − |d|², S и Q — удвоенные действительная и мнимая части c d*.</translation>
     </message>
     <message>
-        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. Give it with --angle-unit: deg or rad.</source>
-        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Задайте её параметром --angle-unit: deg или rad.</translation>
-    </message>
-    <message>
-        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. Choose degrees or radians.</source>
+        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. {Give it with --angle-unit: deg or rad|Choose degrees or radians}.</source>
         <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Выберите градусы или радианы.</translation>
     </message>
     <message>
@@ -1977,11 +1857,7 @@
         <translation>%1 не согласуется с остальными журналами в гармонике %2 дрейфа. Дрейф определён по остальным.</translation>
     </message>
     <message>
-        <source>Gain ratio and skew of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u.</source>
-        <translation>Отношение коэффициентов передачи и неортогональность каналов в пределах допусков дают поворачивающейся волне четвёртую гармонику %1; она входит в u. От дрейфа её отличит журнал с обратным поворотом; меньший допуск (--tolerance kappa=...,skew=...) уменьшит u.</translation>
-    </message>
-    <message>
-        <source>Gain ratio and skew of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift.</source>
+        <source>Gain ratio and skew of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift{; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u}.</source>
         <translation>Отношение коэффициентов передачи и неортогональность каналов в пределах допусков дают поворачивающейся волне четвёртую гармонику %1; она входит в u. От дрейфа её отличит журнал с обратным поворотом.</translation>
     </message>
     <message>
@@ -1989,19 +1865,11 @@
         <translation>%1: угол сворачивается через 90 градусов, поэтому знак второй гармоники — тот, что в первой четверти оборота.</translation>
     </message>
     <message>
-        <source>%1 is a log, no recording: it holds %2. Read it with %3, options of identify, compare, analyze and batch and columns of a measurement list; a set has logs or recordings, not both. If the columns are samples all the same, give them other names.</source>
-        <translation>%1 — журнал, а не запись: в нём %2. Прочитайте его с %3: это параметры команд identify, compare, analyze и batch и столбцы списка измерений; в наборе либо журналы, либо записи. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
-    </message>
-    <message>
-        <source>%1 is a log, no recording: it holds %2. Open it with File, Open logs, or say in the measurement list what it is (%3); a set has logs or recordings, not both. If the columns are samples all the same, give them other names.</source>
+        <source>%1 is a log, no recording: it holds %2. {Read it with %3, options of identify, compare, analyze and batch and columns of a measurement list|Open it with File, Open logs, or say in the measurement list what it is (%3)}; a set has logs or recordings, not both. If the columns are samples all the same, give them other names.</source>
         <translation>%1 — журнал, а не запись: в нём %2. Откройте его через «Файл», «Открыть журналы» или укажите в списке измерений, что это (%3); в наборе либо журналы, либо записи. Если в столбцах всё же отсчёты, назовите столбцы иначе.</translation>
     </message>
     <message>
-        <source>%1 is a whole-angle log, no recording: it holds the angle of a standing wave over time. The command drift reads it.</source>
-        <translation>%1 — журнал интегрирующего режима, а не запись: в нём угол стоячей волны по времени. Его читает команда drift.</translation>
-    </message>
-    <message>
-        <source>%1 is a whole-angle log, no recording: it holds the angle of a standing wave over time. The page Drift opens it.</source>
+        <source>%1 is a whole-angle log, no recording: it holds the angle of a standing wave over time. The {command drift reads|page Drift opens} it.</source>
         <translation>%1 — журнал интегрирующего режима, а не запись: в нём угол стоячей волны по времени. Его открывает страница «Дрейф».</translation>
     </message>
     <message>

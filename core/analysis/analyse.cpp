@@ -1,10 +1,10 @@
 #include "core/analysis/analyse.h"
 
+#include "core/analysis/estimate_track.h"
 #include "core/analysis/setting_table.h"
-#include "core/analysis/window_faults.h"
 #include "core/numerics/phase.h"
 #include "core/recording/checks/recording_check.h"
-#include "core/track/unwrap.h"
+#include "core/track/track.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "core/numerics/statistics.h"
 #include "core/resonator/results/power_fit.h"
 #include "core/resonator/runs/wave_motion.h"
-#include "core/track/unwrap.h"
+#include "core/track/track.h"
 
 #include <algorithm>
 #include <cmath>

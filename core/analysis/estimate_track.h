@@ -2,6 +2,7 @@
 
 #include "core/analysis/prepare.h"
 #include "core/analysis/settings.h"
+#include "core/recording/checks/recording_check.h"
 #include "core/track/track.h"
 #include "core/track/track_summary.h"
 #include "core/windows/window_plan.h"
@@ -28,5 +29,16 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                          const WindowPlan& plan, const Settings& settings,
                                          double rate_hz, int threads, const TrackSink& sink,
                                          const JobControl& job);
+
+// Which windows of a plan lie over faults of the samples: Flag::clipped over segments at the rail,
+// Flag::gap where samples were lost or doubled inside. Ordered by first row;
+// segments of one flag do not overlap.
+std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPlan& plan);
+
+// The rows of `moving` that no window over a fault explains: all but those within two
+// windows' lengths of `over_faults`, as far as motion is looked for.
+std::vector<FlaggedRows> moving_apart(const std::vector<FlaggedRows>& moving,
+                                      const std::vector<FlaggedRows>& over_faults,
+                                      const WindowPlan& plan);
 
 }  // namespace vybeg

@@ -1,9 +1,7 @@
 #include "core/analysis/identify.h"
 
-#include "core/analysis/phasor_windows.h"
 #include "core/analysis/prepare.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/number_text.h"
 #include "core/resonator/results/free_decay.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/merge_windows.h"
@@ -45,17 +43,8 @@ private:
 Result<RecordedRun> run_of(const Recording& recording, const SignalSettings& signal,
                            const PhasorWindowSettings& wished, int threads, const JobControl& job) {
     const auto choice = TRY(choose_windows(recording, signal, wished, job.silent()));
-    auto windows = TRY(phasor_windows(choice, recording.rate_hz, threads, job));
-    RecordedRun run{recording_name(recording), recording.rate_relative_sd, {}, {}};
-    run.told.f0_hz = windows.run.f_ref_hz;
-    run.told.window = windows.plan.length;
-    run.told.windows = windows.plan.count;
-    run.told.windows_used = static_cast<std::int64_t>(windows.run.time_s.size());
-    run.told.noise_sd = windows.noise_sd;
-    run.told.calibration = choice.prepared.calibration;
-    run.told.diagnostics = std::move(windows.diagnostics);
-    run.phasors = std::move(windows.run);
-    run.timing = {windows.read_s, choice.prepared.carrier_s, windows.estimate_s, threads};
+    auto run = TRY(phasor_windows(choice, recording.rate_hz, threads, job));
+    run.name = recording_name(recording);
     return run;
 }
 

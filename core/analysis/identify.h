@@ -2,37 +2,20 @@
 
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify_settings.h"
+#include "core/analysis/phasor_windows.h"
 #include "core/base/job_control.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/results/drift_function.h"
 #include "core/resonator/results/resonator_fit.h"
 #include "core/resonator/runs/channels.h"
-#include "core/resonator/runs/run_track.h"
-#include "core/resonator/runs/wave_motion.h"
 
-#include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace vybeg {
 
 // Points of a run's track: enough for a picture.
 inline constexpr std::size_t run_track_points = 200;
-
-// What became of one recording.
-struct IdentifiedRun {
-    double f0_hz = 0;
-    std::int64_t window = 0;        // samples
-    std::int64_t windows = 0;       // in the range
-    std::int64_t windows_used = 0;  // without faults
-    double noise_sd = 0;            // per sample and channel, recording units
-    Calibration calibration;        // offsets resolved
-    std::vector<Diagnostic> diagnostics;
-    RunTrack track;
-    WaveMotion wave;
-};
 
 // Summed over the recordings.
 struct IdentifyTiming : Timing {
@@ -57,15 +40,6 @@ struct Identification {
 // window_too_long, no_valid_samples, every_window_clipped, those of fit_resonator(), interrupted.
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job);
-
-// Phasors of one recording, and what is known of it.
-struct RecordedRun {
-    std::string name;
-    double rate_relative_sd = 0;  // what the digits of its file leave open of its clock
-    PhasorRun phasors;
-    IdentifiedRun told;  // without track and wave
-    Timing timing = {};  // of recordings
-};
 
 // The same from phasors. `found`: settings and what is known so far of the timing. Errors: those of
 // fit_resonator(), phasors_fold, interrupted.

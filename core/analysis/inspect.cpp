@@ -16,7 +16,7 @@ namespace {
 // identification is impossible. Errors: interrupted.
 Result<std::vector<Diagnostic>> verdicts_on(const Recording& recording,
                                             const SignalSettings& signal, const JobControl& job) {
-    constexpr std::array verdicts{DiagnosticKind::no_free_decay, DiagnosticKind::part_decays,
+    constexpr std::array verdicts{DiagnosticKind::no_free_decay, DiagnosticKind::no_free_decay_part,
                                   DiagnosticKind::same_projection, DiagnosticKind::mode_grows};
     IdentifySettings settings;
     settings.signal = signal;

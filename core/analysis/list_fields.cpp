@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -109,55 +110,35 @@ std::string plain_number(std::string text) {
     return text;
 }
 
-struct OtherName {
-    std::string_view other;
-    std::string_view name;
-};
-
-constexpr std::array other_names{OtherName{"temperature", "temperature-c"},
-                                 OtherName{"bias", "bias-v"},
-                                 OtherName{"bias-voltage", "bias-v"},
-                                 OtherName{"gyroscope", "gyro"},
-                                 OtherName{"recording", "file"},
-                                 OtherName{"min", "least"},
-                                 OtherName{"minimum", "least"},
-                                 OtherName{"max", "greatest"},
-                                 OtherName{"maximum", "greatest"},
-                                 OtherName{"мин", "least"},
-                                 OtherName{"минимум", "least"},
-                                 OtherName{"макс", "greatest"},
-                                 OtherName{"максимум", "greatest"},
-                                 OtherName{"тип", "gyro-type"},
-                                 OtherName{"файл", "file"},
-                                 OtherName{"запись", "file"},
-                                 OtherName{"набор", "set"},
-                                 OtherName{"гироскоп", "gyro"},
-                                 OtherName{"прибор", "gyro"},
-                                 OtherName{"тип-гироскопа", "gyro-type"},
-                                 OtherName{"дата", "date"},
-                                 OtherName{"напряжение-смещения", "bias-v"},
-                                 OtherName{"температура", "temperature-c"},
-                                 OtherName{"перестановка", "exchanged"},
-                                 OtherName{"перестановка-усилителей", "exchanged"},
-                                 OtherName{"оператор", "operator"},
-                                 OtherName{"комментарий", "comment"},
-                                 OtherName{"примечание", "comment"},
-                                 OtherName{"каналы", "channels"},
-                                 OtherName{"от", "from"},
-                                 OtherName{"до", "to"},
-                                 OtherName{"полоса", "band"},
-                                 OtherName{"фильтр", "filter"},
-                                 OtherName{"частота-дискретизации", "rate"},
-                                 OtherName{"окно", "window"},
-                                 OtherName{"периоды", "periods"},
-                                 OtherName{"модель", "model"},
-                                 OtherName{"каппа", "kappa"},
-                                 OtherName{"смещения-каналов", "offset"},
-                                 OtherName{"задержка", "delay"},
-                                 OtherName{"допуски", "tolerance"},
-                                 OtherName{"параметр", "parameter"},
-                                 OtherName{"не-менее", "least"},
-                                 OtherName{"не-более", "greatest"}};
+// A usual name, and the others with blanks between them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 26> other_names{{
+    {"temperature-c", "temperature температура"},
+    {"bias-v", "bias bias-voltage напряжение-смещения"},
+    {"gyro", "gyroscope гироскоп прибор"},
+    {"file", "recording файл запись"},
+    {"least", "min minimum мин минимум не-менее"},
+    {"greatest", "max maximum макс максимум не-более"},
+    {"gyro-type", "тип тип-гироскопа"},
+    {"set", "набор"},
+    {"date", "дата"},
+    {"exchanged", "перестановка перестановка-усилителей"},
+    {"operator", "оператор"},
+    {"comment", "комментарий примечание"},
+    {"channels", "каналы"},
+    {"from", "от"},
+    {"to", "до"},
+    {"band", "полоса"},
+    {"filter", "фильтр"},
+    {"rate", "частота-дискретизации"},
+    {"window", "окно"},
+    {"periods", "периоды"},
+    {"model", "модель"},
+    {"kappa", "каппа"},
+    {"offset", "смещения-каналов"},
+    {"delay", "задержка"},
+    {"tolerance", "допуски"},
+    {"parameter", "параметр"},
+}};
 
 }  // namespace
 
@@ -176,8 +157,10 @@ std::string usual_column(const std::string& name) {
     while (plain.ends_with('-')) {
         plain.pop_back();
     }
-    const auto found = std::ranges::find(other_names, plain, &OtherName::other);
-    return found == other_names.end() ? plain : std::string(found->name);
+    const auto found = std::ranges::find_if(other_names, [&plain](const auto& names) {
+        return (' ' + std::string(names.second) + ' ').find(' ' + plain + ' ') != std::string::npos;
+    });
+    return found == other_names.end() ? plain : std::string(found->first);
 }
 
 bool names_resemble(const std::string& one, const std::string& other) {

@@ -1,7 +1,6 @@
 #include "core/analysis/phasor_windows.h"
 
-#include "core/analysis/window_faults.h"
-#include "core/base/number_text.h"
+#include "core/analysis/estimate_track.h"
 #include "core/base/plain_text.h"
 #include "core/estimators/wave/wave_state.h"
 #include "core/estimators/wave/window_moments.h"
@@ -218,10 +217,10 @@ double estimate_chunk(const PhasorChunk& chunk, const WindowPlan& plan, const Wi
     return job.now() - begun;
 }
 
-// All windows of the plan: one thread reads, the others estimate. `found` gets the seconds.
+// All windows of the plan: one thread reads, the others estimate. `timing` gets the seconds.
 Result<Estimates> estimate_all(const ConditionedRecording& prepared, const WindowPlan& plan,
                                const WindowMean& mean, int threads, const JobControl& job,
-                               PhasorWindows& found) {
+                               Timing& timing) {
     Estimates estimates(static_cast<std::size_t>(plan.count));
     const std::int64_t per_chunk = std::max<std::int64_t>(1, chunk_frames / plan.length);
     std::vector<double> seconds(static_cast<std::size_t>((plan.count + per_chunk - 1) / per_chunk));
@@ -244,7 +243,7 @@ Result<Estimates> estimate_all(const ConditionedRecording& prepared, const Windo
             return chunk;
         }
         next += chunk->windows;
-        found.read_s += job.now() - begun;
+        timing.read_s += job.now() - begun;
         job.report(static_cast<double>(next) / static_cast<double>(plan.count));
         return chunk;
     };
@@ -263,7 +262,7 @@ Result<Estimates> estimate_all(const ConditionedRecording& prepared, const Windo
         return status.error();
     }
     TRY(job.go_on());
-    found.estimate_s = std::accumulate(seconds.begin(), seconds.end(), 0.0) / threads;
+    timing.estimate_s = std::accumulate(seconds.begin(), seconds.end(), 0.0) / threads;
     return estimates;
 }
 
@@ -493,22 +492,27 @@ Error nothing_left(const SampleFaults& faults) {
 
 }  // namespace
 
-Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz, int threads,
-                                     const JobControl& job) {
+Result<RecordedRun> phasor_windows(const WindowChoice& choice, double rate_hz, int threads,
+                                   const JobControl& job) {
     const auto& [prepared, plan, lines] = choice;
     const WindowMean mean(plan.length, 2 * std::numbers::pi * prepared.f0_hz / rate_hz,
                           in_turns(lines.mains_hz, rate_hz));
-    PhasorWindows found;
-    found.plan = plan;
-    auto estimates = TRY(estimate_all(prepared, plan, mean, threads, job, found));
-    found.diagnostics = prepared.diagnostics;
+    RecordedRun found;
+    found.rate_relative_sd = prepared.rate_relative_sd;
+    found.timing = {0, prepared.carrier_s, 0, threads};
+    IdentifiedRun& told = found.told;
+    told.f0_hz = prepared.f0_hz;
+    told.window = plan.length;
+    told.windows = plan.count;
+    auto estimates = TRY(estimate_all(prepared, plan, mean, threads, job, found.timing));
+    told.diagnostics = prepared.diagnostics;
     const SampleFaults faults = prepared.check->finish();
-    add_findings(faults.findings, found.diagnostics);
-    add_findings(prepared.check->offsets(), found.diagnostics);
-    tell_of_lost_samples(faults.steps, found.diagnostics);
+    add_findings(faults.findings, told.diagnostics);
+    add_findings(prepared.check->offsets(), told.diagnostics);
+    tell_of_lost_samples(faults.steps, told.diagnostics);
     const bool any_sample = std::ranges::any_of(estimates, counts);
     leave_out(faults, plan, estimates);
-    leave_out_strike(plan, rate_hz, prepared.filter_reach, estimates, found.diagnostics);
+    leave_out_strike(plan, rate_hz, prepared.filter_reach, estimates, told.diagnostics);
     Noise noise;
     noise.freedom = noise_freedom(mean, prepared, static_cast<double>(plan.length) / rate_hz);
     noise.residual = median_power(estimates, noise.freedom);
@@ -516,8 +520,9 @@ Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz,
         return any_sample ? nothing_left(faults) : Error{ErrorCode::no_valid_samples, "", {}};
     }
     noise.at_carrier = noise_at_carrier(noise.residual, lines, prepared);
-    found.noise_sd = std::sqrt(noise.at_carrier);
-    found.run = collect(estimates, prepared, plan, faults.steps, rate_hz, mean, noise);
+    told.noise_sd = std::sqrt(noise.at_carrier);
+    found.phasors = collect(estimates, prepared, plan, faults.steps, rate_hz, mean, noise);
+    told.windows_used = static_cast<std::int64_t>(found.phasors.time_s.size());
     return found;
 }
 

@@ -2,7 +2,6 @@
 
 #include "core/analysis/setting_table.h"
 #include "core/analysis/window_noise.h"
-#include "core/base/number_text.h"
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/conditioning/conditioned_source.h"
 #include "core/windows/carrier_search.h"

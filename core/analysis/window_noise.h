@@ -7,7 +7,6 @@
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>

@@ -131,4 +131,20 @@ std::string english(const std::string& text, const std::vector<MessageArg>& args
     return fill_template(text, texts);
 }
 
+std::string MessageRow::name() const {
+    std::string name = code;
+    std::ranges::replace(name, '_', '-');
+    return name;
+}
+
+std::string sentence_for(bool window, std::string_view sentence) {
+    std::string text;
+    pass_sentence(sentence, window, [&text](std::string_view piece) { text += piece; });
+    return text;
+}
+
+std::string english(const MessageRow& row, const std::vector<MessageArg>& args) {
+    return english(sentence_for(false, row.sentence), args);
+}
+
 }  // namespace vybeg

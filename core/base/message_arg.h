@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,37 +63,41 @@ std::string fill_template(const std::string& text, const std::vector<std::string
 std::string english(const MessageArg& arg);
 std::string english(const std::string& text, const std::vector<MessageArg>& args);
 
-// One code of errors or diagnostics: its name in JSON, its grade, its English sentence, and the
-// window's sentence where that of the command line names options. %1 stands for `where` and %2, %3,
-// ... for the arguments of an error; %1, %2, ... for the arguments of a diagnostic. The desktop
-// program translates a sentence (context "Message") before it fills it.
+// One code of errors or diagnostics. %1, %2, ... stand for arguments in its English sentence, which
+// the desktop program translates (context "Message") before it fills it. Where command line and
+// window say different things it has both, {command line|window}, or {command line} alone.
 struct MessageRow {
-    const char* name;
+    const char* code;
     int grade;  // of an error the exit status of the command line, of a diagnostic its Severity
     const char* sentence;
-    const char* in_window = nullptr;
+
+    // In JSON: "time-gap" of time_gap.
+    std::string name() const;
 };
 
-// A row of the table of all codes.
-template <class Code>
-struct CodedRow {
-    constexpr CodedRow(Code of, const char* name, int grade, const char* sentence,
-                       const char* in_window = nullptr)
-        : code(of), row{name, grade, sentence, in_window} {}
-
-    Code code;
-    MessageRow row;
-};
-
-// Empty where there is none.
-template <class Rows, class Code>
-MessageRow row_of(const Rows& rows, Code code) {
-    for (const CodedRow<Code>& each : rows) {
-        if (each.code == code) {
-            return each.row;
-        }
-    }
-    return {"", 0, ""};
+template <class Rows>
+MessageRow row_at(const Rows& rows, std::size_t place) {
+    return place < rows.size() ? rows[place] : MessageRow{"", 0, ""};
 }
+
+// Passes to `take` what the command line, or the window, says of a sentence, piece by piece.
+template <class Take>
+void pass_sentence(std::string_view sentence, bool window, const Take& take) {
+    for (std::size_t begin = sentence.find('{'); begin != std::string_view::npos;
+         begin = sentence.find('{')) {
+        const std::size_t end = sentence.find('}', begin);
+        const std::size_t bar = std::min(sentence.find('|', begin), end);
+        take(sentence.substr(0, begin));
+        const std::size_t other = std::min(bar + 1, end);
+        take(window ? sentence.substr(other, end - other)
+                    : sentence.substr(begin + 1, bar - begin - 1));
+        sentence.remove_prefix(end + 1);
+    }
+    take(sentence);
+}
+std::string sentence_for(bool window, std::string_view sentence);
+
+// As the command line prints it.
+std::string english(const MessageRow& row, const std::vector<MessageArg>& args);
 
 }  // namespace vybeg

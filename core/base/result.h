@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 
-#include <type_traits>
 #include <utility>
 #include <variant>
 

@@ -4,9 +4,10 @@
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/passport.h"
+#include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/base/result.h"
+#include "core/output/batch_csv.h"
 #include "core/recording/samples/open_options.h"
 #include "core/resonator/results/resonator_parameters.h"
 
@@ -33,7 +34,7 @@ struct SetTask {
 // A row that is safe on the disk.
 struct FinishedRow {
     std::size_t set = 0;  // its place in the list
-    std::string text;     // as batch_csv.h writes it
+    BatchRow fields;      // of the table
     bool kept = false;    // of an earlier batch
     // Of a row of this batch.
     std::vector<NamedWarnings> warnings;

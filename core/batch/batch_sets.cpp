@@ -5,9 +5,8 @@
 #include "core/base/message_arg.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
-#include "core/batch/limits.h"
 #include "core/output/batch_csv.h"
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
 
@@ -71,8 +70,9 @@ std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set)
                : other_of(set, static_cast<std::size_t>(column - list.other_columns.begin()));
 }
 
-}  // namespace
+constexpr const char* no_file = "-";  // its stamp
 
+// Size of a file and times of the last change of its bytes and of its inode.
 std::string file_stamp(const std::filesystem::path& path) {
     struct stat status {};
     if (stat(path.c_str(), &status) != 0) {
@@ -88,17 +88,35 @@ std::string file_stamp(const std::filesystem::path& path) {
     return text;
 }
 
-Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
-                                 const std::string& name) {
+}  // namespace
+
+bool ends_all(ErrorCode code) {
+    const int status = exit_status(code);
+    return code == ErrorCode::out_of_memory || code == ErrorCode::out_of_threads ||
+           status == exit_status(ErrorCode::output_failed) ||
+           status == exit_status(ErrorCode::interrupted);
+}
+
+Status keep_set(MeasurementList& list, const std::string& option, const std::string& name) {
     const auto found = std::ranges::find(list.sets, name, &MeasurementSet::name);
     if (found != list.sets.end()) {
-        return *found;
+        list.sets = {MeasurementSet(*found)};
+        return {};
     }
     std::string names = joined(std::span(list.sets).first(std::min(list.sets.size(), most_names)),
                                ", ", &MeasurementSet::name);
     names += list.sets.size() > most_names ? ", ..." : "";
     return name.empty() ? Error{ErrorCode::set_not_chosen, "", {option, names}}
                         : refused_value(option, name, "the sets of the list are " + names);
+}
+
+MeasurementList list_of_files(const std::string& set, const std::vector<std::string>& files,
+                              const ListDefaults& defaults) {
+    MeasurementList list{{}, {{set, {}, defaults.settings}}, {}};
+    for (const std::string& name : files) {
+        list.sets.front().recordings.push_back({name, name, defaults.open});
+    }
+    return list;
 }
 
 Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
@@ -169,6 +187,76 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
                (!request.database.empty() && (same_file(path, request.database) ||
                                               same_file(path, rollback_of(request.database))));
     });
+}
+
+Result<MeasurementList> FolderWatch::look() {
+    auto files = TRY(wanted_list(request_));
+    fault_.reset();
+    MeasurementList come;
+    std::set<fs::path> listed;
+    std::optional<fs::path> list_path;
+    std::vector<MeasurementSet> single;
+    bool list_in_writing = false;
+    for (MeasurementSet& file : files.sets) {
+        const fs::path& path = file.recordings.front().path;
+        const bool settled = is_settled(path);
+        const bool is_list = is_measurement_list(path);
+        list_in_writing = list_in_writing || (is_list && !settled);
+        if (!settled) {
+            continue;
+        }
+        if (!is_list) {
+            single.push_back(std::move(file));
+            continue;
+        }
+        if (list_path) {
+            fault_ = Error{ErrorCode::list_invalid,
+                           path.string(),
+                           {count_arg(1), "file",
+                            words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
+                                  {list_path->filename().string()})}};
+            continue;
+        }
+        list_path = path;
+        Result<MeasurementList> list =
+            read_measurement_list(path, {request_.open, request_.settings});
+        if (!list) {
+            fault_ = list.error();
+            continue;
+        }
+        come = std::move(*list);
+    }
+    if (fault_ || list_in_writing) {  // which files are of its sets is unknown
+        return MeasurementList{};
+    }
+    for (const MeasurementSet& set : come.sets) {
+        for (const RecordingRef& recording : set.recordings) {
+            listed.insert(recording.path.lexically_normal());
+        }
+    }
+    std::erase_if(come.sets, [this](const MeasurementSet& set) {
+        return !std::ranges::all_of(set.recordings, [this](const RecordingRef& recording) {
+            return is_settled(recording.path.lexically_normal());
+        });
+    });
+    for (MeasurementSet& file : single) {
+        RecordingRef& recording = file.recordings.front();
+        if (!listed.contains(recording.path.lexically_normal())) {
+            for (const std::string& column : come.other_columns) {
+                recording.others.emplace_back(column, "");
+            }
+            come.sets.push_back(std::move(file));
+        }
+    }
+    return come;
+}
+
+bool FolderWatch::is_settled(const fs::path& path) {
+    const std::string now = file_stamp(path);
+    std::string& before = stamps_[path.lexically_normal()];
+    const bool same = before == now && now != no_file;
+    before = now;
+    return same;
 }
 
 Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const MeasurementList& list,

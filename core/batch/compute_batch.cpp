@@ -1,32 +1,39 @@
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
+#include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
 #include "core/base/result.h"
 #include "core/batch/batch_request.h"
 #include "core/batch/batch_sets.h"
-#include "core/batch/limits.h"
-#include "core/batch/set_work.h"
+#include "core/batch/identify_set.h"
 #include "core/database/results_database.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
+#include "core/output/passport_json.h"
+#include "core/output/row_journal.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <stop_token>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace vybeg {
 namespace {
@@ -83,110 +90,228 @@ Status write_table(OutputFile& output, const BatchRequest& request, const std::s
     TRY(output.write((request.excel ? excel_head(head) : head) + "\n"));
     for (const SetTask& task : tasks) {
         const auto row = TRY(journal.row(task.key));
+        const BatchRow fields = csv_fields(row);
         if (limits) {
-            const std::string field = csv_fields(row).at(static_cast<std::size_t>(passed));
+            const std::string& field = fields.at(static_cast<std::size_t>(passed));
             counts.failed += field == passed_text(Conformity::outside) ? 1 : 0;
             counts.undecided += field == passed_text(Conformity::unknown) ? 1 : 0;
         }
-        TRY(output.write((request.excel ? excel_row(row, limits) : row) + "\n"));
+        TRY(output.write((request.excel ? excel_row(fields, limits) : row) + "\n"));
     }
     return output.commit();
 }
 
-// What has come to a folder so far: the sets of its measurement list, where it has one, whose
-// recordings are all there, and every other file as a set of its own. A file counts when its size
-// and times are those of the look before: nothing writes it any more.
-class FolderWatch {
-public:
-    static constexpr double pause_s = 1;  // between two looks
-
-    // `request` must outlive this object.
-    explicit FolderWatch(const BatchRequest& request) : request_(request) {}
-
-    // Nothing while the folder's list has a fault or is being written. Errors: those of
-    // list_of_folder().
-    Result<MeasurementList> look();
-
-    // Why the folder's list does not count at the last look: those of read_measurement_list(), and
-    // list_invalid for a second list.
-    const std::optional<Error>& fault() const { return fault_; }
-
-private:
-    bool is_settled(const fs::path& path);
-
-    const BatchRequest& request_;
-    std::optional<Error> fault_;
-    std::map<fs::path, std::string> stamps_;  // of the look before, and of this one
-};
-
-Result<MeasurementList> FolderWatch::look() {
-    auto files = TRY(wanted_list(request_));
-    fault_.reset();
-    MeasurementList come;
-    std::set<fs::path> listed;
-    std::optional<fs::path> list_path;
-    std::vector<MeasurementSet> single;
-    bool list_in_writing = false;
-    for (MeasurementSet& file : files.sets) {
-        const fs::path& path = file.recordings.front().path;
-        const bool settled = is_settled(path);
-        const bool is_list = is_measurement_list(path);
-        list_in_writing = list_in_writing || (is_list && !settled);
-        if (!settled) {
-            continue;
-        }
-        if (!is_list) {
-            single.push_back(std::move(file));
-            continue;
-        }
-        if (list_path) {
-            fault_ = Error{ErrorCode::list_invalid,
-                           path.string(),
-                           {count_arg(1), "file",
-                            words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
-                                  {list_path->filename().string()})}};
-            continue;
-        }
-        list_path = path;
-        Result<MeasurementList> list =
-            read_measurement_list(path, {request_.open, request_.settings});
-        if (!list) {
-            fault_ = list.error();
-            continue;
-        }
-        come = std::move(*list);
-    }
-    if (fault_ || list_in_writing) {  // which files are of its sets is unknown
-        return MeasurementList{};
-    }
-    for (const MeasurementSet& set : come.sets) {
-        for (const RecordingRef& recording : set.recordings) {
-            listed.insert(recording.path.lexically_normal());
-        }
-    }
-    std::erase_if(come.sets, [this](const MeasurementSet& set) {
-        return !std::ranges::all_of(set.recordings, [this](const RecordingRef& recording) {
-            return is_settled(recording.path.lexically_normal());
-        });
-    });
-    for (MeasurementSet& file : single) {
-        RecordingRef& recording = file.recordings.front();
-        if (!listed.contains(recording.path.lexically_normal())) {
-            for (const std::string& column : come.other_columns) {
-                recording.others.emplace_back(column, "");
-            }
-            come.sets.push_back(std::move(file));
-        }
-    }
-    return come;
+// None where the table has no limits.
+std::optional<LimitVerdict> verdict_of(const SetTask& task, const Identification* found) {
+    return task.limits ? std::optional(limit_verdict(found, *task.limits)) : std::nullopt;
 }
 
-bool FolderWatch::is_settled(const fs::path& path) {
-    const std::string now = file_stamp(path);
-    std::string& before = stamps_[path.lexically_normal()];
-    const bool same = before == now && now != no_file;
-    before = now;
-    return same;
+// What the rows of a batch are made of, and where they go. All must outlive the work.
+struct BatchWork {
+    const BatchRequest& request;
+    const std::vector<SetTask>& tasks;
+    RowJournal& journal;
+    ResultsDatabase* database = nullptr;  // null: there is none
+    std::int64_t last_id = 0;             // of the results in it
+    const BatchEvents& events;
+    std::mutex& mutex;  // of the events and the journal
+};
+
+// Computes the rows that a journal lacks, several sets at once. A set without a result has a row,
+// too; a fault of the machine (memory, threads, disk) or an interruption ends the work.
+class SetWork {
+public:
+    SetWork(const BatchWork& batch, std::stop_token stop);
+
+    // Errors: out_of_memory, out_of_threads, interrupted, those of writing a file.
+    Status run();
+
+    // Rows in the journal.
+    std::size_t done() const { return done_; }
+
+private:
+    void work();
+    void finish(const SetTask& task);
+    // Writes what goes beside the row, before it: a row in the journal means that its files and its
+    // result in the database are there.
+    Status keep(const SetTask& task, const SetResult& result, const JobControl& job,
+                std::vector<NamedWarnings>& warnings);
+    // Precondition: there is a database. Returns the warning that it keeps one result for this set
+    // and another one.
+    Result<std::vector<Diagnostic>> store(const SetTask& task, const SetResult& result,
+                                          const std::string& json);
+    void add_failure(const SetTask& task, const Error& error,
+                     const std::vector<NamedWarnings>& warnings);
+    void add_row(const SetTask& task, FinishedRow row);
+    void give_up(const Error& error);
+    MeasurementSet with_threads(const MeasurementSet& set) const;
+
+    const BatchWork batch_;
+    std::vector<const SetTask*> todo_;
+    std::mutex database_mutex_;                     // a wait for other writers holds up no rows
+    std::map<std::string, const SetTask*> stored_;  // by the key of the result
+    std::stop_source halt_;
+    std::stop_callback<std::function<void()>> interrupted_;
+    std::atomic<std::size_t> next_{0};
+    // Under the mutex of the batch:
+    std::optional<Error> fault_;
+    std::size_t done_ = 0;
+};
+
+SetWork::SetWork(const BatchWork& batch, std::stop_token stop)
+    : batch_(batch), interrupted_(std::move(stop), [this] { halt_.request_stop(); }) {
+    for (const SetTask& task : batch_.tasks) {
+        if (!batch_.journal.has(task.key)) {
+            todo_.push_back(&task);
+        }
+    }
+    done_ = batch_.tasks.size() - todo_.size();
+    prepare_sha256();
+}
+
+Status SetWork::run() {
+    const std::size_t jobs = std::min(static_cast<std::size_t>(batch_.request.jobs), todo_.size());
+    {
+        std::vector<std::jthread> workers;
+        try {
+            while (workers.size() + 1 < jobs) {
+                workers.emplace_back([this] { work(); });
+            }
+        } catch (const std::system_error&) {
+            give_up({ErrorCode::out_of_threads, {}, {}});
+        }
+        work();
+    }
+    return fault_ ? Status(*fault_) : Status();
+}
+
+void SetWork::work() {
+    try {
+        for (std::size_t k = next_++; k < todo_.size(); k = next_++) {
+            if (halt_.stop_requested()) {
+                give_up({ErrorCode::interrupted, {}, {}});
+                return;
+            }
+            finish(*todo_[k]);
+        }
+    } catch (...) {
+        give_up(error_of(std::current_exception()));
+    }
+}
+
+void SetWork::finish(const SetTask& task) {
+    const MeasurementSet set = with_threads(*task.set);
+    const JobControl job(halt_.get_token(), {}, batch_.events.clock);
+    Result<OpenSet> open = open_set(set, task.passport, halt_.get_token());
+    if (!open) {
+        add_failure(task, open.error(), {});
+        return;
+    }
+    Result<SetResult> result =
+        identify_set(*open, batch_.request.program, batch_.request.compare, job);
+    if (!result) {
+        add_failure(task, result.error(), warnings_of(*open));
+        return;
+    }
+    std::vector<NamedWarnings> warnings = warnings_of(*open, *result);
+    const double identified = job.now();
+    if (const Status kept = keep(task, *result, job, warnings); !kept) {
+        give_up(kept.error());
+        return;
+    }
+    FinishedRow row{.fields = batch_row(*result, verdict_of(task, &result->identification)),
+                    .warnings = std::move(warnings),
+                    .error = {},
+                    .timing = result->identification.timing,
+                    .write_s = job.now() - identified};
+    for (const IdentifiedRun& run : result->identification.runs) {
+        row.windows += run.windows;
+    }
+    add_row(task, std::move(row));
+}
+
+Status SetWork::keep(const SetTask& task, const SetResult& result, const JobControl& job,
+                     std::vector<NamedWarnings>& warnings) {
+    if (!task.new_passport.empty()) {
+        TRY(write_file(task.new_passport, passport_json(passport_of(result)), job));
+    }
+    if (!task.json.empty() || batch_.database != nullptr) {
+        const std::string json = identify_json(result);
+        TRY(task.json.empty() ? Status() : write_file(task.json, json, job));
+        if (batch_.database != nullptr) {
+            auto stored = TRY(store(task, result, json));
+            if (!stored.empty()) {
+                warnings.emplace_back("", std::move(stored));
+            }
+        }
+    }
+    return {};
+}
+
+Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const SetResult& result,
+                                               const std::string& json) {
+    std::vector<Diagnostic> warnings;
+    const auto stored = TRY(stored_result(result, json));
+    const std::lock_guard lock(database_mutex_);
+    const auto holder = TRY(batch_.database->holder(stored.key));
+    // Of two sets of the list the later one counts, whichever is computed first.
+    const SetTask*& last = stored_[stored.key];
+    const bool holds_later = last != nullptr && last > &task;
+    const StoredName own{stored.set, stored.gyro};
+    if (holder && *holder != own) {
+        warnings.push_back(holds_later ? same_recordings(*holder, own)
+                                       : same_recordings(own, *holder));
+    }
+    if (!holds_later) {
+        // The same numbers of the results whichever set is computed first.
+        const std::int64_t place = &task - batch_.tasks.data() + 1;
+        TRY(batch_.database->add(stored, batch_.last_id + place));
+        last = &task;
+    }
+    return warnings;
+}
+
+void SetWork::add_failure(const SetTask& task, const Error& error,
+                          const std::vector<NamedWarnings>& warnings) {
+    if (ends_all(error.code)) {
+        give_up(error);
+    } else {
+        add_row(task, {.fields = batch_row(*task.set, error, verdict_of(task, nullptr)),
+                       .warnings = warnings,
+                       .error = error,
+                       .timing = {}});
+    }
+}
+
+void SetWork::add_row(const SetTask& task, FinishedRow row) {
+    const std::unique_lock lock(batch_.mutex);
+    const Status kept = batch_.journal.append(task.key, csv_row(row.fields));
+    if (!kept) {
+        fault_ = fault_ ? fault_ : kept.error();
+        halt_.request_stop();
+        return;
+    }
+    ++done_;
+    row.set = static_cast<std::size_t>(&task - batch_.tasks.data());
+    batch_.events.finished(row);
+}
+
+// The first fault counts: the others follow from its stop.
+void SetWork::give_up(const Error& error) {
+    {
+        const std::lock_guard lock(batch_.mutex);
+        fault_ = fault_ ? fault_ : error;
+    }
+    halt_.request_stop();
+}
+
+// The threads of the machine are shared by the sets that are computed at once.
+MeasurementSet SetWork::with_threads(const MeasurementSet& set) const {
+    MeasurementSet own = set;
+    if (batch_.request.jobs > 1 && own.settings.threads == 0) {
+        own.settings.threads = std::max(1, threads_of(0) / batch_.request.jobs);
+    }
+    return own;
 }
 
 // Waits, or until the token stops it.
@@ -218,8 +343,7 @@ private:
         auto list = TRY(wanted_list(request_));
         events_.warned(list.warnings);
         if (!request_.only.empty()) {
-            auto set = TRY(set_named(list, "--only", request_.only));
-            list.sets = {std::move(set)};
+            TRY(keep_set(list, "--only", request_.only));
         }
         return list;
     }
@@ -292,7 +416,7 @@ private:
             if (is_kept(tasks[k])) {  // the row of an earlier batch
                 const auto row = TRY(journal_->row(tasks[k].key));
                 events_.finished({.set = k,
-                                  .text = row,
+                                  .fields = csv_fields(row),
                                   .kept = true,
                                   .warnings = {},
                                   .error = {},

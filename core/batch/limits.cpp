@@ -1,10 +1,9 @@
-#include "core/batch/limits.h"
-
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/list_fields.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
+#include "core/batch/batch_sets.h"
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>

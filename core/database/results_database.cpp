@@ -1,8 +1,6 @@
 #include "core/database/results_database.h"
 
-#include "core/analysis/list_fields.h"
 #include "core/base/message_arg.h"
-#include "core/database/stored_result.h"
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>

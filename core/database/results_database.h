@@ -1,20 +1,101 @@
 #pragma once
 
+#include "core/analysis/passport.h"
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/database/sqlite.h"
-#include "core/database/stored_result.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace vybeg {
+
+// Where the date of a result is from.
+enum class DateSource { none, list, recording };
+
+// The date of a result, ISO 8601; empty: neither the list nor a recording tells one.
+struct StoredDate {
+    std::string text;
+    DateSource source = DateSource::none;
+
+    friend bool operator==(const StoredDate&, const StoredDate&) = default;
+};
+
+// One result in the history of a parameter.
+struct HistoryPoint {
+    std::int64_t id = 0;  // of ResultsDatabase::result()
+    std::string set;
+    std::string gyro;
+    StoredDate date;
+    double time_s = 0;   // of the date, iso_seconds(); NaN: there is none
+    Estimate f_mean_hz;  // mean frequency, which follows the temperature
+    Estimate value;      // without one: NaN with the reason
+    // Of the recordings that tell them; NaN: none does. The temperature is their mean.
+    double bias_v = 0;
+    double temperature_c = 0;
+    bool exchanged = false;
+    std::string program;
+    std::string warnings;  // warning_kinds() of the result
+};
+
+// A parameter by its name in identify JSON: those of resonator_parameters.h, and of each mode
+// "modes[0].f_hz", ...
+struct StoredParameter {
+    std::string name;
+    Estimate estimate;
+};
+
+// The result of one set as the database keeps it.
+struct StoredResult {
+    std::string key;   // what makes it the same result: SHA-256 of its recordings and settings
+    std::string set;   // name in its list
+    std::string gyro;  // empty: not told
+    StoredDate date;
+    std::string program;                   // name and version
+    std::string model;                     // "structured" or "free"
+    std::string warnings;                  // warning_kinds()
+    std::vector<RecordingRef> recordings;  // with absolute paths
+    std::vector<StoredParameter> parameters;
+    RawParameters raw;
+    std::string json;  // as identify writes it
+};
+
+// The first date in the list, otherwise the first start of a recording that is ISO 8601.
+StoredDate date_of(const MeasurementSet& set);
+
+// A result as it is to be stored; `json` of identify_json(). The key depends on the content of the
+// recordings, on the channels, options and settings with which each was read, and on the settings
+// of the fit, not on names, conditions, threads, the program's version or the order of the
+// recordings. Errors: those of text_sha256().
+Result<StoredResult> stored_result(const SetResult& result, std::string json);
+
+// Results as rows of the tables of results_database.cpp. All throw SqliteFailure; the reading ones
+// also DamagedRow.
+
+// A row whose texts are not what was written.
+struct DamagedRow : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Adds or replaces the result of this key, and returns its id: of a new one `wanted` where that is
+// free. Within a transaction of the caller.
+std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
+                          std::optional<std::int64_t> wanted = {});
+
+// All rows of a result; nothing: there is none.
+std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id);
+
+// The points of a parameter of one gyro, or of all, in no order.
+std::vector<HistoryPoint> read_history(SqliteConnection& connection,
+                                       const std::optional<std::string>& gyro,
+                                       const std::string& parameter);
 
 // A gyro of a database.
 struct StoredGyro {

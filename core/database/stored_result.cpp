@@ -1,9 +1,8 @@
-#include "core/database/stored_result.h"
-
 #include "core/analysis/list_fields.h"
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
+#include "core/database/results_database.h"
 #include "core/output/identify_json.h"
 #include "core/output/quantity_json.h"
 #include "core/recording/bytes/sha256.h"

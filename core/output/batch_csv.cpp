@@ -3,7 +3,6 @@
 #include "core/analysis/measurement_list.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/recording/samples/text_fields.h"
@@ -50,16 +49,15 @@ std::string number(double value) {
 }
 
 // `results`: from the model to the warnings; empty: there are none.
-std::string whole_row(const MeasurementSet& set, const std::string& status,
-                      const std::string& message, const std::vector<std::string>& results,
-                      const LimitVerdict* limits) {
-    std::vector<std::string> texts{
+BatchRow whole_row(const MeasurementSet& set, const std::string& status, const std::string& message,
+                   const BatchRow& results, const std::optional<LimitVerdict>& limits) {
+    BatchRow texts{
         set.name, gyro_of(set), list_date_of(set), joined(set.recordings, ";", &RecordingRef::file),
         status,   message};
     texts.insert(texts.end(), results.begin(), results.end());
     const auto conditions = conditions_of(set);
     texts.resize(batch_columns().size() - conditions.size());
-    if (limits != nullptr) {
+    if (limits) {
         texts.insert(texts.end(), {passed_text(limits->conformity), joined(limits->failed, ";")});
     }
     for (const auto& [column, field] : conditions) {
@@ -68,7 +66,8 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
     for (std::size_t k = 0; k < set.recordings.front().others.size(); ++k) {
         texts.push_back(other_of(set, k));
     }
-    return csv_row(texts);
+    std::ranges::transform(texts, texts.begin(), plain_text);
+    return texts;
 }
 
 // The verdict about the gyro, and the names of the parameters that have changed, without Q, which
@@ -156,15 +155,19 @@ std::string batch_head(std::span<const std::string> header,
     return text + csv_row(names);
 }
 
-std::string batch_row(const MeasurementSet& set, const Error& error, const LimitVerdict* limits) {
+BatchRow batch_row(const MeasurementSet& set) {
+    return whole_row(set, "", "", {}, {});
+}
+
+BatchRow batch_row(const MeasurementSet& set, const Error& error,
+                   const std::optional<LimitVerdict>& limits) {
     return whole_row(set, std::to_string(exit_status(error.code)), english(error), {}, limits);
 }
 
-std::string batch_row(const SetResult& result, const LimitVerdict* limits) {
+BatchRow batch_row(const SetResult& result, const std::optional<LimitVerdict>& limits) {
     const Identification& found = result.identification;
     const ResonatorFit& fit = found.fit;
-    std::vector<std::string> results{fit.model == ResonatorModel::structured ? "structured"
-                                                                             : "free"};
+    BatchRow results{fit.model == ResonatorModel::structured ? "structured" : "free"};
     for (const ResonatorParameter& parameter : parameters) {
         const Estimate& estimate = fit.resonator.*parameter.member;
         results.push_back(estimate.given() ? number(estimate.value) : "");
@@ -189,25 +192,24 @@ std::string excel_head(const std::string& head) {
            csv_row(csv_fields(head.substr(head.rfind('\n') + 1)), ';');
 }
 
-std::string excel_row(const std::string& row, bool limits) {
+std::string excel_row(BatchRow row, bool limits) {
     const std::vector<std::string> names = batch_columns(limits);
-    std::vector<std::string> fields = csv_fields(row);
     constexpr std::array texts{"set",     "gyro",    "date",     "files",    "message",
                                "comment", "verdict", "operator", "failed_by"};
     std::vector<std::string_view> parts;
-    for (std::size_t k = 0; k < std::min(fields.size(), names.size()); ++k) {
+    for (std::size_t k = 0; k < std::min(row.size(), names.size()); ++k) {
         const bool is_text = std::ranges::find(texts, names[k]) != texts.end();
         // Conditions that differ are several numbers: "20.5;21.5".
-        split_fields(fields[k], ';', parts);
+        split_fields(row[k], ';', parts);
         const bool is_number =
             !parts.empty() && std::ranges::all_of(parts, [](std::string_view part) {
                 return parse_number(part).has_value();
             });
         if (!is_text && is_number) {
-            std::ranges::replace(fields[k], '.', ',');
+            std::ranges::replace(row[k], '.', ',');
         }
     }
-    return csv_row(fields, ';');
+    return csv_row(row, ';');
 }
 
 LimitVerdict limit_verdict(const Identification* found, const std::vector<ParameterLimit>& limits) {

@@ -14,7 +14,9 @@
 
 namespace vybeg {
 
-// The table of a batch, RESULTS.csv of the help, line by line without line feeds.
+// The table of a batch, RESULTS.csv of the help: its head and lines without line feeds, and the
+// fields of its rows, which are plain texts.
+using BatchRow = std::vector<std::string>;
 
 // Column `passed` of a table with limits, beside `failed_by`, and its field: "yes", "no",
 // "undecided"; empty: no limit is one of this set.
@@ -33,20 +35,22 @@ bool is_batch_table(const std::filesystem::path& path);
 std::string batch_head(std::span<const std::string> header,
                        std::span<const std::string> other_columns, bool limits = false);
 
-// The row of a set that has no result; `limits` as below.
-std::string batch_row(const MeasurementSet& set, const Error& error,
-                      const LimitVerdict* limits = nullptr);
+// The row of a set as the list has it; status and message are empty.
+BatchRow batch_row(const MeasurementSet& set);
 
-// The row of a set. A serious warning stands as the message, in place of a verdict. `limits`: null,
-// the table has none.
-std::string batch_row(const SetResult& result, const LimitVerdict* limits = nullptr);
+// The row of a set that has no result; `limits`: none, the table has none.
+BatchRow batch_row(const MeasurementSet& set, const Error& error,
+                   const std::optional<LimitVerdict>& limits);
+
+// The row of a set. A serious warning stands as the message, in place of a verdict.
+BatchRow batch_row(const SetResult& result, const std::optional<LimitVerdict>& limits);
 
 // The head of the same table for table programs: a byte order mark and the line of names.
 std::string excel_head(const std::string& head);
 
 // A row of the table as table programs of countries with a decimal comma read it: ";" between its
 // fields, a comma in the numbers of the table's own columns.
-std::string excel_row(const std::string& row, bool limits);
+std::string excel_row(BatchRow row, bool limits);
 
 // Whether a resonator keeps its limits. Numbers that may be wrong by a serious warning decide
 // nothing, nor does a set without a result (null).

@@ -1,7 +1,6 @@
 #include "core/output/drift_json.h"
 
 #include "core/base/diagnostic.h"
-#include "core/base/finding.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/output/quantity_json.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/passport.h"
-#include "core/base/finding.h"
+#include "core/base/diagnostic.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/message_arg.h"
 #include "core/base/number_text.h"
-#include "core/output/output_paths.h"
+#include "core/base/read_value.h"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +18,7 @@
 #include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -25,6 +26,40 @@
 
 namespace vybeg {
 namespace {
+
+std::optional<struct stat> status_of(const std::filesystem::path& path) {
+    struct stat status {};
+    const int failed = path == "-" ? fstat(STDOUT_FILENO, &status) : stat(path.c_str(), &status);
+    return failed == 0 ? std::optional(status) : std::nullopt;
+}
+
+bool is_null_device(const struct stat& status) {
+    return S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
+}
+
+// Where a file that does not exist would be made: the last folder of its path that exists, and what
+// comes after it.
+struct NewPlace {
+    dev_t device;
+    ino_t folder;
+    std::filesystem::path name;
+
+    friend bool operator==(const NewPlace&, const NewPlace&) = default;
+};
+
+std::optional<NewPlace> place_of(const std::filesystem::path& path) {
+    std::error_code failed;
+    std::filesystem::path folder = end_of_links(path, failed);
+    std::filesystem::path name;
+    while (!failed && folder.has_relative_path()) {
+        name = name.empty() ? folder.filename() : folder.filename() / name;
+        folder = folder.parent_path();
+        if (const auto status = status_of(folder)) {
+            return NewPlace{status->st_dev, status->st_ino, name};
+        }
+    }
+    return {};
+}
 
 constexpr std::string_view prefix = ".vybeg-";
 constexpr std::string_view ending = ".part";
@@ -101,6 +136,83 @@ Error failure_of(const std::string& name, int error) {
 }
 
 }  // namespace
+
+std::filesystem::path end_of_links(const std::filesystem::path& path, std::error_code& failed) {
+    constexpr int most_links = 40;  // as the system follows
+    std::filesystem::path end = weakly_canonical(absolute(path, failed), failed);
+    for (int links = 0; !failed && is_symlink(symlink_status(end, failed)); ++links) {
+        if (links == most_links) {
+            failed = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+            break;
+        }
+        end = weakly_canonical(end.parent_path() / read_symlink(end, failed), failed);
+    }
+    // That there is no file at the end is no failure.
+    if (failed == std::errc::no_such_file_or_directory) {
+        failed.clear();
+    }
+    return end;
+}
+
+bool same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+    const auto first = status_of(one);
+    const auto second = status_of(other);
+    if (first && second) {
+        return first->st_dev == second->st_dev && first->st_ino == second->st_ino &&
+               !is_null_device(*first);
+    }
+    if (first || second || one == "-" || other == "-" || one.empty() || other.empty()) {
+        return one == other && one == "-";
+    }
+    const auto new_one = place_of(one);
+    const auto new_other = place_of(other);
+    return new_one && new_other ? *new_one == *new_other : one == other;
+}
+
+std::string file_ending(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    });
+    return ending;
+}
+
+Status check_ending(const std::filesystem::path& path,
+                    std::initializer_list<std::string_view> endings) {
+    const std::string ending = file_ending(path);
+    std::string possible;
+    for (const std::string_view each : endings) {
+        if (each == ending) {
+            return {};
+        }
+        possible += possible.empty() || each.empty() ? "" : ", ";
+        possible += each;
+    }
+    return Error{ErrorCode::output_format_unknown, path.string(), {ending, possible}};
+}
+
+Status check_outputs(const std::vector<OutputPath>& outputs, const std::vector<InputPath>& inputs) {
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+        const OutputPath& output = outputs[k];
+        if (output.path.empty()) {
+            continue;
+        }
+        const auto refused = [&output](const MessageArg& reason) {
+            return refused_value(output.option, output.path, reason);
+        };
+        for (const InputPath& input : inputs) {
+            if (!input.path.empty() && same_file(input.path, output.path)) {
+                return refused(input.taken);
+            }
+        }
+        for (std::size_t earlier = 0; earlier < k; ++earlier) {
+            if (!outputs[earlier].path.empty() && same_file(outputs[earlier].path, output.path)) {
+                return refused(outputs[earlier].taken);
+            }
+        }
+    }
+    return {};
+}
 
 TemporaryFile make_temporary(const std::filesystem::path& folder) {
     const std::int64_t process = getpid();

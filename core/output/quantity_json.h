@@ -2,7 +2,6 @@
 
 #include "core/analysis/measurement_list.h"
 #include "core/base/diagnostic.h"
-#include "core/base/finding.h"
 #include "core/base/setting_rows.h"
 #include "core/resonator/model/reason.h"
 

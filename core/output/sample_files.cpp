@@ -1,8 +1,8 @@
 #include "core/output/sample_files.h"
 
 #include "core/base/number_text.h"
-#include "core/output/array_bytes.h"
-#include "core/output/output_paths.h"
+#include "core/output/array_files.h"
+#include "core/output/output_file.h"
 
 #include <sndfile.h>
 

@@ -1,7 +1,13 @@
 #include "core/output/track_columns.h"
 
+#include "core/base/error.h"
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace vybeg {
 namespace {
@@ -34,6 +40,9 @@ Status pass(Values values, const Sink& sink) {
     return {};
 }
 
+constexpr std::size_t most_in_memory = std::size_t{1} << 23;
+constexpr std::size_t piece_bytes = std::size_t{1} << 20;  // between two checks of the stop token
+
 }  // namespace
 
 std::string track_column_name(std::size_t column) {
@@ -64,6 +73,139 @@ Status MemoryColumns::numbers(std::size_t column, const NumberSink& sink) const 
 
 Status MemoryColumns::flags(const FlagSink& sink) const {
     return pass(track_.flags(), sink);
+}
+
+Spool::~Spool() {
+    if (descriptor_ >= 0) {
+        close(descriptor_);
+    }
+}
+
+Error Spool::failed(int error) const {
+    return output_.failure(system_reason(error));
+}
+
+Status Spool::create() {
+    const std::filesystem::path folder = output_.spool_folder();
+    descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
+        // For a file system without unnamed files.
+        const TemporaryFile named = make_temporary(folder);
+        if (named.descriptor < 0) {
+            return failed(named.error);
+        }
+        unlink(named.path.c_str());
+        descriptor_ = named.descriptor;
+    }
+    return descriptor_ >= 0 ? Status{} : failed(errno);
+}
+
+Status Spool::write(std::span<const std::byte> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (spilled_ > 0 && memory_.empty() && text.size() >= least_direct) {
+        return write_out(text);
+    }
+    memory_.append(text);
+    return memory_.size() < most_in_memory ? Status{} : spill();
+}
+
+Status Spool::spill() {
+    if (descriptor_ < 0) {
+        TRY(create());
+    }
+    TRY(write_out(memory_));
+    memory_.clear();
+    return {};
+}
+
+Status Spool::write_out(std::string_view left) {
+    while (!left.empty()) {
+        TRY(job_.go_on());
+        const ssize_t written =
+            ::write(descriptor_, left.data(), std::min(left.size(), piece_bytes));
+        if (written < 0 && errno != EINTR) {
+            return failed(errno);
+        }
+        left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+        spilled_ += std::max<ssize_t>(written, 0);
+    }
+    return {};
+}
+
+Status Spool::read(std::int64_t from, std::span<std::byte> to) const {
+    while (!to.empty() && from < spilled_) {
+        TRY(job_.go_on());
+        const auto wanted = std::min(static_cast<std::size_t>(spilled_ - from), to.size());
+        const ssize_t got = pread(descriptor_, to.data(), wanted, from);
+        if (got <= 0 && errno != EINTR) {
+            return failed(got == 0 ? EIO : errno);
+        }
+        from += std::max<ssize_t>(got, 0);
+        to = to.subspan(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    }
+    if (!to.empty()) {
+        std::memcpy(to.data(), memory_.data() + (from - spilled_), to.size());
+    }
+    return {};
+}
+
+Status TrackSpool::append(const Track& rows) {
+    blocks_.push_back({rows_, rows.rows(), bytes_});
+    for (std::size_t column = 0; column < track_number_columns; ++column) {
+        TRY(spool_.write(std::as_bytes(track_column(rows, column))));
+    }
+    rows_ += rows.rows();
+    bytes_ += static_cast<std::int64_t>(rows.rows() *
+                                        (track_number_columns * sizeof(double) + sizeof(Flags)));
+    return spool_.write(std::as_bytes(rows.flags()));
+}
+
+Status TrackSpool::numbers(std::size_t column, const NumberSink& sink) const {
+    std::vector<double> piece;
+    for (const Block& block : blocks_) {
+        piece.resize(block.rows);
+        TRY(spool_.read(block.place_of(column), std::as_writable_bytes(std::span(piece))));
+        TRY(sink(piece));
+    }
+    return {};
+}
+
+Status TrackSpool::flags(const FlagSink& sink) const {
+    std::vector<Flags> piece;
+    for (const Block& block : blocks_) {
+        piece.resize(block.rows);
+        TRY(read_flags(block, piece));
+        TRY(sink(piece));
+    }
+    return {};
+}
+
+Status TrackSpool::whole_rows(std::size_t at_once, const TrackSink& sink) const {
+    for (std::size_t k = 0; k < blocks_.size();) {
+        Track track;
+        do {
+            Track rows(blocks_[k].rows);
+            TRY(read_block(blocks_[k++], rows));
+            track.append(rows);
+        } while (k < blocks_.size() && track.rows() + blocks_[k].rows <= at_once);
+        TRY(sink(track));
+    }
+    return {};
+}
+
+Status TrackSpool::read_flags(const Block& block, std::span<Flags> flags) const {
+    const Status read =
+        spool_.read(block.place_of(track_number_columns), std::as_writable_bytes(flags));
+    set_flags(flags, block.first, flagged_);
+    return read;
+}
+
+Status TrackSpool::read_block(const Block& block, Track& rows) const {
+    for (std::size_t column = 0; column < track_number_columns; ++column) {
+        TRY(spool_.read(block.place_of(column),
+                        std::as_writable_bytes(track_column(rows, column))));
+    }
+    return read_flags(block, rows.flags());
 }
 
 }  // namespace vybeg

@@ -1,7 +1,6 @@
 #include "core/residuals/find_residuals.h"
 
 #include "core/numerics/spectral_density.h"
-#include "core/residuals/residual_lines.h"
 #include "core/residuals/signal_curves.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
-#include "core/residuals/residual_lines.h"
-
 #include "core/numerics/statistics.h"
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/conditioning/conditioned_source.h"
+#include "core/residuals/find_residuals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +51,8 @@ std::optional<Band> filter_without(double line_hz, const SignalSettings& setting
     return band;
 }
 
+// The probability of one line or more in the spectrum of white noise.
+constexpr double false_line_probability = 0.01;
 constexpr std::size_t least_bins = 64;
 constexpr std::size_t most_peaks = 400;
 constexpr std::size_t most_lines = 24;

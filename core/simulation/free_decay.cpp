@@ -1,19 +1,125 @@
 #include "core/simulation/free_decay.h"
 
 #include "core/base/number_text.h"
+#include "core/base/setting_rows.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
+#include <system_error>
+#include <tuple>
+#include <utility>
 
 namespace vybeg {
 namespace {
 
+struct DecayOption {
+    const char* name;
+    double FreeDecay::*member;
+    const char* placeholder;
+    const char* help;
+};
+
+constexpr std::array decay_options{
+    DecayOption{"seconds", &FreeDecay::seconds, "S", "Length, s"},
+    DecayOption{"rate", &FreeDecay::rate_hz, "HZ", "Sample rate, Hz"},
+    DecayOption{"f0", &FreeDecay::f0_hz, "HZ", "Carrier: mean frequency of the two modes, Hz"},
+    DecayOption{"a-A", &FreeDecay::a_A, "X", "Amplitude of the working wave at t = 0"},
+    DecayOption{"a-B", &FreeDecay::a_B, "X", "Amplitude of the quadrature wave at t = 0"},
+    DecayOption{"two-theta-A", &FreeDecay::two_theta_A, "RAD", "Angle 2theta_A at t = 0, rad"},
+    DecayOption{"alpha", &FreeDecay::alpha, "RAD", "Phase at t = 0, rad"},
+    DecayOption{"split", &FreeDecay::split_hz, "HZ", "Frequency split f_p - f_q, Hz"},
+    DecayOption{"theta-w", &FreeDecay::theta_w, "RAD", "Axis of the faster mode, rad"},
+    DecayOption{"tau", &FreeDecay::tau_s, "S", "Amplitude decay time, s; 1e300: no decay"},
+    DecayOption{"damping-anisotropy", &FreeDecay::damping_anisotropy_per_s, "1/S",
+                "1/tau_1 - 1/tau_2, 1/s"},
+    DecayOption{"theta-tau", &FreeDecay::theta_tau, "RAD", "Axis of larger damping, rad"},
+    DecayOption{"omega", &FreeDecay::omega_rad_s, "RAD/S", "Rotation of the gyro, rad/s"},
+    DecayOption{"bryan", &FreeDecay::bryan, "K",
+                "Bryan's factor: d theta_A/dt = -K omega for a perfect resonator"},
+    DecayOption{"noise", &FreeDecay::noise, "SIGMA",
+                "Standard deviation of the noise per sample and channel"},
+    DecayOption{"kappa", &FreeDecay::kappa, "K", "Gain ratio of the channels: S_D = D / K"},
+    DecayOption{"frequency-drift", &FreeDecay::frequency_drift_hz_s, "HZ/S",
+                "Linear drift of the frequency, Hz/s"},
+    DecayOption{"settling", &FreeDecay::settling_hz, "HZ",
+                "The frequency begins HZ above f0 and settles exponentially"},
+    DecayOption{"settling-time", &FreeDecay::settling_time_s, "S",
+                "Time constant of --settling, s"},
+    DecayOption{"frequency-per-power", &FreeDecay::frequency_per_power_hz, "HZ",
+                "Isotropic cubic spring: frequency per a_A^2 + a_B^2, Hz"},
+    DecayOption{"damping-per-power", &FreeDecay::damping_per_power_per_s, "1/S",
+                "Amplitude's decay rate per a_A^2 + a_B^2, 1/s"},
+    DecayOption{"dry-friction", &FreeDecay::dry_friction_per_s, "X",
+                "Dry friction: fall of the amplitude per second, until the wave rests"},
+    DecayOption{"air-friction", &FreeDecay::air_friction_per_s, "1/S",
+                "Amplitude's decay rate per unit of the amplitude, 1/s"},
+    DecayOption{"drive", &FreeDecay::drive_per_s, "1/S",
+                "Growth rate of the amplitude by a drive, 1/s; 1/tau holds it; negative: a touch"},
+    DecayOption{"drive-from", &FreeDecay::drive_from_s, "S", "The drive begins, s"},
+    DecayOption{"drive-to", &FreeDecay::drive_to_s, "S", "The drive ends, s"},
+    DecayOption{"delay", &FreeDecay::delay_d_s, "S", "Channel D comes late by S seconds"},
+    DecayOption{"skew", &FreeDecay::skew_deg, "DEG", "Channel D shows D + sin(skew) C, degrees"},
+    DecayOption{"same-projection", &FreeDecay::same_projection, "X",
+                "Channel D shows (1 - X) D + X C; 1: both on one electrode"},
+    DecayOption{"crosstalk", &FreeDecay::crosstalk, "X",
+                "Crosstalk in quadrature: channel D adds X times C a quarter of a period early"},
+    DecayOption{"phase-drift", &FreeDecay::phase_drift_rad, "RAD",
+                "Phase of D against C, drift over the recording, rad"},
+    DecayOption{"gain-drift", &FreeDecay::gain_drift, "X",
+                "Gain of D, relative drift over the recording"},
+    DecayOption{"pick-off-cubic", &FreeDecay::pick_off_cubic, "X",
+                "Both channels: S + X S^3 in place of S"},
+    DecayOption{"carrier-noise", &FreeDecay::carrier_noise, "X",
+                "Noise about the carrier, standard deviation of each component of a channel's "
+                "phasor, relative to a_A at t = 0"},
+    DecayOption{"modulation-noise", &FreeDecay::modulation_noise, "X",
+                "The same, relative to the channel's own phasor"},
+    DecayOption{"carrier-noise-width", &FreeDecay::carrier_noise_width_hz, "HZ",
+                "Half width of both, Hz"},
+    DecayOption{"phase-noise", &FreeDecay::phase_noise_rad, "RAD",
+                "1/f phase noise common to both channels, density RAD^2/f, rad^2/Hz"},
+};
+
+using Row = SettingRow<FreeDecay>;
+
+// A number without a unit, of which check() says what is possible.
+Row number_of(Row row, double FreeDecay::*member) {
+    return value_row<double>(
+        row, [member](auto& decay) -> auto& { return decay.*member; },
+        [name = row.option()](const std::string& text) { return read_number(name, text); },
+        round_trip_text, any_value);
+}
+
+// FRAME:COUNT,...
+Status read_lost(const std::string& text, FreeDecay& decay) {
+    std::vector<LostSamples> lost;
+    std::size_t begin = 0;
+    do {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::size_t colon = text.find(':', begin);
+        if (colon >= end) {
+            return refused_value("--lose", text, "it is FRAME:COUNT, several with commas");
+        }
+        const auto frame = TRY(read_whole("--lose", text.substr(begin, colon - begin)));
+        const auto count = TRY(read_whole("--lose", text.substr(colon + 1, end - colon - 1)));
+        lost.push_back({frame, count});
+        begin = end + 1;
+    } while (begin < text.size());
+    decay.lost = std::move(lost);
+    return {};
+}
+
 constexpr std::int64_t most_frames = std::int64_t{1} << 36;   // three weeks at 33333 Hz
 constexpr std::int64_t most_doubled = std::int64_t{1} << 20;  // held in memory
 constexpr double longest_delay_s = 0.1;
+
+bool are_finite(const std::array<double, 6>& numbers) {
+    return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+}
 
 double start_power(const FreeDecay& decay) {
     return decay.a_A * decay.a_A + decay.a_B * decay.a_B;
@@ -126,7 +232,7 @@ Status check_modes_beside(const FreeDecay& decay) {
     for (const ModeBeside& mode : decay.modes_beside) {
         const std::array numbers{mode.f_hz,    mode.a_C,     mode.a_D,
                                  mode.phase_C, mode.phase_D, mode.tau_s};
-        if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); })) {
+        if (!are_finite(numbers)) {
             return impossible("every parameter must be a finite number");
         }
         if (mode.f_hz <= 0 || mode.f_hz >= decay.rate_hz / 2) {
@@ -175,6 +281,79 @@ FreeDecay demo_decay() {
     return decay;
 }
 
+const std::vector<SettingRow<FreeDecay>>& decay_settings() {
+    static const std::vector<Row> rows = [] {
+        std::vector<Row> all;
+        for (const DecayOption& option : decay_options) {
+            const std::string usual = round_trip_text(FreeDecay{}.*option.member);
+            const std::string help = std::string(option.help) + " (default " + usual + ")";
+            all.push_back(number_of({option.name, option.placeholder, help}, option.member));
+        }
+        all.insert(
+            all.end(),
+            {{"offset", "C,D", "Offsets of the channels (default 0,0)",
+              [](const std::string& text, FreeDecay& decay) -> Status {
+                  const auto x = TRY(read_numbers("--offset", text, 2, "it is two numbers C,D"));
+                  std::tie(decay.offset_c, decay.offset_d) = std::pair(x[0], x[1]);
+                  return {};
+              },
+              [](const FreeDecay& decay) {
+                  return joined({decay.offset_c, decay.offset_d});
+              }},
+             {"hum", "X,HZ,RAD", "Mains in both channels: amplitude, frequency, phase",
+              [](const std::string& text, FreeDecay& decay) -> Status {
+                  const auto x =
+                      TRY(read_numbers("--hum", text, 3, "it is three numbers X,HZ,RAD"));
+                  std::tie(decay.hum, decay.hum_hz, decay.hum_phase) = std::tuple(x[0], x[1], x[2]);
+                  return {};
+              },
+              [](const FreeDecay& decay) {
+                  return decay.hum == 0 ? std::string()
+                                        : joined({decay.hum, decay.hum_hz, decay.hum_phase});
+              }},
+             {mode_beside_option, "HZ,A_C,A_D,PHASE_C,PHASE_D,TAU",
+              "Another mode in both channels: A cos(2 pi HZ t - PHASE) e^(-t/TAU); once for each",
+              [](const std::string& text, FreeDecay& decay) -> Status {
+                  const auto x =
+                      TRY(read_numbers("--mode-beside", text, 6,
+                                       "it is six numbers HZ,A_C,A_D,PHASE_C,PHASE_D,TAU"));
+                  decay.modes_beside.push_back({x[0], x[1], x[2], x[3], x[4], x[5]});
+                  return {};
+              }},
+             {"lose", "FRAME:COUNT,...",
+              "Cut COUNT samples out from FRAME on; a negative COUNT: record them twice", read_lost,
+              [](const FreeDecay& decay) {
+                  return joined(decay.lost, ",", [](const LostSamples& fault) {
+                      return integer_text(fault.frame) + ":" + integer_text(fault.count);
+                  });
+              }},
+             {"bits", "B", "Quantise to B bits, 2 to 32 (default: do not)",
+              [](const std::string& text, FreeDecay& decay) -> Status {
+                  const auto bits = TRY(read_whole("--bits", text));
+                  decay.bits = static_cast<int>(std::clamp<std::int64_t>(bits, 0, 33));
+                  return decay.bits >= 2 && decay.bits <= 32
+                             ? Status()
+                             : refused_value("--bits", text, "it is 2 to 32");
+              },
+              [](const FreeDecay& decay) { return std::to_string(decay.bits); }},
+             number_of({"full-scale", "X",
+                        "Full scale of --bits (default: 1.25 times the largest sample)"},
+                       &FreeDecay::full_scale),
+             {"seed", "N", "Seed of the noise (default 1)",
+              [](const std::string& text, FreeDecay& decay) {
+                  const char* const end = text.data() + text.size();
+                  const auto parsed = std::from_chars(text.data(), end, decay.seed);
+                  return parsed.ec == std::errc{} && parsed.ptr == end
+                             ? Status()
+                             : refused_value("--seed", text,
+                                             "it must be a whole number, not negative");
+              },
+              [](const FreeDecay& decay) { return std::to_string(decay.seed); }}});
+        return all;
+    }();
+    return rows;
+}
+
 bool has_amplitude_factor(const FreeDecay& decay) {
     return decay.dry_friction_per_s != 0 || decay.air_friction_per_s != 0 || decay.drive_per_s != 0;
 }
@@ -192,50 +371,12 @@ std::int64_t frame_count(const FreeDecay& decay) {
 }
 
 Status check(const FreeDecay& decay) {
-    const std::array numbers{decay.seconds,
-                             decay.rate_hz,
-                             decay.f0_hz,
-                             decay.a_A,
-                             decay.a_B,
-                             decay.two_theta_A,
-                             decay.alpha,
-                             decay.split_hz,
-                             decay.theta_w,
-                             decay.tau_s,
-                             decay.theta_tau,
-                             decay.damping_anisotropy_per_s,
-                             decay.bryan,
-                             decay.omega_rad_s,
-                             decay.noise,
-                             decay.kappa,
-                             decay.offset_c,
-                             decay.offset_d,
-                             decay.full_scale,
-                             decay.frequency_drift_hz_s,
-                             decay.settling_hz,
-                             decay.settling_time_s,
-                             decay.frequency_per_power_hz,
-                             decay.damping_per_power_per_s,
-                             decay.dry_friction_per_s,
-                             decay.air_friction_per_s,
-                             decay.drive_per_s,
-                             decay.drive_from_s,
-                             decay.drive_to_s,
-                             decay.same_projection,
-                             decay.delay_d_s,
-                             decay.skew_deg,
-                             decay.crosstalk,
-                             decay.phase_drift_rad,
-                             decay.gain_drift,
-                             decay.pick_off_cubic,
-                             decay.hum,
-                             decay.hum_hz,
-                             decay.hum_phase,
-                             decay.carrier_noise,
-                             decay.modulation_noise,
-                             decay.carrier_noise_width_hz,
-                             decay.phase_noise_rad};
-    if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); })) {
+    const std::array others{decay.offset_c, decay.offset_d, decay.full_scale,
+                            decay.hum,      decay.hum_hz,   decay.hum_phase};
+    if (!std::ranges::all_of(
+            decay_options,
+            [&decay](const DecayOption& each) { return std::isfinite(decay.*each.member); }) ||
+        !are_finite(others)) {
         return impossible("every parameter must be a finite number");
     }
     if (decay.seconds <= 0 || decay.rate_hz <= 0) {

@@ -9,6 +9,9 @@
 
 namespace vybeg {
 
+template <class S>
+struct SettingRow;
+
 // Another mode in the same recording, in the pick-off signals: adds a e^{-t/tau} cos(2 pi f t -
 // phase) to each channel, before the pick-off's cubic.
 struct ModeBeside {
@@ -113,6 +116,12 @@ struct FreeDecay {
 };
 
 FreeDecay demo_decay();
+
+// The options of `simulate` that describe a decay, in the order of its help. The text of one that
+// is not given is empty; that of mode_beside_option may be read once for each mode, and is not
+// written.
+const std::vector<SettingRow<FreeDecay>>& decay_settings();
+inline constexpr const char* mode_beside_option = "mode-beside";
 
 // Whether friction or a drive changes the amplitude.
 bool has_amplitude_factor(const FreeDecay& decay);

@@ -2,10 +2,16 @@
 
 #include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/numerics/lock_in.h"
 #include "core/simulation/free_decay.h"
+#include "core/track/track.h"
 
+#include <array>
+#include <complex>
+#include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vybeg {
@@ -35,5 +41,40 @@ Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink
 
 // The same in memory. Precondition: enough memory.
 Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job);
+
+// Exact slow variables at the centres of consecutive windows of `window` samples, from the axes of
+// the ellipse of (c, d): the wave itself, without errors of channels, noise about the carrier and
+// lost samples. sd columns are zero, rms is the white noise's sqrt(2) sigma. f is f(t) plus the
+// mean rate of phase of both signals, weighted with their power: Im(z^H dz/dt) / (2 pi |z|^2).
+// Angles are NaN where the wave is circular within 1e-12 (flag circular), delta_phi_CD also where
+// one of the signals vanishes. Errors: simulation_impossible.
+Result<Track> true_track(const FreeDecay& decay, std::int64_t window);
+
+// A lock-in of both channels of a simulated decay, in double precision: its stages filter
+// 2 s(t) e^(-i w t) sample by sample.
+class SoftwareLockIn {
+public:
+    // Rows of a log: every `samples_per_row` samples.
+    SoftwareLockIn(const LockIn& filter, double f_ref_hz, double rate_hz,
+                   std::int64_t samples_per_row);
+
+    void take(std::span<const double> c, std::span<const double> d);
+
+    // Rows t,Xc,Yc,Xd,Yd,F below a line of names, without those of the filter's settling; the times
+    // are those at which the lock-in gave them.
+    std::string table() const;
+
+private:
+    using Complex = std::complex<double>;
+
+    LockIn filter_;
+    double f_ref_hz_;
+    double rate_hz_;
+    std::int64_t samples_per_row_;
+    double keep_;  // of a stage, from sample to sample
+    std::int64_t frame_ = 0;
+    std::array<std::vector<Complex>, 2> stages_;
+    std::array<std::vector<Complex>, 2> rows_;
+};
 
 }  // namespace vybeg

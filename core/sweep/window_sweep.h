@@ -2,7 +2,10 @@
 
 #include "core/analysis/settings.h"
 #include "core/base/error.h"
-#include "core/track/slow_variables.h"
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/samples/recording.h"
+#include "core/track/track.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +18,19 @@
 
 namespace vybeg {
 
+// 15 whole numbers from `first` to `last` in about equal ratios, ascending, each once: fewer where
+// they lie close. Precondition: 1 <= first <= last.
+std::vector<std::int64_t> spaced_lengths(std::int64_t first, std::int64_t last);
+
+// The algorithm of the settings in adjacent windows of each length; with `snap` each is moved to
+// whole half-periods. The settings' window, periods and hop do not count. One preparation serves
+// all lengths; up to 2^24 frames are held in memory, more are read again for each length. The
+// result is the same to the last bit for any number of threads. Errors: setting_invalid, those of
+// prepare() and of the source; that of a length where no length of the list is possible;
+// interrupted.
+Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& settings,
+                                  std::span<const std::int64_t> lengths, const JobControl& job);
+
 // The variables of a sweep: main_slow_variables, in that order.
 inline constexpr std::size_t sweep_variable_count = main_slow_variables.size();
 
@@ -23,7 +39,7 @@ inline constexpr std::array<Algorithm, 4> closed_form_algorithms{
     Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes, Algorithm::demodulation};
 
 // One variable in windows of one length: standard deviations of a typical window, in the unit of
-// the stored values (slow_variables.h). NaN where the variable or the value does not exist.
+// the stored values (track.h). NaN where the variable or the value does not exist.
 struct SweepValue {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 

@@ -2,7 +2,6 @@
 
 #include "core/base/result.h"
 #include "core/estimators/wave/estimator.h"
-#include "core/track/slow_variables.h"
 
 #include <array>
 #include <cstddef>
@@ -11,6 +10,51 @@
 #include <vector>
 
 namespace vybeg {
+
+// The slow variables of a track; plots, tables and files iterate over this list.
+enum class SlowVariable {
+    a_A,
+    a_B,
+    two_theta_A,
+    f,
+    delta_phi_CD,
+    alpha,
+    noise,
+    rms,
+    orthogonality
+};
+
+inline constexpr int slow_variable_count = 9;
+
+inline constexpr std::array<SlowVariable, slow_variable_count> all_slow_variables{
+    SlowVariable::a_A,   SlowVariable::a_B,          SlowVariable::two_theta_A,
+    SlowVariable::f,     SlowVariable::delta_phi_CD, SlowVariable::alpha,
+    SlowVariable::noise, SlowVariable::rms,          SlowVariable::orthogonality};
+
+// Variables of plots and tables. rms is in files only, replaced by noise: rms falls in short
+// windows, because five parameters absorb more of their noise.
+inline constexpr std::array<SlowVariable, slow_variable_count - 1> shown_slow_variables{
+    SlowVariable::a_A,   SlowVariable::a_B,          SlowVariable::two_theta_A,
+    SlowVariable::f,     SlowVariable::delta_phi_CD, SlowVariable::alpha,
+    SlowVariable::noise, SlowVariable::orthogonality};
+
+// The five that are always plotted, from top to bottom.
+inline constexpr std::array<SlowVariable, 5> main_slow_variables{
+    SlowVariable::a_A, SlowVariable::a_B, SlowVariable::two_theta_A, SlowVariable::f,
+    SlowVariable::delta_phi_CD};
+
+enum class Quantity { amplitude, angle, frequency, ratio };
+
+struct SlowVariableInfo {
+    const char* column;   // name in the track CSV, e.g. "two_theta_A_rad"
+    const char* symbol;   // for people, e.g. "2θ_A"; the underscore introduces an index
+    const char* unit;     // unit of the stored values: "" (recording units), "rad", "Hz"
+    const char* meaning;  // English, translatable in context "SlowVariable"
+    Quantity quantity;
+    bool has_sd;  // with a standard deviation
+};
+
+const SlowVariableInfo& info(SlowVariable variable);
 
 // The slow variables over time, a row per window. analyse() or the simulator fills it once; later
 // it is only read.
@@ -27,7 +71,7 @@ public:
     std::size_t rows() const { return time_s_.size(); }
     std::span<const double> time_s() const { return time_s_; }
     std::span<const double> values(SlowVariable variable) const { return values_[index(variable)]; }
-    // Standard deviations; empty where the variable has none (slow_variables.h).
+    // Standard deviations; empty where the variable has none.
     std::span<const double> sds(SlowVariable variable) const { return sds_[index(variable)]; }
     std::span<const Flags> flags() const { return flags_; }
     // Frequency of a closed form (algorithms 1 to 4) less that of the best wave of its window, Hz;
@@ -83,5 +127,26 @@ struct FlaggedRows {
 // Sets the flags of a part of the track that begins with its row `first`. Rows of other parts are
 // ignored.
 void set_flags(std::span<Flags> part, std::size_t first, std::span<const FlaggedRows> flagged);
+
+// Makes the angle of a track continuous. From 2theta_A, estimated modulo pi, it subtracts
+// `two_theta_zero` (angle of the first electrode, doubled), then selects the branch nearest to the
+// last valid value; alpha follows, so that each row remains the same motion. The first valid
+// 2theta_A lies in (-pi/2, pi/2], alpha in (-pi, pi].
+//
+// The track arrives in consecutive pieces.
+class AngleUnwrapper {
+public:
+    explicit AngleUnwrapper(double two_theta_zero) : two_theta_zero_(two_theta_zero) {}
+
+    void unwrap(Track& next_rows);
+
+private:
+    double two_theta_zero_;
+    double last_ = 0;  // the last valid 2theta_A
+    bool any_ = false;
+};
+
+// A whole track at once.
+void unwrap_angle(Track& track, double two_theta_zero);
 
 }  // namespace vybeg

@@ -47,7 +47,6 @@ void TrackSummariser::take(const Track& rows) {
         counts_.flagged += (flags[k] & static_cast<Flags>(~harmless)) != 0 ? 1 : 0;
         counts_.at_bound += has(flags[k], Flag::at_bound) ? 1 : 0;
         counts_.leaking += has(flags[k], Flag::leakage) ? 1 : 0;
-        counts_.moving += has(flags[k], Flag::moving) ? 1 : 0;
         if (std::isfinite(noise[k])) {
             (is_sound_window(flags[k]) ? noise_ : noise_of_invalid_).take(noise[k] * noise[k]);
         }

@@ -14,7 +14,6 @@ struct TrackSummary {
     std::size_t flagged = 0;  // windows with a reason other than no_quadrature
     std::size_t at_bound = 0;
     std::size_t leaking = 0;  // with Flag::leakage
-    std::size_t moving = 0;   // with Flag::moving
     double mean_f_hz = 0;     // weighted mean of the valid windows; NaN where there is none
     double sd_mean_f_hz = 0;  // all contributions; NaN for fewer than two windows
     // Instant of the mean, s from the start of the recording: the mean of the windows' times with

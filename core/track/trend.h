@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,33 +11,17 @@ namespace vybeg {
 
 enum class TrendOf : std::uint8_t { value, logarithm };
 
-// A value of a slow variable for a trend, stored units or their logarithm; weight: 1/sd^2.
-struct TrendPoint {
-    double time_s = 0;
-    double value = 0;
-    double weight = 0;
-};
-
 // The windows of a slow variable between two times that count for a trend. Windows that share
 // samples have correlated errors, so only every k-th counts, where k hops reach over a window:
-// `apart` is that k. Their noise is pooled. Windows without value or with samples missing, clipped
-// or disturbed do not count. 2theta_A is taken as it is, unwrapped; delta_phi_CD and alpha are
-// unwrapped between successive windows. Empty for a variable without standard deviations; values
-// that are not positive have no logarithm and do not count.
-std::vector<TrendPoint> trend_points(const Track& track, SlowVariable variable, double from_s,
-                                     double to_s, std::size_t apart, TrendOf of = TrendOf::value);
-
-// How the points lie about a trend, in their standard deviations.
-struct Scatter {
-    double chi2_per_dof = 0;
-    // Factor of the trend's deviations, 1 for white noise of the stated size. Where the points, or
-    // the means of up to 24 groups of successive points, scatter by more than three standard
-    // deviations of chi^2 allow, it is the root of the larger chi^2 per degree of freedom. Groups
-    // see what single points hide: slow noise, and a motion that is not the trend's.
-    double enlargement = 1;
-};
-Scatter scatter_about(const std::vector<TrendPoint>& points, int parameters,
-                      const std::function<double(double time_s)>& trend);
+// `apart` is that k. Windows without value or with samples missing, clipped or disturbed do not
+// count, nor do values that are not positive, of which there is no logarithm. 2theta_A is taken as
+// it is, unwrapped; delta_phi_CD and alpha are unwrapped between successive windows. A variable
+// without standard deviations has no trend.
+//
+// Enlargement: factor of a trend's deviations, 1 for white noise of the stated size. Where the
+// points, or the means of up to 24 groups of successive points, scatter by more than three standard
+// deviations of chi^2 allow, it is the root of the larger chi^2 per degree of freedom. Groups see
+// what single points hide: slow noise, and a motion that is not the trend's.
 
 // Hops of a plan that reach over a window of `length` samples.
 std::size_t windows_apart(std::int64_t length, std::int64_t hop);
@@ -52,12 +35,12 @@ struct Trend {
     double slope_per_s = 0;
     double sd_slope_per_s = 0;
     double chi2_per_dof = 0;  // of the windows about the line, before the deviations are enlarged
-    double enlargement = 1;   // of the deviations, see scatter_about()
+    double enlargement = 1;   // of the deviations
 
     double at(double time_s) const { return value + slope_per_s * (time_s - centre_s); }
 };
 
-// Weighted least squares over trend_points(). Nothing for fewer than three points.
+// Weighted least squares. Nothing for fewer than three points.
 std::optional<Trend> line_trend(const Track& track, SlowVariable variable, double from_s,
                                 double to_s, std::size_t apart, TrendOf of = TrendOf::value);
 
@@ -80,15 +63,43 @@ struct PolynomialTrend {
     std::vector<double> coefficient;  // stored units per s^k, k = 0 to the degree
     std::vector<double> sd;           // of each
     double chi2_per_dof = 0;          // of the windows, before the deviations are enlarged
-    double enlargement = 1;           // of the deviations, see scatter_about()
+    double enlargement = 1;           // of the deviations
 
     double at(double time_s) const;
 };
 
-// Weighted least squares over trend_points(). Nothing for fewer than degree + 2 points.
+// Weighted least squares. Nothing for fewer than degree + 2 points.
 // Precondition: 1 <= degree <= most_trend_degree.
 std::optional<PolynomialTrend> polynomial_trend(const Track& track, SlowVariable variable,
                                                 double from_s, double to_s, std::size_t apart,
                                                 int degree);
+
+// A beat of a slow variable between two times: a damped sinusoid on a straight line,
+//     v(t) = value + slope u + e^{-u/tau} (in_phase cos(2 pi f u) + quadrature sin(2 pi f u)),
+// u = t - centre_s. Deviations by least squares.
+struct Beat {
+    std::size_t windows = 0;
+    double centre_s = 0;  // middle of the points
+    double value = 0;
+    double slope_per_s = 0;
+    double in_phase = 0;
+    double quadrature = 0;
+    double frequency_hz = 0;
+    double sd_frequency_hz = 0;
+    double damping_per_s = 0;  // 1/tau
+    double sd_damping_per_s = 0;
+    double amplitude = 0;  // at centre_s
+    double sd_amplitude = 0;
+    double chi2_per_dof = 0;
+
+    double at(double time_s) const;
+};
+
+// Frequencies from one and a quarter periods to 100 periods between the times are searched: less of
+// a period fits any smooth curve. Nothing where the amplitude lies within six of its deviations of
+// zero, where the points scatter about the beat by more than their noise, because
+// the motion then is another one, or for fewer than ten points.
+std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double from_s, double to_s,
+                              std::size_t apart);
 
 }  // namespace vybeg

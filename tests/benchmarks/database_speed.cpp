@@ -2,7 +2,6 @@
 // the file.
 #include "core/base/number_text.h"
 #include "core/database/results_database.h"
-#include "core/database/stored_result.h"
 #include "core/numerics/control_chart.h"
 #include "tests/core/database/made_result.h"
 

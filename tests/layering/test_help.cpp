@@ -213,11 +213,13 @@ private slots:
     void everyQuotedMessageIsOneOfTheProgram() {
         QStringList messages;
         for (int code = 0; code <= static_cast<int>(ErrorCode::interrupted); ++code) {
-            messages += message_row(static_cast<ErrorCode>(code)).sentence;
+            messages += QString::fromStdString(
+                sentence_for(false, message_row(static_cast<ErrorCode>(code)).sentence));
         }
         for (int kind = 0; *message_row(static_cast<DiagnosticKind>(kind)).sentence != '\0';
              ++kind) {
-            messages += message_row(static_cast<DiagnosticKind>(kind)).sentence;
+            messages += QString::fromStdString(
+                sentence_for(false, message_row(static_cast<DiagnosticKind>(kind)).sentence));
         }
         const QString pattern = "<span class=\"msg\">(.*?)</span>";
         const QStringList quoted = captures(pageText("en/troubleshooting.html"), pattern);

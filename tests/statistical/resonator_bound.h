@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulation/slow_motion.h"
+#include "core/simulation/decay_motion.h"
 
 #include <Eigen/LU>
 

@@ -3,7 +3,7 @@
 #include "core/analysis/settings.h"
 #include "core/estimators/wave/estimator.h"
 #include "core/numerics/control_chart.h"
-#include "core/simulation/true_track.h"
+#include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/statistical/track_errors.h"

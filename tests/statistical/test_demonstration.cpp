@@ -1,7 +1,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
-#include "core/simulation/true_track.h"
+#include "core/simulation/simulate.h"
 #include "core/track/events.h"
 #include "core/track/track.h"
 #include "tests/closeness.h"

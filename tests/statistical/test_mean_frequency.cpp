@@ -2,7 +2,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
 #include "core/estimators/wave/estimator.h"
-#include "core/simulation/true_track.h"
+#include "core/simulation/simulate.h"
 #include "core/track/track_summary.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"

@@ -2,7 +2,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
 #include "core/numerics/control_chart.h"
-#include "core/simulation/true_track.h"
+#include "core/simulation/simulate.h"
 #include "core/track/events.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"

@@ -102,7 +102,7 @@ void add(const RandomSet& set, const ResonatorFit& fit, Tally& tally) {
 }
 
 bool says_verdict(const ResonatorFit& fit) {
-    constexpr std::array verdicts{DiagnosticKind::no_free_decay, DiagnosticKind::part_decays,
+    constexpr std::array verdicts{DiagnosticKind::no_free_decay, DiagnosticKind::no_free_decay_part,
                                   DiagnosticKind::same_projection, DiagnosticKind::mode_grows,
                                   DiagnosticKind::misfit_damping};
     return std::ranges::any_of(fit.warnings, [&](const Diagnostic& each) {

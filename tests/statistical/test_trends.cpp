@@ -1,7 +1,6 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
-#include "core/track/beat.h"
 #include "core/track/trend.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"

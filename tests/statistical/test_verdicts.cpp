@@ -33,7 +33,7 @@ namespace {
 
 using Kinds = std::vector<DiagnosticKind>;
 
-const Kinds verdicts{DiagnosticKind::no_free_decay, DiagnosticKind::part_decays,
+const Kinds verdicts{DiagnosticKind::no_free_decay, DiagnosticKind::no_free_decay_part,
                      DiagnosticKind::same_projection, DiagnosticKind::mode_grows,
                      DiagnosticKind::misfit_damping};
 
@@ -266,8 +266,8 @@ private slots:
             decay.drive_from_s = from_s;
             decay.drive_to_s = to_s;
             const ResonatorFit fit = judged(std::vector{moved_phasors(decay, slow_window, seed)});
-            const auto word =
-                std::ranges::find(fit.warnings, DiagnosticKind::part_decays, &Diagnostic::kind);
+            const auto word = std::ranges::find(fit.warnings, DiagnosticKind::no_free_decay_part,
+                                                &Diagnostic::kind);
             QVERIFY2(word != fit.warnings.end(),
                      qPrintable(QString::number(seed) + ": " + texts(fit.warnings)));
             const double begin = QString::fromStdString(word->args[1].text).toDouble();
@@ -321,7 +321,7 @@ private slots:
         QTest::newRow("dry friction") << 1 << static_cast<int>(DiagnosticKind::no_free_decay);
         QTest::newRow("air friction") << 2 << static_cast<int>(DiagnosticKind::no_free_decay);
         QTest::newRow("drive") << 3 << static_cast<int>(DiagnosticKind::no_free_decay);
-        QTest::newRow("messy start") << 4 << static_cast<int>(DiagnosticKind::part_decays);
+        QTest::newRow("messy start") << 4 << static_cast<int>(DiagnosticKind::no_free_decay_part);
         QTest::newRow("one electrode") << 5 << static_cast<int>(DiagnosticKind::same_projection);
         QTest::newRow("pendulum in air, by camera")
             << 6 << static_cast<int>(DiagnosticKind::no_free_decay);

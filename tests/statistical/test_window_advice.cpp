@@ -1,6 +1,6 @@
 #include "core/analysis/analyse.h"
-#include "core/simulation/true_track.h"
-#include "core/sweep/sweep_windows.h"
+#include "core/simulation/simulate.h"
+#include "core/sweep/window_sweep.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"

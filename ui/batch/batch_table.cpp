@@ -2,7 +2,6 @@
 
 #include "core/base/number_text.h"
 #include "core/output/batch_csv.h"
-#include "core/recording/text/csv_rows.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
@@ -184,28 +183,20 @@ void BatchTable::begin(std::shared_ptr<const MeasurementList> list) {
     finished_ = 0;
     failed_ = 0;
     for (const MeasurementSet& set : list_->sets) {
-        // What the list says; status and message come with the result.
-        Row& row = rows_.emplace_back();
-        row.fields = csv_fields(batch_row(set, Error{ErrorCode::interrupted, {}, {}}));
-        for (const BatchColumn& column : columns_) {
-            if (column.kind == BatchColumnKind::state || column.kind == BatchColumnKind::reason) {
-                row.fields[column.field].clear();
-            }
-        }
+        rows_.emplace_back().fields = batch_row(set);
     }
     endResetModel();
 }
 
 void BatchTable::add(const FinishedRow& finished) {
     Row& row = rows_[finished.set];
-    row.text = finished.text;
-    row.fields = csv_fields(finished.text);
+    row.fields = finished.fields;
     row.warnings = finished.warnings;
     row.error = finished.error;
     const auto state = std::ranges::find(columns_, BatchColumnKind::state, &BatchColumn::kind);
     row.state = row.fields[state->field] == "ok" ? State::done : State::failed;
     const auto known =
-        finished.kept ? std::ranges::find(earlier_, row.text, &Row::text) : earlier_.end();
+        finished.kept ? std::ranges::find(earlier_, row.fields, &Row::fields) : earlier_.end();
     if (known != earlier_.end()) {
         row.warnings = known->warnings;
         row.error = known->error;

@@ -101,8 +101,7 @@ private:
     enum class State : std::uint8_t { waiting, done, failed };
     struct Row {
         State state = State::waiting;
-        std::string text;                 // of RESULTS.csv
-        std::vector<std::string> fields;  // of the text
+        std::vector<std::string> fields;  // of RESULTS.csv
         std::vector<NamedWarnings> warnings;
         std::optional<Error> error;
     };

@@ -2,7 +2,6 @@
 
 #include "core/output/output_file.h"
 #include "core/output/track_file.h"
-#include "core/output/track_header.h"
 #include "core/recording/samples/recording.h"
 #include "ui/words/program_name.h"
 

@@ -4,7 +4,7 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/recording.h"
-#include "core/sweep/sweep_windows.h"
+#include "core/sweep/window_sweep.h"
 #include "ui/words/program_name.h"
 
 #include <QCoreApplication>

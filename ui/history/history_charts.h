@@ -2,7 +2,6 @@
 
 #include "core/analysis/passport.h"
 #include "core/database/results_database.h"
-#include "core/database/stored_result.h"
 #include "core/numerics/control_chart.h"
 #include "core/numerics/statistics.h"
 

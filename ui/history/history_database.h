@@ -2,7 +2,6 @@
 
 #include "core/analysis/measurement_list.h"
 #include "core/database/results_database.h"
-#include "core/database/stored_result.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/document.h"
 #include "ui/history/history_charts.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "core/track/beat.h"
 #include "core/track/trend.h"
 #include "ui/panels/reading.h"
 #include "ui/values/shown_analysis.h"

@@ -1,7 +1,6 @@
 #include "ui/plots/plot_file.h"
 
 #include "core/output/output_file.h"
-#include "core/output/output_paths.h"
 
 #include <QBuffer>
 #include <QClipboard>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/measurement_list.h"
-#include "core/base/finding.h"
+#include "core/base/diagnostic.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/values/recording_set.h"
 #include "ui/widgets/quantity_table.h"

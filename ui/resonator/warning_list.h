@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/finding.h"
+#include "core/base/diagnostic.h"
 
 #include <QLabel>
 

@@ -1,7 +1,7 @@
 #include "ui/sweep/sweep_page.h"
 
 #include "core/analysis/setting_table.h"
-#include "core/sweep/sweep_windows.h"
+#include "core/sweep/window_sweep.h"
 #include "ui/document/document.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/sweep/shown_sweep.h"

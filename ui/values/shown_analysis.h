@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "core/track/slow_variables.h"
+#include "core/track/track.h"
 #include "ui/values/curve_data.h"
 #include "ui/values/ids.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/track/slow_variables.h"
+#include "core/track/track.h"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 #include "ui/widgets/check_list.h"
 
-#include "core/base/finding.h"
+#include "core/base/diagnostic.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 

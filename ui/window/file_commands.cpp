@@ -3,7 +3,6 @@
 #include "core/analysis/measurement_list.h"
 #include "core/output/drift_json.h"
 #include "core/output/output_file.h"
-#include "core/output/output_paths.h"
 #include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/describe.h"
-#include "core/track/slow_variables.h"
+#include "core/track/track.h"
 
 #include <QString>
 
@@ -33,7 +33,7 @@ void describe(Archive&& archive, Owner& units) {
     archive("sigma_bands", units.sigma_bands);
 }
 
-// From stored values (slow_variables.h) to displayed ones: (value - origin) * factor, or
+// From stored values (track.h) to displayed ones: (value - origin) * factor, or
 // 20 lg |value| in decibels relative to one recording unit.
 struct DisplayScale {
     double origin = 0;

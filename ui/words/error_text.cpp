@@ -68,11 +68,8 @@ QString filled(const char* context, const std::string& text, const std::vector<M
     for (const MessageArg& arg : args) {
         shown.push_back(argText(arg).toStdString());
     }
-    return QString::fromStdString(fill_template(translated.toStdString(), shown));
-}
-
-const char* windowSentence(const MessageRow& row) {
-    return row.in_window != nullptr ? row.in_window : row.sentence;
+    return QString::fromStdString(
+        fill_template(sentence_for(true, translated.toStdString()), shown));
 }
 
 // libsndfile's words, for lupdate; readers of core/ mark theirs where they set them.
@@ -100,11 +97,11 @@ QString partText(const FormatPart& part) {
 }  // namespace
 
 QString errorText(const Error& error) {
-    return filled("Message", windowSentence(message_row(error.code)), message_args(error));
+    return filled("Message", message_row(error.code).sentence, message_args(error));
 }
 
 QString diagnosticText(const Diagnostic& diagnostic) {
-    return filled("Message", windowSentence(message_row(diagnostic.kind)), diagnostic.args);
+    return filled("Message", message_row(diagnostic.kind).sentence, diagnostic.args);
 }
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/base/finding.h"
 #include "core/estimators/wave/estimator.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/model/reason.h"
@@ -15,7 +14,7 @@ namespace vybeg::ui {
 // Sentences in the interface's language for what core/ returns as codes.
 QString errorText(const Error& error);
 QString diagnosticText(const Diagnostic& diagnostic);
-// As english(finding) of core/base/finding.h.
+// As english(finding) of core/base/diagnostic.h.
 QString findingText(const Finding& finding);
 // "4 more".
 QString moreText(std::size_t count);

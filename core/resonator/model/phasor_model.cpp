@@ -42,36 +42,26 @@ RealMap real(const Eigen::Matrix2cd& map) {
     return out;
 }
 
-// What linear maps of a motion, one for each rate, make of it.
-class RateMaps {
-public:
-    RateMaps() = default;
-    explicit RateMaps(const std::array<Eigen::Matrix2cd, rate_count>& maps) {
+// exp(M t) and its derivatives by the rates, for a z of each of the four units.
+struct Propagation {
+    explicit Propagation(const SlowDynamics::Propagation& step)
+        : value(step.value), real_value(real(step.value)) {
         for (int rate = 0; rate < rate_count; ++rate) {
-            const RealMap map = real(maps[static_cast<std::size_t>(rate)]);
+            const RealMap by = real(step.by_rate[static_cast<std::size_t>(rate)]);
             for (std::size_t part = 0; part < 4; ++part) {
-                of_part_[part].col(rate) = map.col(static_cast<Eigen::Index>(part));
+                by_rate[part].col(rate) = by.col(static_cast<Eigen::Index>(part));
             }
         }
     }
 
-    RealRows<rate_count> of(const Vector2cd& z) const {
-        return z[0].real() * of_part_[0] + z[0].imag() * of_part_[1] + z[1].real() * of_part_[2] +
-               z[1].imag() * of_part_[3];
+    RealRows<rate_count> by_rates(const Vector2cd& z) const {
+        return z[0].real() * by_rate[0] + z[0].imag() * by_rate[1] + z[1].real() * by_rate[2] +
+               z[1].imag() * by_rate[3];
     }
-
-private:
-    std::array<RealRows<rate_count>, 4> of_part_;
-};
-
-// exp(M t) and its derivatives by the rates.
-struct Propagation {
-    explicit Propagation(const SlowDynamics::Propagation& step)
-        : value(step.value), real_value(real(step.value)), by_rates(step.by_rate) {}
 
     Eigen::Matrix2cd value;
     RealMap real_value;
-    RateMaps by_rates;
+    std::array<RealRows<rate_count>, 4> by_rate;
 };
 
 // Derivatives of the motion.
@@ -100,7 +90,7 @@ enum class Wanted { motion, derivatives };
 void propagate(Motion& motion, const Propagation& step, Wanted wanted) {
     if (wanted == Wanted::derivatives) {
         motion.by.follow(step.real_value);
-        motion.by.by_rates += step.by_rates.of(motion.z);
+        motion.by.by_rates += step.by_rates(motion.z);
     }
     motion.z = step.value * motion.z;
 }
@@ -341,68 +331,29 @@ private:
 class DriftedMean {
 public:
     DriftedMean(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own)
-        : reference_s_(run.reference_s),
-          drift_(2 * pi * own[drift_at]),
-          by_offset_per_(i * run.window_s * run.window_s / 12.0),
-          third_(run.window_s * run.window_s / 60),
-          by_square_(-run.window_s * run.window_s / 24),
-          m_(SlowDynamics(rates_of(shared)).matrix() +
-             2 * pi * own[frequency_at] * i * Eigen::Matrix2cd::Identity()),
-          by_offset_(by_offset_per_ * (m_ - third_ * m_ * m_ * m_)) {}
+        : reference_s_(run.reference_s), drift_(2 * pi * own[drift_at]) {
+        if (drifts()) {
+            const double w2 = run.window_s * run.window_s;
+            const Eigen::Matrix2cd m =
+                SlowDynamics(rates_of(shared)).matrix() +
+                2 * pi * own[frequency_at] * i * Eigen::Matrix2cd::Identity();
+            by_offset_ = i * (w2 / 12) * (m - w2 / 60 * m * m * m);
+            by_square_ = -w2 / 24;
+        }
+    }
 
     bool drifts() const { return drift_ != 0; }
 
-    Vector2cd of(const Vector2cd& z, double t) const { return at(t) * z; }
-
-    // Precondition: prepare_derivatives().
-    void apply(Motion& motion, double t) const {
-        motion.by.follow(real(at(t)));
-        motion.by.by_rates += off(t) * by_rates_.of(motion.z);
-        motion.z = of(motion.z, t);
-    }
-
-    void prepare_derivatives() {
-        std::array<Eigen::Matrix2cd, rate_count> by_rate;
-        for (std::size_t k = 0; k < by_rate.size(); ++k) {
-            SlowRates unit;
-            unit.*all_rates[k] = 1;
-            by_rate[k] = offset_by(SlowDynamics(unit).matrix());
-        }
-        by_rates_ = RateMaps(by_rate);
-        by_frequency_ = offset_by(2 * pi * i * Eigen::Matrix2cd::Identity());
-    }
-
-    // Derivatives of the mean, `z` the motion without it.
-    Vector2cd by_frequency(const Vector2cd& z, double t) const {
-        return off(t) * (by_frequency_ * z);
-    }
-    Vector2cd by_drift(const Vector2cd& z, double t) const {
-        return 2 * pi * (t - reference_s_) * (by_offset_ * z + 2 * by_square_ * off(t) * z);
+    Eigen::Matrix2cd at(double t) const {
+        const double off = drift_ * (t - reference_s_);
+        return off * by_offset_ + (1 + by_square_ * off * off) * Eigen::Matrix2cd::Identity();
     }
 
 private:
-    double off(double t) const { return drift_ * (t - reference_s_); }
-
-    Eigen::Matrix2cd at(double t) const {
-        return off(t) * by_offset_ +
-               (1 + by_square_ * off(t) * off(t)) * Eigen::Matrix2cd::Identity();
-    }
-
-    // What a change of M changes in by_offset_.
-    Eigen::Matrix2cd offset_by(const Eigen::Matrix2cd& change) const {
-        return by_offset_per_ *
-               (change - third_ * (change * m_ * m_ + m_ * change * m_ + m_ * m_ * change));
-    }
-
     double reference_s_;
     double drift_;
-    Complex by_offset_per_;
-    double third_;
-    double by_square_;
-    Eigen::Matrix2cd m_;
-    Eigen::Matrix2cd by_offset_;
-    RateMaps by_rates_;
-    Eigen::Matrix2cd by_frequency_;
+    Eigen::Matrix2cd by_offset_ = Eigen::Matrix2cd::Zero();
+    double by_square_ = 0;
 };
 
 // Turns the channels of a run by its angle zero.
@@ -456,7 +407,7 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
     const DriftedMean mean(run, shared, own);
     const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
     const auto seen = [&](double t, const Vector2cd& z) {
-        const Vector2cd wave = turn.transpose() * (mean.drifts() ? mean.of(z, t) : z);
+        const Vector2cd wave = turn.transpose() * (mean.drifts() ? Vector2cd(mean.at(t) * z) : z);
         return Vector2cd(turn * channels.at(breaks, t).seen(wave));
     };
     if (shared[cubic_at] == 0) {
@@ -494,8 +445,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
     MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0, Wanted::derivatives);
     PassedBreaks breaks(run, own);
     const ChannelFactors factors(run, shared, own);
-    DriftedMean mean(run, shared, own);
-    mean.prepare_derivatives();
+    const DriftedMean mean(run, shared, own);
     const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
     const Eigen::Matrix2d whitened_turn = run.whitening * turn;
     const double kappa = shared[kappa_at];
@@ -503,16 +453,13 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         if (breaks.pass(run.time_s[k])) {
             motion.restart(breaks.start());
         }
-        const double t = run.time_s[k];
-        const Channels channels = factors.at(breaks, t);
-        Motion at = motion.at(k);
-        const Vector2cd by_drift = mean.by_drift(at.z, t);
-        Vector2cd by_frequency = Vector2cd::Zero();
+        const Channels channels = factors.at(breaks, run.time_s[k]);
+        const Motion& at = motion.at(k);
+        Eigen::Matrix2cd to_wave = turn.transpose();
         if (mean.drifts()) {
-            by_frequency = mean.by_frequency(at.z, t);
-            mean.apply(at, t);
+            to_wave *= mean.at(run.time_s[k]);
         }
-        const Vector2cd wave = turn.transpose() * at.z;
+        const Vector2cd wave = to_wave * at.z;
         const Vector2cd of_channels = channels.seen(wave);
         const Vector2cd expected = turn * of_channels;
         const auto row = static_cast<Eigen::Index>(4 * k);
@@ -520,7 +467,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         Eigen::Matrix2cd seen;
         seen << channels.c, 0, channels.cross, channels.gain;
         const RealMap map =
-            real(Eigen::Matrix2cd(run.weight[k] * (whitened_turn * seen * turn.transpose())));
+            real(Eigen::Matrix2cd(run.weight[k] * (whitened_turn * seen * to_wave)));
         out.by_parameter.block<4, rate_count>(row, 0) = map.lazyProduct(at.by.by_rates);
         const RealMap by_start = map.lazyProduct(at.by.by_start);
         out.by_parameter.block<4, 4>(row, own_column(start_at)) = by_start;
@@ -543,12 +490,8 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         put_channels(phase_drift_at, {0, i * channels.x * d_gain});
         put_channels(gain_drift_at,
                      {0, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain});
-        const auto put_own = [&](int own_at, Complex by_phase, const Vector2cd& by_mean) {
-            put(own_column(own_at),
-                by_phase * expected + turn * channels.seen(turn.transpose() * by_mean));
-        };
-        put_own(frequency_at, 2 * pi * channels.u * i, by_frequency);
-        put_own(drift_at, pi * channels.u * channels.u * i, by_drift);
+        put(own_column(frequency_at), 2 * pi * channels.u * i * expected);
+        put(own_column(drift_at), pi * channels.u * channels.u * i * expected);
         int column = own_column(own_count);
         for (const RunBreak& each : run.breaks) {
             if (run.time_s[k] <= each.time_s) {

@@ -26,7 +26,8 @@ namespace vybeg {
 // nearly independent of b. With b = 0 the motion is exp(M t) z0; otherwise it takes Strang steps
 // from window to window, half of the cubic phase on each side of exp(M h). The mean over a window
 // commutes with exp(M t): z0 is the start averaged over a window, and the linear model allows any
-// window length. A drift of the frequency changes that mean from window to window.
+// window length. What a drift of the frequency changes in that mean is in the phasors, but not in
+// the derivatives, which it changes by some thousandths at most.
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

@@ -216,7 +216,7 @@ private:
         } else if (leaves_motion(alone) && !named_otherwise(alone)) {
             if (const std::optional<Part> part = free_part(seen_windows(run))) {
                 withdraw(k, fit_);
-                say(DiagnosticKind::part_decays,
+                say(DiagnosticKind::no_free_decay_part,
                     {recording_arg(k),
                      number_arg(std::max(run.time_s[part->first] - run.window_s / 2, 0.0), 4),
                      number_arg(run.time_s[part->end - 1] + run.window_s / 2, 4)});

@@ -3,10 +3,9 @@
 // Statistical model: the errors of the four real parts are independent and Gaussian with the
 // deviation told; the mean of N squares in units of it has a deviation of sqrt(2/N).
 #include "core/analysis/phasor_windows.h"
-#include "core/analysis/window_choice.h"
 #include "core/recording/conditioning/conditioned_source.h"
+#include "core/simulation/decay_motion.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/slow_motion.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
@@ -41,20 +40,20 @@ FreeDecay gyro() {
     return decay;
 }
 
-PhasorWindows phasors_of(const Recording& recording, const SignalSettings& settings,
-                         std::int64_t window, int threads = 2) {
+RecordedRun phasors_of(const Recording& recording, const SignalSettings& settings,
+                       std::int64_t window, int threads = 2) {
     const Result<WindowChoice> choice = choose_windows(recording, settings, {.window = window}, {});
     if (!choice) {
         qFatal("the recording cannot be prepared");
     }
-    Result<PhasorWindows> found = phasor_windows(*choice, recording.rate_hz, threads, {});
+    Result<RecordedRun> found = phasor_windows(*choice, recording.rate_hz, threads, {});
     if (!found) {
         qFatal("no phasors");
     }
     return std::move(*found);
 }
 
-PhasorWindows phasors_of(const FreeDecay& decay, std::int64_t window) {
+RecordedRun phasors_of(const FreeDecay& decay, std::int64_t window) {
     SignalSettings settings;
     settings.f0_hz = decay.f0_hz;
     return phasors_of(simulated_recording(decay), settings, window);
@@ -77,12 +76,12 @@ struct Errors {
     double square = 0;  // mean, in units of the deviations told
 };
 
-Errors errors_of(const PhasorWindows& found, const FreeDecay& decay) {
+Errors errors_of(const RecordedRun& found, const FreeDecay& decay) {
     const SlowMotion motion(decay);
     Errors errors;
-    const PhasorRun& run = found.run;
+    const PhasorRun& run = found.phasors;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-        const Eigen::Vector2cd truth = true_mean(motion, decay, run.time_s[k], found.plan.length);
+        const Eigen::Vector2cd truth = true_mean(motion, decay, run.time_s[k], found.told.window);
         const double c = std::norm(run.c[k] - truth[0]);
         const double d = std::norm(run.d[k] - truth[1]);
         errors.worst = largest_of({errors.worst, std::sqrt(c), std::sqrt(d)});
@@ -111,9 +110,9 @@ private slots:
     void their_deviations_are_those_of_the_noise_and_not_of_the_beat() {
         for (FreeDecay decay : {bell(), gyro()}) {
             decay.noise = 1e-3;
-            const PhasorWindows found = phasors_of(decay, 512);
-            VYBEG_CLOSE_RATIO(found.noise_sd, 1e-3, 0.01);
-            const double count = 4 * static_cast<double>(found.run.time_s.size());
+            const RecordedRun found = phasors_of(decay, 512);
+            VYBEG_CLOSE_RATIO(found.told.noise_sd, 1e-3, 0.01);
+            const double count = 4 * static_cast<double>(found.phasors.time_s.size());
             const double square = errors_of(found, decay).square;
             VYBEG_CLOSE(square, 1, 4 * std::sqrt(2 / count) + 0.02);
         }
@@ -122,9 +121,9 @@ private slots:
     void short_windows_keep_their_deviations() {
         // 0.95 of a period beyond two: cos and sin, and their slopes, are far from orthogonal.
         const FreeDecay decay = gyro();
-        const PhasorWindows found = phasors_of(decay, 18);
+        const RecordedRun found = phasors_of(decay, 18);
         const double square = errors_of(found, decay).square;
-        const double count = 4 * static_cast<double>(found.run.time_s.size());
+        const double count = 4 * static_cast<double>(found.phasors.time_s.size());
         VYBEG_CLOSE(square, 1, 4 * std::sqrt(2 / count) + 0.03);
     }
 
@@ -134,8 +133,8 @@ private slots:
         const Recording recording = simulated_recording(decay);
         SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
-        const PhasorRun one = phasors_of(recording, settings, 300, 1).run;
-        const PhasorRun two = phasors_of(recording, settings, 300, 2).run;
+        const PhasorRun one = phasors_of(recording, settings, 300, 1).phasors;
+        const PhasorRun two = phasors_of(recording, settings, 300, 2).phasors;
         QVERIFY(one.time_s == two.time_s && one.c == two.c && one.d == two.d && one.sd == two.sd);
     }
 
@@ -151,11 +150,11 @@ private slots:
         }
         SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
-        const PhasorWindows clipped =
+        const RecordedRun clipped =
             phasors_of(recording_of(samples.c, simulated(decay).d, 33333), settings, 500);
-        QCOMPARE(clipped.run.time_s.size(), std::size_t{265});  // of 266
+        QCOMPARE(clipped.phasors.time_s.size(), std::size_t{265});  // of 266
         const double missing = (10 * 500 + 249.5) / 33333;
-        QVERIFY(std::ranges::none_of(clipped.run.time_s,
+        QVERIFY(std::ranges::none_of(clipped.phasors.time_s,
                                      [&](double t) { return std::abs(t - missing) < 1e-3; }));
         const Result<WindowChoice> choice = choose_windows(
             recording_of(simulated(decay).c, samples.d, 33333), settings, {.window = 500}, {});
@@ -174,12 +173,12 @@ private slots:
         samples.d.erase(samples.d.begin() + lost);
         SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
-        const PhasorWindows found =
+        const RecordedRun found =
             phasors_of(recording_of(samples.c, samples.d, 33333), settings, 512);
-        QCOMPARE(found.run.time_s.size(), static_cast<std::size_t>(found.plan.count - 1));
-        QCOMPARE(
-            std::ranges::count(found.diagnostics, DiagnosticKind::lost_counted, &Diagnostic::kind),
-            1);
+        QCOMPARE(found.phasors.time_s.size(), static_cast<std::size_t>(found.told.windows - 1));
+        QCOMPARE(std::ranges::count(found.told.diagnostics, DiagnosticKind::lost_counted,
+                                    &Diagnostic::kind),
+                 1);
         const double square = errors_of(found, decay).square;
         VYBEG_LESS(square, 1.2);
     }
@@ -195,26 +194,26 @@ private slots:
                 }
                 SignalSettings settings;
                 settings.f0_hz = decay.f0_hz;
-                const PhasorWindows found =
+                const RecordedRun found =
                     phasors_of(recording_of(samples.c, samples.d, 33333), settings, 512);
-                QCOMPARE(found.run.breaks.size(), std::size_t{1});
+                QCOMPARE(found.phasors.breaks.size(), std::size_t{1});
                 const double at = static_cast<double>(lost_at) / 33333;
-                VYBEG_CLOSE(found.run.breaks[0].time_s, at, 1e-4);
-                QCOMPARE(std::ranges::count(found.diagnostics, DiagnosticKind::phase_unknown,
+                VYBEG_CLOSE(found.phasors.breaks[0].time_s, at, 1e-4);
+                QCOMPARE(std::ranges::count(found.told.diagnostics, DiagnosticKind::phase_unknown,
                                             &Diagnostic::kind),
                          1);
-                QCOMPARE(std::ranges::count(found.diagnostics, DiagnosticKind::lost_counted,
+                QCOMPARE(std::ranges::count(found.told.diagnostics, DiagnosticKind::lost_counted,
                                             &Diagnostic::kind),
                          0);
                 // Up to one constant phase each side is the motion; 1.3 ms change nothing in it.
                 const SlowMotion motion(decay);
                 std::complex<double> turn = 0;
                 double size = 0;
-                for (std::size_t k = 0; k < found.run.time_s.size(); ++k) {
-                    if (found.run.time_s[k] > at) {
-                        const auto truth = true_mean(motion, decay, found.run.time_s[k], 512);
-                        turn += std::conj(truth[0]) * found.run.c[k] +
-                                std::conj(truth[1]) * found.run.d[k];
+                for (std::size_t k = 0; k < found.phasors.time_s.size(); ++k) {
+                    if (found.phasors.time_s[k] > at) {
+                        const auto truth = true_mean(motion, decay, found.phasors.time_s[k], 512);
+                        turn += std::conj(truth[0]) * found.phasors.c[k] +
+                                std::conj(truth[1]) * found.phasors.d[k];
                         size += truth.squaredNorm();
                     }
                 }
@@ -235,9 +234,9 @@ private slots:
             }
             SignalSettings settings;
             settings.f0_hz = decay.f0_hz;
-            const PhasorWindows found =
+            const RecordedRun found =
                 phasors_of(recording_of(samples.c, samples.d, 33333), settings, 500);
-            QCOMPARE(found.run.time_s.size(), std::size_t{266});
+            QCOMPARE(found.phasors.time_s.size(), std::size_t{266});
         }
     }
 
@@ -251,23 +250,23 @@ private slots:
         d.insert(d.end(), samples.d.begin(), samples.d.end());
         SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
-        const PhasorWindows struck = phasors_of(recording_of(c, d, 33333), settings, 500);
-        VYBEG_MORE(struck.run.time_s.front(), 0.5);
-        VYBEG_LESS(struck.run.time_s.front(), 0.54);
-        const auto told = [](const PhasorWindows& found) {
-            return std::ranges::count(found.diagnostics, DiagnosticKind::strike_left_out,
+        const RecordedRun struck = phasors_of(recording_of(c, d, 33333), settings, 500);
+        VYBEG_MORE(struck.phasors.time_s.front(), 0.5);
+        VYBEG_LESS(struck.phasors.time_s.front(), 0.54);
+        const auto told = [](const RecordedRun& found) {
+            return std::ranges::count(found.told.diagnostics, DiagnosticKind::strike_left_out,
                                       &Diagnostic::kind);
         };
         QCOMPARE(told(struck), 1);
-        const PhasorWindows plain = phasors_of(decay, 500);
+        const RecordedRun plain = phasors_of(decay, 500);
         QCOMPARE(told(plain), 0);
-        QCOMPARE(plain.run.time_s.size(), static_cast<std::size_t>(plain.plan.count));
+        QCOMPARE(plain.phasors.time_s.size(), static_cast<std::size_t>(plain.told.windows));
         // Behind a band-pass, its reach at both ends, and once more at the start.
         settings.filter = Band{5200, 5400};
-        const PhasorWindows filtered =
+        const RecordedRun filtered =
             phasors_of(recording_of(samples.c, samples.d, 33333), settings, 500);
         const double reach = static_cast<double>(band_pass_reach(5200, 5400, 33333)) / 33333;
-        VYBEG_CLOSE(filtered.run.time_s.front(), 2 * reach, 0.035);
+        VYBEG_CLOSE(filtered.phasors.time_s.front(), 2 * reach, 0.035);
         QCOMPARE(told(filtered), 1);
     }
 
@@ -276,7 +275,7 @@ private slots:
         SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
         settings.calibration.angle_zero_deg = 7;
-        const PhasorRun run = phasors_of(simulated_recording(decay), settings, 500).run;
+        const PhasorRun run = phasors_of(simulated_recording(decay), settings, 500).phasors;
         const WaveState state = to_wave_state({run.c[0], run.d[0]});
         VYBEG_CLOSE(state.two_theta_A - 0.3, -14 * std::numbers::pi / 180, 1e-3);
     }

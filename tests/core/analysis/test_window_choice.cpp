@@ -4,9 +4,9 @@
 // told; the mean of their squares in units of it is 1 within sqrt(2/(4 N)).
 #include "core/analysis/phasor_windows.h"
 #include "core/resonator/runs/wave_motion.h"
-#include "core/simulation/gaussian_noise.h"
+#include "core/simulation/decay_motion.h"
+#include "core/simulation/noise.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/slow_motion.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
@@ -47,8 +47,8 @@ void add_line(SimulatedDecay& samples, double rate_hz, double f_hz, double size)
     }
 }
 
-Result<PhasorWindows> windows_of(const Recording& recording, const SignalSettings& settings,
-                                 std::optional<std::int64_t> window = {}) {
+Result<RecordedRun> windows_of(const Recording& recording, const SignalSettings& settings,
+                               std::optional<std::int64_t> window = {}) {
     const Result<WindowChoice> choice = choose_windows(recording, settings, {.window = window}, {});
     if (!choice) {
         return choice.error();
@@ -56,9 +56,9 @@ Result<PhasorWindows> windows_of(const Recording& recording, const SignalSetting
     return phasor_windows(*choice, recording.rate_hz, 2, {});
 }
 
-PhasorWindows found_in(const SimulatedDecay& samples, double rate_hz,
-                       const SignalSettings& settings) {
-    Result<PhasorWindows> found = windows_of(recording_of(samples.c, samples.d, rate_hz), settings);
+RecordedRun found_in(const SimulatedDecay& samples, double rate_hz,
+                     const SignalSettings& settings) {
+    Result<RecordedRun> found = windows_of(recording_of(samples.c, samples.d, rate_hz), settings);
     if (!found) {
         qFatal("no phasors: %s", code_name(found.error().code).c_str());
     }
@@ -72,15 +72,15 @@ struct Errors {
     double tolerance = 0;  // four deviations of the square
 };
 
-Errors errors_of(const PhasorWindows& found, const FreeDecay& decay) {
+Errors errors_of(const RecordedRun& found, const FreeDecay& decay) {
     const SlowMotion motion(decay);
-    const PhasorRun& run = found.run;
+    const PhasorRun& run = found.phasors;
     Errors errors;
     Eigen::Vector2cd last = Eigen::Vector2cd::Zero();
     const auto count = static_cast<double>(run.time_s.size());
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
         Eigen::Vector2cd sum = Eigen::Vector2cd::Zero();
-        const auto n = found.plan.length;
+        const auto n = found.told.window;
         const double first =
             std::round(run.time_s[k] * decay.rate_hz - 0.5 * static_cast<double>(n - 1));
         for (std::int64_t j = 0; j < n; ++j) {
@@ -99,13 +99,13 @@ Errors errors_of(const PhasorWindows& found, const FreeDecay& decay) {
     return errors;
 }
 
-QByteArray text(const PhasorWindows& found, const Errors& errors) {
+QByteArray text(const RecordedRun& found, const Errors& errors) {
     return QString("square %1 +- %2, noise %3, window %4, reference %5 Hz")
         .arg(errors.square)
         .arg(errors.tolerance / 4)
-        .arg(found.noise_sd)
-        .arg(found.plan.length)
-        .arg(found.run.f_ref_hz, 0, 'f', 3)
+        .arg(found.told.noise_sd)
+        .arg(found.told.window)
+        .arg(found.phasors.f_ref_hz, 0, 'f', 3)
         .toUtf8();
 }
 
@@ -151,12 +151,12 @@ private slots:
                 add_line(samples, decay.rate_hz, 50, hum);
                 add_line(samples, decay.rate_hz, 150, hum / 3);
                 SignalSettings settings;
-                const PhasorWindows found = found_in(samples, decay.rate_hz, settings);
+                const RecordedRun found = found_in(samples, decay.rate_hz, settings);
                 const Errors errors = errors_of(found, decay);
-                VYBEG_CLOSE_RATIO(found.noise_sd, 1e-3, 0.03, text(found, errors));
+                VYBEG_CLOSE_RATIO(found.told.noise_sd, 1e-3, 0.03, text(found, errors));
                 VYBEG_CLOSE(errors.square, 1, errors.tolerance + 0.03, text(found, errors));
-                QCOMPARE(tells(found.diagnostics, DiagnosticKind::offset), offset > 0);
-                QCOMPARE(tells(found.diagnostics, DiagnosticKind::mains), hum > 0);
+                QCOMPARE(tells(found.told.diagnostics, DiagnosticKind::offset), offset > 0);
+                QCOMPARE(tells(found.told.diagnostics, DiagnosticKind::mains), hum > 0);
             }
         }
     }
@@ -172,7 +172,7 @@ private slots:
             slow = 0.95 * slow + 6e-3 * noise.next().first;
             x += slow;
         }
-        const PhasorWindows found = found_in(samples, decay.rate_hz, {});
+        const RecordedRun found = found_in(samples, decay.rate_hz, {});
         const Errors errors = errors_of(found, decay);
         // The slow noise has 0.0064 / |1 - 0.95 e^{-i w}| of its density at the carrier.
         VYBEG_CLOSE(errors.square, 1, 0.35, text(found, errors));
@@ -195,14 +195,14 @@ private slots:
             gyro(split_hz, 1 + static_cast<std::uint64_t>(std::abs(off_hz)) % 5);
         SignalSettings settings;
         settings.f0_hz = decay.f0_hz + off_hz;
-        const PhasorWindows found = found_in(simulated(decay), decay.rate_hz, settings);
-        const double away = std::abs(found.run.f_ref_hz - decay.f0_hz) + split_hz / 2;
+        const RecordedRun found = found_in(simulated(decay), decay.rate_hz, settings);
+        const double away = std::abs(found.phasors.f_ref_hz - decay.f0_hz) + split_hz / 2;
         const Errors errors = errors_of(found, decay);
-        VYBEG_AT_MOST(away * found.run.window_s, 0.105, text(found, errors));
+        VYBEG_AT_MOST(away * found.phasors.window_s, 0.105, text(found, errors));
         VYBEG_CLOSE(errors.square, 1, errors.tolerance + 0.03, text(found, errors));
         // A main lobe is 67 Hz; the stronger mode may lie on either side.
         if (std::abs(std::abs(off_hz) - 67) > 36) {
-            QCOMPARE(tells(found.diagnostics, DiagnosticKind::carrier_elsewhere),
+            QCOMPARE(tells(found.told.diagnostics, DiagnosticKind::carrier_elsewhere),
                      std::abs(off_hz) > 67);
         }
     }
@@ -230,13 +230,13 @@ private slots:
             const FreeDecay decay = gyro(0, 2);
             SignalSettings settings;
             settings.filter = Band{decay.f0_hz - half, decay.f0_hz + half};
-            const PhasorWindows found = found_in(simulated(decay), decay.rate_hz, settings);
+            const RecordedRun found = found_in(simulated(decay), decay.rate_hz, settings);
             const Errors errors = errors_of(found, decay);
-            VYBEG_CLOSE_RATIO(found.noise_sd, 1e-3, 0.1,
+            VYBEG_CLOSE_RATIO(found.told.noise_sd, 1e-3, 0.1,
                               text(found, errors) + QByteArray::number(half));
             VYBEG_CLOSE(errors.square, 1, 2 * errors.tolerance + 0.1,
                         text(found, errors) + QByteArray::number(half));
-            const std::vector<double>& correlation = found.run.noise_correlation;
+            const std::vector<double>& correlation = found.phasors.noise_correlation;
             const double expected = correlation.size() > 1 ? correlation[1] : 0;
             VYBEG_CLOSE(errors.neighbours / errors.square, expected, 0.12);
         }
@@ -269,12 +269,12 @@ private slots:
                     d[j] -= 40 * y;
                 }
             }
-            const PhasorWindows found = found_in({c, d, 0}, rate, {});
-            const WaveMotion wave = wave_motion(found.run);
+            const RecordedRun found = found_in({c, d, 0}, rate, {});
+            const WaveMotion wave = wave_motion(found.phasors);
             // The bent phase has no slope but by the same line, weights |z|^2, of the windows
             // behind the outliers.
-            std::vector<double> times = found.run.time_s;
-            std::erase_if(times, [&](double t) { return t - found.run.window_s / 2 < 60; });
+            std::vector<double> times = found.phasors.time_s;
+            std::erase_if(times, [&](double t) { return t - found.phasors.window_s / 2 < 60; });
             double weights = 0;
             double mean_s = 0;
             for (const double t : times) {

@@ -1,10 +1,9 @@
 // Which windows of a track are flagged over faults of the samples.
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
+#include "core/analysis/estimate_track.h"
 #include "core/analysis/settings.h"
-#include "core/analysis/window_faults.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/true_track.h"
 #include "core/track/track.h"
 #include "core/windows/window_plan.h"
 #include "tests/closeness.h"

@@ -1,5 +1,4 @@
 #include "core/base/diagnostic.h"
-#include "core/base/finding.h"
 #include "tests/test_registry.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/database/stored_result.h"
+#include "core/database/results_database.h"
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <limits>

@@ -1,4 +1,4 @@
-#include "core/output/output_paths.h"
+#include "core/output/output_file.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>

@@ -1,5 +1,5 @@
 // Archives read by Python's zipfile and by the program itself, with and without ZIP64 fields.
-#include "core/output/stored_zip.h"
+#include "core/output/array_files.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/packed_parts.h"
 #include "tests/core/recording/python_script.h"

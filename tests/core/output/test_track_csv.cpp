@@ -1,7 +1,6 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
 #include "core/output/track_file.h"
-#include "core/output/track_header.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -2,8 +2,7 @@
 
 #include "core/resonator/model/phasor_run.h"
 #include "core/simulation/decay_motion.h"
-#include "core/simulation/gaussian_noise.h"
-#include "core/simulation/slow_motion.h"
+#include "core/simulation/noise.h"
 
 #include <cmath>
 #include <cstdint>

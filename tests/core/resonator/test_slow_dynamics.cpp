@@ -1,5 +1,5 @@
 #include "core/resonator/model/slow_dynamics.h"
-#include "core/simulation/slow_motion.h"
+#include "core/simulation/decay_motion.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

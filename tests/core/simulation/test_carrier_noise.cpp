@@ -4,8 +4,8 @@
 // numbers of variance s^2 the mean square has sd s^2 sqrt(2/N), a mean product s^2/sqrt(N). A
 // process with correlation e^{-b lag} has in T about N = b T / 2 independent values of its mean,
 // and b T of its mean square.
-#include "core/simulation/carrier_noise.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/noise.h"
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"

@@ -2,7 +2,6 @@
 // no formula with it.
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/true_track.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/test_registry.h"

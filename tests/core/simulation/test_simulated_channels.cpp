@@ -1,10 +1,9 @@
 // Errors of the channels, modes beside, hum and lost samples against direct formulas: with
 // a_A = 1, a_B = 0 the wave is C = cos(2theta) cos(wt - alpha), D = sin(2theta) cos(wt - alpha).
+#include "core/simulation/decay_motion.h"
 #include "core/simulation/free_decay.h"
-#include "core/simulation/gaussian_noise.h"
+#include "core/simulation/noise.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/slow_motion.h"
-#include "core/simulation/true_track.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/test_registry.h"

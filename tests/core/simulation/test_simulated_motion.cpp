@@ -2,8 +2,6 @@
 // second-order equations, against Runge-Kutta, and against its own steps halved.
 #include "core/simulation/decay_motion.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/slow_motion.h"
-#include "core/simulation/true_track.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/test_registry.h"

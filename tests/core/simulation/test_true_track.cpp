@@ -1,7 +1,6 @@
 // The truth against what was put in, against the samples, and as a track.
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
-#include "core/simulation/true_track.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/test_registry.h"

@@ -1,4 +1,4 @@
-#include "core/track/beat.h"
+#include "core/track/trend.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

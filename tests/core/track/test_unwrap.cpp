@@ -1,6 +1,6 @@
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/phase.h"
-#include "core/track/unwrap.h"
+#include "core/track/track.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 

@@ -1,6 +1,5 @@
 // Page History: a laboratory's database opened, looked at, added to, as a person does it.
 #include "core/database/results_database.h"
-#include "core/database/stored_result.h"
 #include "tests/closeness.h"
 #include "tests/core/database/made_result.h"
 #include "tests/test_registry.h"

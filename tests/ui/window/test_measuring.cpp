@@ -1,5 +1,4 @@
 // Cursors that measure: set by key, mouse and typing, read in the table, drawn, copied.
-#include "core/track/beat.h"
 #include "core/track/trend.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"

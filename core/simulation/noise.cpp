@@ -1,6 +1,6 @@
-#include "core/simulation/carrier_noise.h"
+#include "core/simulation/noise.h"
 
-#include "core/simulation/slow_motion.h"
+#include "core/simulation/decay_motion.h"
 
 #include <algorithm>
 #include <cmath>
