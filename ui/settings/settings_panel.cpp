@@ -1,8 +1,7 @@
 #include "ui/settings/settings_panel.h"
 
 #include "ui/document/document.h"
-#include "ui/settings/estimation_fields.h"
-#include "ui/settings/signal_fields.h"
+#include "ui/settings/settings_groups.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
