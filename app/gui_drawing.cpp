@@ -24,7 +24,6 @@
 #include "ui/document/document.h"
 #include "ui/plots/figure.h"
 #include "ui/plots/track_view.h"
-#include "ui/report/document_report.h"
 #include "ui/report/report_content.h"
 #include "ui/report/report_pdf.h"
 #include "ui/resonator/resonator_text.h"

@@ -4,7 +4,6 @@
 #include "core/output/batch_csv.h"
 #include "core/recording/text/csv_rows.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"

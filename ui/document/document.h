@@ -5,7 +5,6 @@
 #include "ui/document/drift_store.h"
 #include "ui/document/message.h"
 #include "ui/document/recording_store.h"
-#include "ui/document/request_queue.h"
 #include "ui/document/set_store.h"
 #include "ui/document/settings_model.h"
 #include "ui/values/ids.h"

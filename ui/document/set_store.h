@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/analysis/passport.h"
+#include "ui/document/background_jobs.h"
 #include "ui/document/recording_store.h"
-#include "ui/document/request_queue.h"
 #include "ui/values/dossier.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"

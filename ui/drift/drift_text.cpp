@@ -1,6 +1,5 @@
 #include "ui/drift/drift_text.h"
 
-#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/unit_text.h"

@@ -1,7 +1,7 @@
 #include "ui/panels/ledger_rows.h"
 
+#include "ui/panels/findings_flag.h"
 #include "ui/plots/axis_ticks.h"
-#include "ui/widgets/check_list.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/error_text.h"
@@ -186,11 +186,6 @@ QString recordingFacts(const RecordingEntry& entry) {
         add(QStringLiteral("SHA-256"), entry.sha256);
     }
     return lines.join(QLatin1Char('\n'));
-}
-
-bool hasFindings(const RecordingEntry& entry) {
-    return entry.faults ? findingsIn(entry.faults->findings) > 0
-                        : entry.recording && findingsIn(entry.recording->diagnostics) > 0;
 }
 
 std::vector<LedgerRow> ledgerRows(const Document& document) {

@@ -2,7 +2,7 @@
 
 #include "core/track/wave_pattern.h"
 #include "ui/charts/round_plot.h"
-#include "ui/panels/reading.h"
+#include "ui/panels/measuring.h"
 #include "ui/plots/plot_content.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"

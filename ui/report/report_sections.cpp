@@ -3,7 +3,6 @@
 #include "core/output/batch_csv.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/drift/drift_text.h"
-#include "ui/panels/reading.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
 #include "ui/resonator/parameter_text.h"

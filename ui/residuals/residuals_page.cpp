@@ -2,7 +2,7 @@
 
 #include "core/residuals/find_residuals.h"
 #include "ui/document/document.h"
-#include "ui/panels/reading.h"
+#include "ui/panels/measuring.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/shown_residuals.h"
 #include "ui/widgets/number_field.h"

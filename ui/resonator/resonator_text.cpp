@@ -2,7 +2,6 @@
 
 #include "core/output/identify_json.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/number_label.h"

@@ -6,7 +6,7 @@
 #include "ui/document/analysis_store.h"
 #include "ui/document/document.h"
 #include "ui/document/drift_store.h"
-#include "ui/panels/fitted_trend.h"
+#include "ui/panels/measuring.h"
 #include "ui/plots/track_view.h"
 #include "ui/values/dossier.h"
 #include "ui/values/ids.h"

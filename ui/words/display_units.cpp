@@ -178,4 +178,9 @@ QString valueText(double value, double sd, double u) {
     return textOf(quantity_text(value, sd, u));
 }
 
+QString exactText(double value) {
+    return std::isnan(value) ? QString()
+                             : QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
+}
+
 }  // namespace vybeg::ui

@@ -76,5 +76,7 @@ QString valueText(double value, double sd);
 QString conciseText(double value, double sd);
 // With a combined uncertainty behind it where that differs: "1.00034 ± 0.00005 (u 0.0003)".
 QString valueText(double value, double sd, double u);
+// With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.
+QString exactText(double value);
 
 }  // namespace vybeg::ui

@@ -11,7 +11,7 @@
 #include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/xy_plot_view.h"
-#include "ui/report/document_report.h"
+#include "ui/report/report_content.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_text.h"
 #include "ui/session/session_keeper.h"

@@ -10,7 +10,7 @@
 #include "ui/import/log_dialog.h"
 #include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
-#include "ui/report/document_report.h"
+#include "ui/report/report_content.h"
 #include "ui/report/report_text.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/set_panel.h"

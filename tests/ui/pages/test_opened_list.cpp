@@ -5,7 +5,6 @@
 #include "tests/ui/resonator_runs.h"
 #include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
-#include "ui/report/document_report.h"
 #include "ui/report/report_content.h"
 #include "ui/report/report_text.h"
 #include "ui/resonator/resonator_page.h"

@@ -6,7 +6,7 @@
 #include "tests/ui/heartbeat.h"
 #include "tests/ui/resonator_runs.h"
 #include "ui/plots/track_view.h"
-#include "ui/report/document_report.h"
+#include "ui/report/report_content.h"
 #include "ui/report/report_html.h"
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_sections.h"
