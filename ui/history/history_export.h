@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/history/history_view.h"
-#include "ui/report/report_figures.h"
+#include "ui/report/report_parts.h"
 #include "ui/report/report_text.h"
 
 #include <string>

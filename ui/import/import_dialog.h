@@ -1,10 +1,15 @@
 #pragma once
 
+#include "core/recording/open/preview.h"
+#include "core/recording/samples/open_options.h"
 #include "ui/document/background_jobs.h"
 #include "ui/import/import_fields.h"
 
 #include <QDialog>
 #include <QPointer>
+#include <QString>
+
+#include <optional>
 
 class QDialogButtonBox;
 class QLabel;
@@ -12,6 +17,17 @@ class QLabel;
 namespace vybeg::ui {
 
 class ImportPreview;
+
+// Last import options of each kind of file, stored in QSettings.
+
+// Key of a kind of file: for text the ending, the number of columns and their guessed names; for
+// raw samples (`raw`) and all others the ending.
+QString importKind(const QString& path, const RecordingPreview& preview, bool raw);
+
+std::optional<OpenOptions> rememberedImport(const QString& kind);
+
+// Stores the options; keeps the last 50 kinds.
+void rememberImport(const QString& kind, const OpenOptions& options);
 
 // Options for reading a file with incomplete information, with a preview. Without given options it
 // starts with the last choices for files of this kind. Does not block the window; previews are

@@ -2,7 +2,7 @@
 
 #include "core/base/result.h"
 #include "ui/document/background_jobs.h"
-#include "ui/report/report_figures.h"
+#include "ui/report/report_parts.h"
 #include "ui/report/report_text.h"
 
 #include <QByteArray>

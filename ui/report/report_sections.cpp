@@ -3,8 +3,7 @@
 #include "core/output/batch_csv.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/drift/drift_text.h"
-#include "ui/report/report_figures.h"
-#include "ui/report/report_html.h"
+#include "ui/report/report_parts.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/error_text.h"
@@ -52,6 +51,11 @@ std::vector<QuantityRow> budgetRows(const Identification& found, const DisplayUn
     return rows;
 }
 
+QString absenceText(const ReportContent& content) {
+    return content.not_identified ? errorText(*content.not_identified)
+                                  : ReportWords::tr("It has not been identified.");
+}
+
 namespace {
 
 // Columns of values that a page has room for: all logs together and two of them.
@@ -68,8 +72,8 @@ QString filesOf(const DriftOutcome& outcome) {
     return html(table);
 }
 
-}  // namespace
-
+// The drift of the whole-angle logs: logs, settings, the drift against the angle, its harmonics,
+// and what they say of the resonator. Empty without logs.
 QString wholeAngleSection(const ReportContent& content, bool new_page) {
     if (!content.drift) {
         return {};
@@ -93,8 +97,6 @@ QString wholeAngleSection(const ReportContent& content, bool new_page) {
            quantityTables({}, heldRows(outcome.drift.resonator, content.units), 1) +
            paragraph(channelsText(pick_offs(outcome.settings.tolerance)));
 }
-
-namespace {
 
 // Columns of values that a page has room for.
 constexpr qsizetype most_recordings = 2;
@@ -171,13 +173,8 @@ QString figures(const ReportContent& content) {
                 figureHtml(figureName(content, balance_figure)));
 }
 
-}  // namespace
-
-QString absenceText(const ReportContent& content) {
-    return content.not_identified ? errorText(*content.not_identified)
-                                  : ReportWords::tr("It has not been identified.");
-}
-
+// The result for the page to be signed: values with their expanded uncertainties, limits and
+// verdict.
 QString resultSection(const ReportContent& content) {
     QStringList names;
     for (const ReportRecording& recording : content.recordings) {
@@ -208,6 +205,8 @@ QString resultSection(const ReportContent& content) {
     return text;
 }
 
+// The pages of the resonator: parameters with their uncertainties, rim, drift, budget, modes, and
+// what is known of each recording; or why there are none.
 QString resonatorSection(const ReportContent& content) {
     const QString title = ReportWords::tr("Resonator");
     if (!content.outcome) {
@@ -249,8 +248,6 @@ QString resonatorSection(const ReportContent& content) {
                  quantityTables(names, runRows(found, content.units), most_recordings, true));
     return text;
 }
-
-namespace {
 
 // Events of an analysis that are listed; of the rest the number.
 constexpr std::size_t most_events = 60;

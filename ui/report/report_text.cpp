@@ -1,6 +1,6 @@
 #include "ui/report/report_text.h"
 
-#include "ui/report/report_html.h"
+#include "ui/report/report_parts.h"
 #include "ui/report/report_sections.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"

@@ -12,7 +12,7 @@
 #include "ui/panels/message_bar.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/report/report_content.h"
-#include "ui/report/report_figures.h"
+#include "ui/report/report_parts.h"
 #include "ui/report/report_text.h"
 #include "ui/session/session_keeper.h"
 #include "ui/widgets/quantity_table.h"

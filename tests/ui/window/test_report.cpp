@@ -7,7 +7,7 @@
 #include "tests/ui/resonator_runs.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/report_content.h"
-#include "ui/report/report_html.h"
+#include "ui/report/report_parts.h"
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_sections.h"
 #include "ui/resonator/resonator_text.h"
