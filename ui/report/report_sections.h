@@ -16,7 +16,7 @@ QString absenceText(const ReportContent& content);
 // `made`: when and by which program, a last row; empty: none.
 QString titleBlock(const ReportTitle& title, const QString& made);
 
-// From the recordings to the warnings; figures stand in it by their names (report_figures.h).
+// From the recordings to the warnings; figures stand in it by their names (report_parts.h).
 QString reportSections(const ReportContent& content);
 
 // The uncertainty budget as a table: a row for each given parameter; columns: the statistical

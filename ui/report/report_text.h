@@ -11,7 +11,7 @@
 namespace vybeg::ui {
 
 // A report as text in the interface's language; figures stand in it by their names
-// (report_figures.h).
+// (report_parts.h).
 struct ReportText {
     QString title;   // of the document
     QString author;  // empty: not told
