@@ -25,7 +25,7 @@
 #include "ui/plots/figure.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/report_content.h"
-#include "ui/report/report_pdf.h"
+#include "ui/report/report_document.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/session/session_keeper.h"
 #include "ui/values/shown_analysis.h"

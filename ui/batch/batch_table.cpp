@@ -6,7 +6,6 @@
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
 

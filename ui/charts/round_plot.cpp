@@ -1,7 +1,7 @@
 #include "ui/charts/round_plot.h"
 
 #include "ui/plots/time_stack.h"
-#include "ui/words/number_label.h"
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
 
 #include <QAbstractTextDocumentLayout>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/document/edits.h"
 #include "ui/document/recording_store.h"
-#include "ui/document/settings_model.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
 

@@ -2,8 +2,8 @@
 
 #include "core/analysis/inspect.h"
 #include "ui/document/background_jobs.h"
+#include "ui/document/edits.h"
 #include "ui/document/message.h"
-#include "ui/document/settings_model.h"
 #include "ui/values/ids.h"
 
 #include <QObject>

@@ -4,10 +4,10 @@
 #include "ui/plots/axis_ticks.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

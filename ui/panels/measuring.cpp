@@ -2,7 +2,6 @@
 
 #include "ui/values/curve_data.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
 

@@ -6,10 +6,10 @@
 #include "ui/report/report_parts.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QLocale>
 #include <QStringList>

@@ -2,7 +2,6 @@
 
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

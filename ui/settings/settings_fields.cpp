@@ -1,7 +1,7 @@
 #include "ui/settings/settings_fields.h"
 
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>

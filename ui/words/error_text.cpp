@@ -3,8 +3,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/base/number_text.h"
-#include "ui/words/number_label.h"
-#include "ui/words/unit_text.h"
+#include "ui/words/display_units.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -6,7 +6,7 @@
 #include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/report_content.h"
-#include "ui/report/report_text.h"
+#include "ui/report/report_document.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/session/session_keeper.h"
