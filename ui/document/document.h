@@ -141,7 +141,6 @@ private:
     };
     Closed whatCloses(RecordingId id);
     void bringBack(const Closed& closed);
-    void connectStores();
     void close(RecordingId id);
     // The whole-angle logs among what was opened at once, when all of it is read: one step, in the
     // order in which it was chosen.

@@ -81,18 +81,18 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
       path_(path),
       proposed_(options != OpenOptions{}),
       raw_proposed_(options.raw.has_value()),
-      title_(new QLabel(this)),
       fields_(new ImportFields),
       view_(new ImportPreview(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
-    title_->setTextFormat(Qt::PlainText);
-    title_->setWordWrap(true);
+    auto* title = new QLabel(this);
+    title->setTextFormat(Qt::PlainText);
+    title->setWordWrap(true);
     fields_->setOptions(options);
     auto* choices = scrolled(fields_, this);
     choices->setFocusPolicy(Qt::NoFocus);
     auto* columns = fill(new QHBoxLayout, {choices, {view_, 1}});
-    fill(new QVBoxLayout(this), {title_, {columns, 1}, buttons_});
+    fill(new QVBoxLayout(this), {title, {columns, 1}, buttons_});
     connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
     connect(fields_, &ImportFields::filesWanted, this, &ImportDialog::filesWanted);
@@ -106,7 +106,10 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
             enableOpen();
         }
     });
-    keepTranslated(*this, [this] { retranslate(); });
+    keepTranslated(*this, [this, title] {
+        setWindowTitle(tr("Import"));
+        title->setText(tr("How to read %1").arg(QFileInfo(path_).fileName()));
+    });
     choices->setMinimumWidth(fields_->sizeHint().width() + 20);
     resize(980, 620);
     refresh();
@@ -197,11 +200,6 @@ void ImportDialog::accept() {
     rememberImport(importKind(path_, *preview_, chosen_options.raw.has_value()), of_kind);
     emit chosen(path_, chosen_options);
     QDialog::accept();
-}
-
-void ImportDialog::retranslate() {
-    setWindowTitle(tr("Import"));
-    title_->setText(tr("How to read %1").arg(QFileInfo(path_).fileName()));
 }
 
 }  // namespace vybeg::ui

@@ -12,7 +12,6 @@
 #include <optional>
 
 class QDialogButtonBox;
-class QLabel;
 
 namespace vybeg::ui {
 
@@ -58,7 +57,6 @@ private:
     // Better start values from the preview; empty if none.
     std::optional<OpenOptions> proposal(const RecordingPreview& preview);
     void enableOpen();
-    void retranslate();
 
     QPointer<BackgroundJobs> job_;  // may be destroyed before the dialog when the window closes
     QString path_;
@@ -67,7 +65,6 @@ private:
     bool raw_proposed_ = false;  // start values for the first reading as raw samples were set
     OpenOptions asked_;          // options of the latest requested preview
     std::optional<RecordingPreview> preview_;  // of the present options
-    QLabel* title_;
     ImportFields* fields_;
     ImportPreview* view_;
     QDialogButtonBox* buttons_;

@@ -64,6 +64,7 @@ WavePanel::WavePanel(Document& document, QWidget* parent)
     connect(ellipse_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(&document_, &Document::analysesChanged, this, &WavePanel::refresh);
     keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::Show}, [this] { refresh(); });
 }
 
 void WavePanel::setTime(std::optional<double> time_s) {
@@ -120,11 +121,6 @@ void WavePanel::refresh() {
     time_->setText(shown_s ? tr("t = %1 s").arg(QLocale().toString(*shown_s, 'f', 5)) : QString());
     pattern_->setContent(pattern);
     ellipse_->setContent(ellipse);
-}
-
-void WavePanel::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    refresh();
 }
 
 void WavePanel::retranslate() {

@@ -9,7 +9,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -69,7 +68,9 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
 
     scroll_ = scrolled(content, this);
     scroll_->setFocusPolicy(Qt::NoFocus);
-    content->installEventFilter(this);
+    // The fields change with the language and with what is open.
+    whenChanged(*content, {QEvent::LayoutRequest}, [this] { fitWidth(); });
+    whenChanged(*this, {QEvent::Resize}, [this] { unfold(); });
 
     stale_ = withName(new QLabel(this), "stale");
     stale_->setWordWrap(true);
@@ -155,18 +156,6 @@ void SettingsPanel::fitWidth() {
     const int needed = scroll_->widget()->minimumSizeHint().width() +
                        scroll_->verticalScrollBar()->sizeHint().width();
     setFixedWidth(std::max(least_width, needed));
-}
-
-bool SettingsPanel::eventFilter(QObject* groups, QEvent* event) {
-    if (event->type() == QEvent::LayoutRequest) {
-        fitWidth();
-    }
-    return QWidget::eventFilter(groups, event);
-}
-
-void SettingsPanel::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    unfold();
 }
 
 // Sections that begin folded are open where the window has room for them, the last one first: what

@@ -33,11 +33,6 @@ signals:
     // A field with a fault is to be seen.
     void wanted();
 
-protected:
-    // Of the groups, whose fields change with the language and with what is open.
-    bool eventFilter(QObject* groups, QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     struct Group {
         Section* section;
