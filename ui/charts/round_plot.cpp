@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace vybeg::ui {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/error.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/recording_store.h"
 #include "ui/values/ids.h"
@@ -95,7 +94,6 @@ private:
     // The colour of the recording's analyses, in a shade that none of that colour has.
     CurveStyle freeStyle(RecordingId recording_id) const;
     AnalysisEntry& add(AnalysisEntry entry);
-    AnalysisEntry& addLive(RecordingId recording_id);
     // The analysis that is expected, in its place; null where none is.
     AnalysisEntry* addExpected(RecordingId recording_id, const Settings& requested, bool live);
 

@@ -2,13 +2,10 @@
 
 #include "core/output/passport_json.h"
 #include "core/recording/open/open_recording.h"
-#include "core/recording/open/preview.h"
-#include "core/recording/samples/recording.h"
 #include "core/sweep/sweep_windows.h"
 #include "ui/words/program_name.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 #include <QEvent>
 #include <QJsonDocument>
 

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <utility>
 
 namespace vybeg::ui {
 

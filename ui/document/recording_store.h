@@ -91,9 +91,7 @@ private:
     void begin(RecordingId id, std::size_t place, const QString& path, const OpenOptions& options);
     RecordingEntry* entry(RecordingId id);
     void showOpened(RecordingId id);
-    void whenLookedAt(RecordingId id, const QuickOverview& look);
     void whenOpened(RecordingId id, Result<Recording> result);
-    void reportWarnings(const RecordingEntry& entry);
     void readEnvelope(RecordingId id);
     void checkSamples(RecordingId id);
     void whenChecked(RecordingId id, SampleFaults faults);

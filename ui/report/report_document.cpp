@@ -1,7 +1,6 @@
 #include "ui/report/report_document.h"
 
 #include "core/output/output_file.h"
-#include "ui/report/report_parts.h"
 #include "ui/report/report_sections.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"

@@ -10,7 +10,6 @@
 #include <QJsonArray>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <string>
 #include <utility>

@@ -40,15 +40,6 @@ void SettingsFields::refresh() {
     }
 }
 
-QLabel* SettingsFields::makeLabel(QWidget* buddy) {
-    auto* label = new QLabel(this);
-    label->setBuddy(buddy);
-    // One width of labels for all groups, so that their fields are aligned.
-    label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Перекрытие")));
-    label->setWordWrap(true);
-    return label;
-}
-
 NumberField* SettingsFields::makeField(const Texts& texts) {
     auto* field = withTexts(new NumberField(this), texts);
     field->setMinimumWidth(least_field);
@@ -58,8 +49,13 @@ NumberField* SettingsFields::makeField(const Texts& texts) {
 NumberField* SettingsFields::addField(const Texts& texts, const Bounds& limits, double unit) {
     NumberField* field = makeField(texts);
     field->setLimits(limits, unit);
-    entries_.back().label = makeLabel(field);
-    form_->addRow(entries_.back().label, field);
+    auto* label = new QLabel(this);
+    label->setBuddy(field);
+    // One width of labels for all groups, so that their fields are aligned.
+    label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Перекрытие")));
+    label->setWordWrap(true);
+    entries_.back().label = label;
+    form_->addRow(label, field);
     addFaults({field});
     return field;
 }

@@ -114,7 +114,6 @@ private:
         Texts texts;
         bool unit_in_label = false;
     };
-    QLabel* makeLabel(QWidget* buddy);
     void translate();
     void refresh();
 

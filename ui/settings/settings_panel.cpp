@@ -68,8 +68,13 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
 
     scroll_ = scrolled(content, this);
     scroll_->setFocusPolicy(Qt::NoFocus);
-    // The fields change with the language and with what is open.
-    whenChanged(*content, {QEvent::LayoutRequest}, [this] { fitWidth(); });
+    // The panel grows instead of cutting its fields, which change with the language and with what
+    // is open.
+    whenChanged(*content, {QEvent::LayoutRequest}, [this, content] {
+        const int needed =
+            content->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width();
+        setFixedWidth(std::max(least_width, needed));
+    });
     whenChanged(*this, {QEvent::Resize}, [this] { unfold(); });
 
     stale_ = withName(new QLabel(this), "stale");
@@ -149,13 +154,6 @@ void SettingsPanel::refresh() {
         group.fields->setState(state);
     }
     analyse_->setEnabled(state.rate_hz.has_value());
-}
-
-// The panel grows instead of cutting its fields.
-void SettingsPanel::fitWidth() {
-    const int needed = scroll_->widget()->minimumSizeHint().width() +
-                       scroll_->verticalScrollBar()->sizeHint().width();
-    setFixedWidth(std::max(least_width, needed));
 }
 
 // Sections that begin folded are open where the window has room for them, the last one first: what

@@ -44,7 +44,6 @@ private:
     void add(SettingsFields* fields, const char* title, bool open);
     void refresh();
     void showStaleness();
-    void fitWidth();
     void unfold();
     void retranslate();
 

@@ -3,7 +3,6 @@
 #include "core/base/number_text.h"
 #include "core/output/quantity_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "ui/words/error_text.h"
 
-#include "core/base/diagnostic.h"
-#include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "ui/words/display_units.h"
 
