@@ -22,7 +22,7 @@ constexpr int points_per_beat = 20;
 constexpr double degrees_an_hour = 0.5 * 180 / std::numbers::pi * 3600;
 
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(Trend)
+    Q_DECLARE_TR_FUNCTIONS(Measuring)
 };
 
 TrendOf kindOf(SlowVariable variable) {
@@ -302,10 +302,6 @@ Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_
     return difference;
 }
 
-struct MeasuringWords {
-    Q_DECLARE_TR_FUNCTIONS(Measuring)
-};
-
 // Trends of more windows than that are fitted to the chosen analysis alone.
 constexpr std::size_t quick_rows = 100'000;
 
@@ -399,7 +395,7 @@ Reading readingOf(const Analysis& analysis, SlowVariable variable, ReadAt at,
 QString reasonAt(const Analysis& analysis, double time_s) {
     return isInside(analysis, time_s)
                ? flagsText(analysis.track.flags()[nearestRow(analysis.track, time_s)])
-               : MeasuringWords::tr("no windows there");
+               : Words::tr("no windows there");
 }
 
 // A large swing is no sinusoid, yet the modes beat with the split that their resonator has.
@@ -418,8 +414,7 @@ QStringList measuredSentences(const Document& document, const AnalysisEntry& ent
         }
         const Estimate& split = outcome->identification.fit.resonator.split_hz;
         if (split.given()) {
-            sentences << MeasuringWords::tr(
-                             "The resonator of this recording beats at its split, %1 Hz")
+            sentences << Words::tr("The resonator of this recording beats at its split, %1 Hz")
                              .arg(valueText(split.value, split.uncertainty()));
         }
     }
@@ -439,9 +434,9 @@ QString mouseTable(const Document& document, const Measuring& measuring,
     }
     Measuring here = measuring;
     here.mouse_s = measuring.mouse_s.value_or(shown.front()->analysis->track.time_s().front());
-    QStringList head{MeasuringWords::tr("t = %1 s").arg(exactText(*here.mouse_s))};
+    QStringList head{Words::tr("t = %1 s").arg(exactText(*here.mouse_s))};
     for (const ShownAnalysis* each : shown) {
-        head << each->name << MeasuringWords::tr("sd");
+        head << each->name << Words::tr("sd");
     }
     return tableOf(head, shown_slow_variables, units, [&](SlowVariable variable) {
         std::vector<Reading> readings;
@@ -459,15 +454,14 @@ QString cursorTable(const ShownAnalysis& shown, const Measuring& measuring,
     if (!isInside(analysis, measuring.a_s) || !isInside(analysis, measuring.b_s)) {
         return {};
     }
-    const QString sd = MeasuringWords::tr("sd");
-    const QString rate = measuring.kind == TrendKind::beat ? MeasuringWords::tr("Beat, Hz")
-                                                           : MeasuringWords::tr("Rate, per s");
-    const QStringList head{
-        shown.name, MeasuringWords::tr("A = %1 s").arg(exactText(*measuring.a_s)),
-        sd,         MeasuringWords::tr("B = %1 s").arg(exactText(*measuring.b_s)),
-        sd,         MeasuringWords::tr("B − A"),
-        sd,         rate,
-        sd};
+    const QString sd = Words::tr("sd");
+    const QString rate =
+        measuring.kind == TrendKind::beat ? Words::tr("Beat, Hz") : Words::tr("Rate, per s");
+    const QStringList head{shown.name, Words::tr("A = %1 s").arg(exactText(*measuring.a_s)),
+                           sd,         Words::tr("B = %1 s").arg(exactText(*measuring.b_s)),
+                           sd,         Words::tr("B − A"),
+                           sd,         rate,
+                           sd};
     return tableOf(head, main_slow_variables, units, [&](SlowVariable variable) {
         const auto at = [&](ReadAt place) {
             return readingOf(analysis, variable, place, measuring, trends, units);
