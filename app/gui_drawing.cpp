@@ -287,7 +287,7 @@ Result<QByteArray> pdf_of_one(const GuiRequest& request, const MeasurementList& 
 Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& list,
                               const JobControl& job) {
     std::vector<ui::ReportChapter> chapters;
-    std::vector<ui::ReportPicture> pictures;
+    std::vector<ui::ReportFigure> figures;
     ui::DisplayUnits units;
     units.angle = ui::AngleUnit::degrees;
     for (const MeasurementSet& set : list.sets) {
@@ -308,11 +308,11 @@ Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& 
         content->set = QString::fromStdString(set.name);
         content->chapter = static_cast<int>(chapters.size()) + 1;
         chapters.push_back(ui::chapterOf(*content));
-        std::ranges::move(ui::drawnFigures(*content), std::back_inserter(pictures));
+        std::ranges::move(ui::drawnFigures(*content), std::back_inserter(figures));
     }
     const QString about = QFileInfo(QString::fromStdString(request.list)).fileName();
     return ui::reportPdf(ui::reportTextOf(about, chapters, units, program_text(), ui::reportDay()),
-                         pictures);
+                         figures);
 }
 
 using namespace vybeg::ui;

@@ -184,37 +184,37 @@ class Figures : public QObject, public QTextObjectInterface {
     Q_INTERFACES(QTextObjectInterface)
 
 public:
-    explicit Figures(const std::vector<ReportPicture>& pictures) : pictures_(pictures) {}
+    explicit Figures(const std::vector<ReportFigure>& figures) : figures_(figures) {}
 
     QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat& format) override {
-        const ReportPicture* picture = find(format);
-        return picture ? picture->paper * scale : QSizeF();
+        const ReportFigure* figure = find(format);
+        return figure ? figure->paper * scale : QSizeF();
     }
 
     void drawObject(QPainter* painter, const QRectF& room, QTextDocument*, int,
                     const QTextFormat& format) override {
-        if (const ReportPicture* picture = find(format)) {
-            QPicture own = picture->picture;
+        if (const ReportFigure* figure = find(format)) {
+            QPicture own = figure->picture;
             // What a picture itself scales by as it is played.
             const double own_scale =
                 double(painter->device()->logicalDpiX()) / double(own.logicalDpiX());
             painter->save();
             painter->translate(room.topLeft());
-            painter->scale(room.width() / (own_scale * picture->drawn.width()),
-                           room.height() / (own_scale * picture->drawn.height()));
+            painter->scale(room.width() / (own_scale * figure->drawn.width()),
+                           room.height() / (own_scale * figure->drawn.height()));
             painter->drawPicture(0, 0, own);
             painter->restore();
         }
     }
 
 private:
-    const ReportPicture* find(const QTextFormat& format) const {
+    const ReportFigure* find(const QTextFormat& format) const {
         const auto found =
-            std::ranges::find(pictures_, format.toImageFormat().name(), &ReportPicture::name);
-        return found == pictures_.end() ? nullptr : &*found;
+            std::ranges::find(figures_, format.toImageFormat().name(), &ReportFigure::name);
+        return found == figures_.end() ? nullptr : &*found;
     }
 
-    const std::vector<ReportPicture>& pictures_;
+    const std::vector<ReportFigure>& figures_;
 };
 
 int pageOf(const QTextDocument& document, const QTextBlock& block) {
@@ -439,7 +439,7 @@ QByteArray metadata(const ReportText& text) {
 
 }  // namespace
 
-QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& pictures) {
+QByteArray reportPdf(const ReportText& text, const std::vector<ReportFigure>& figures) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -454,7 +454,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
     const double left = (pdf.width() - content.width()) / 2;
     const double top = (pdf.height() - content.height()) / 2;
 
-    Figures figures(pictures);
+    Figures drawings(figures);
     QTextDocument document;
     QFont font(QGuiApplication::font().family());
     font.setPointSizeF(base_points);
@@ -466,7 +466,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
         QLatin1String(style_sheet) +
         QStringLiteral(".mono { font-family: \"%1\"; font-size: 7.5pt; }")
             .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family()));
-    document.documentLayout()->registerHandler(QTextFormat::ImageObject, &figures);
+    document.documentLayout()->registerHandler(QTextFormat::ImageObject, &drawings);
     document.documentLayout()->setPaintDevice(&pdf);
     document.setPageSize(content);
     layOut(document, text.html);
@@ -510,7 +510,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
 
 struct ReportWriter::Work {
     std::vector<ReportFigure> figures;
-    std::vector<ReportPicture> pictures;  // as many as are drawn
+    std::size_t drawn = 0;  // of them
     ReportText text;
     QString path;
     std::function<void(const Status&)> done;
@@ -551,15 +551,16 @@ void ReportWriter::write(ReportText text, std::vector<ReportFigure> figures, con
 }
 
 void ReportWriter::drawNext(const std::shared_ptr<Work>& work) {
-    if (work->pictures.size() < work->figures.size()) {
-        work->pictures.push_back(drawn(work->figures[work->pictures.size()]));
+    if (work->drawn < work->figures.size()) {
+        ReportFigure& next = work->figures[work->drawn++];
+        next = drawn(std::move(next));
         QTimer::singleShot(0, this, [this, work] { drawNext(work); });
         return;
     }
     job_.write(
         ++key_,
         [work](const JobControl& job) {
-            const QByteArray pdf = reportPdf(work->text, work->pictures);
+            const QByteArray pdf = reportPdf(work->text, work->figures);
             return write_file(std::filesystem::path(work->path.toStdU16String()),
                               {pdf.constData(), static_cast<std::size_t>(pdf.size())}, job);
         },

@@ -57,7 +57,7 @@ QString chapterMark(int number);
 
 // A report as a PDF of A4 pages with head and page numbers: figures as vectors, text as text, fonts
 // embedded, title and author in its metadata. Any thread may call it.
-QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& pictures);
+QByteArray reportPdf(const ReportText& text, const std::vector<ReportFigure>& figures);
 
 // Writes reports while the window is in use: one figure in each turn of the event loop, because
 // they need the window's thread; pages and file in the background.

@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -189,16 +190,15 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content) {
     return figures;
 }
 
-ReportPicture drawn(const ReportFigure& figure) {
-    return {figure.name, toPicture(figure.draw, figure.drawn), QSizeF(figure.drawn), figure.paper};
+ReportFigure drawn(ReportFigure figure) {
+    figure.picture = toPicture(std::exchange(figure.draw, {}), figure.drawn);
+    return figure;
 }
 
-std::vector<ReportPicture> drawnFigures(const ReportContent& content) {
-    std::vector<ReportPicture> pictures;
-    for (const ReportFigure& figure : reportFigures(content)) {
-        pictures.push_back(drawn(figure));
-    }
-    return pictures;
+std::vector<ReportFigure> drawnFigures(const ReportContent& content) {
+    std::vector<ReportFigure> figures = reportFigures(content);
+    std::ranges::transform(figures, figures.begin(), drawn);
+    return figures;
 }
 
 }  // namespace vybeg::ui

@@ -39,13 +39,14 @@ QString quantityTables(const QStringList& headers, const std::vector<QuantityRow
 QString figureHtml(const QString& name);
 QString sideBySide(const QString& left, const QString& right);
 
-// A figure of the report, before it is drawn. `paper`: its size in the report, in pixels of
-// pixels_per_inch; drawn larger and reduced, for the sake of smaller texts than on screen.
+// A figure of the report. `paper`: its size in the report, in pixels of pixels_per_inch; drawn
+// larger and reduced, for the sake of smaller texts than on screen.
 struct ReportFigure {
     QString name;  // in the text of the report
-    Drawing draw;
+    Drawing draw;  // until it is drawn
     QSize drawn;
     QSizeF paper;
+    QPicture picture{};  // vectors, which any thread can play
 };
 
 // Content of a page between its margins, pixels of pixels_per_inch.
@@ -68,15 +69,8 @@ QString plotsName(const ReportContent& content, std::size_t recording);
 // (QCustomPlot is a widget).
 std::vector<ReportFigure> reportFigures(const ReportContent& content);
 
-// A figure as vectors, which any thread can play.
-struct ReportPicture {
-    QString name;
-    QPicture picture;
-    QSizeF drawn;
-    QSizeF paper;
-};
-ReportPicture drawn(const ReportFigure& figure);
+ReportFigure drawn(ReportFigure figure);
 // All figures of a report in one go.
-std::vector<ReportPicture> drawnFigures(const ReportContent& content);
+std::vector<ReportFigure> drawnFigures(const ReportContent& content);
 
 }  // namespace vybeg::ui
