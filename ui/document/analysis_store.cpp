@@ -186,10 +186,6 @@ AnalysisEntry& AnalysisStore::add(AnalysisEntry entry) {
     return *analyses_.insert(next, std::move(entry));
 }
 
-void AnalysisStore::expect(RecordingId recording_id, const AnalysisWish& wish) {
-    expected_.emplace(recording_id, wish);
-}
-
 AnalysisEntry* AnalysisStore::addExpected(RecordingId recording_id, const Settings& requested,
                                           bool live) {
     const auto [first, last] = expected_.equal_range(recording_id);

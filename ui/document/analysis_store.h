@@ -69,7 +69,9 @@ public:
     AnalysisId showLive(RecordingId recording_id, const Settings& requested,
                         AnalysisOutcome outcome);
     // The next analysis of that recording with these settings gets the look and place of the wish.
-    void expect(RecordingId recording_id, const AnalysisWish& wish);
+    void expect(RecordingId recording_id, const AnalysisWish& wish) {
+        expected_.emplace(recording_id, wish);
+    }
     // Steps of undo.
     void setVisible(AnalysisId id, bool visible);
     void rename(AnalysisId id, const QString& name);

@@ -42,10 +42,6 @@ const RecordingEntry* RecordingStore::find(RecordingId id) const {
     return found == recordings_.end() ? nullptr : &*found;
 }
 
-RecordingEntry* RecordingStore::entry(RecordingId id) {
-    return const_cast<RecordingEntry*>(std::as_const(*this).find(id));
-}
-
 const RecordingEntry* RecordingStore::findPath(const QString& absolute_path) const {
     const auto found = std::ranges::find(recordings_, absolute_path, &RecordingEntry::path);
     return found == recordings_.end() ? nullptr : &*found;

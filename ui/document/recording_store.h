@@ -89,7 +89,7 @@ signals:
 
 private:
     void begin(RecordingId id, std::size_t place, const QString& path, const OpenOptions& options);
-    RecordingEntry* entry(RecordingId id);
+    RecordingEntry* entry(RecordingId id) { return const_cast<RecordingEntry*>(find(id)); }
     void showOpened(RecordingId id);
     void whenOpened(RecordingId id, Result<Recording> result);
     void readEnvelope(RecordingId id);

@@ -45,10 +45,6 @@ const RecordingSet* SetStore::find(SetId id) const {
     return found == sets_.end() ? nullptr : &*found;
 }
 
-RecordingSet* SetStore::entry(SetId id) {
-    return const_cast<RecordingSet*>(std::as_const(*this).find(id));
-}
-
 void SetStore::setCurrent(SetId id) {
     if (id != current_ && find(id)) {
         current_ = id;

@@ -110,7 +110,7 @@ private:
     void enter(std::vector<RecordingSet> sets, UndoSteps::Words words);
     void insertInto(SetId id, const std::vector<RecordingId>& recording_ids);
     void eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids);
-    RecordingSet* entry(SetId id);
+    RecordingSet* entry(SetId id) { return const_cast<RecordingSet*>(find(id)); }
     void edited(RecordingSet& set);
     void whenIdentified(int key, Result<ResonatorOutcome> result);
 

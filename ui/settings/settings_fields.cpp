@@ -25,10 +25,6 @@ SettingsFields::SettingsFields(QWidget* parent) : QWidget(parent), form_(new QFo
     form_->setRowWrapPolicy(QFormLayout::DontWrapRows);
 }
 
-void SettingsFields::begin() {
-    keepTranslated(*this, [this] { translate(); });
-}
-
 void SettingsFields::setState(const SettingsState& state) {
     state_ = state;
     refresh();

@@ -105,7 +105,9 @@ protected:
     // What is called for each state, and in each language.
     void whenShown(std::function<void()> show) { shown_.push_back(std::move(show)); }
     // At the end of a group's constructor.
-    void begin();
+    void begin() {
+        keepTranslated(*this, [this] { translate(); });
+    }
 
 private:
     struct Entry {

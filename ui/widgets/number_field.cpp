@@ -131,10 +131,6 @@ QString NumberField::refusalOf(std::optional<double> number) const {
     return {};
 }
 
-bool NumberField::isValid() const {
-    return read().refusal.isEmpty();
-}
-
 void NumberField::commit() {
     if (!isModified()) {
         return;
@@ -220,10 +216,6 @@ void NumberField::setPlaceholderText(const QString& text) {
 bool NumberField::showsUnit() const {
     return !unit_.isEmpty() && (!text().isEmpty() || placeholderText().isEmpty() ||
                                 readNumber(placeholderText()).has_value());
-}
-
-void NumberField::makeRoom() {
-    setTextMargins(0, 0, showsUnit() ? unitWidth() : 0, 0);
 }
 
 int NumberField::unitWidth() const {

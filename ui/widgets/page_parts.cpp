@@ -140,14 +140,6 @@ void Section::setTitle(const QString& title) {
     title_->setToolTip(tr("Folds this part away, and opens it again"));
 }
 
-void Section::setOpen(bool open) {
-    title_->setChecked(open);
-}
-
-bool Section::isOpen() const {
-    return title_->isChecked();
-}
-
 void whenChanged(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react) {
     new ChangeWatch(widget, std::move(types), std::move(react));
 }
