@@ -18,6 +18,12 @@
 
 namespace vybeg::ui {
 
+// Files of the set's measurement list that are not among its recordings: not opened, or removed.
+QStringList absentFiles(const RecordingSet& set);
+
+// The same list with the row of that file for the recording `id`.
+ListedSet withRowFor(const ListedSet& listed, const QString& path, RecordingId id);
+
 // Sets of recordings, the resonators identified from them, and the passport for comparison. An edit
 // of a set stops its identification; its older result stays, out of date.
 class SetStore : public QObject {
@@ -57,7 +63,7 @@ public:
     // A set of logs, which it identifies with calibration and tolerances of the panel; a step of
     // undo.
     void openLogs(MeasurementSet set);
-    // All that belongs to the identification of a set (measured_set.h).
+    // All that belongs to the identification of a set.
     MeasurementSet measured(const RecordingSet& set) const;
 
     // The current set, in the background; where it is empty, the current recording as a set of one.

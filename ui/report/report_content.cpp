@@ -1,7 +1,6 @@
 #include "ui/report/report_content.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/document/measured_set.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/words/error_text.h"

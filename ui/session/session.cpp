@@ -2,7 +2,6 @@
 
 #include "core/analysis/setting_table.h"
 #include "core/drift/drift_settings.h"
-#include "ui/document/measured_set.h"
 #include "ui/values/json_fields.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/program_name.h"
