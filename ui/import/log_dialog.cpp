@@ -6,6 +6,7 @@
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/partner_file.h"
 #include "ui/import/import_preview.h"
+#include "ui/import/log_files.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/theme.h"
@@ -121,12 +122,7 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     });
     connect(files_, &QListWidget::itemSelectionChanged, this, &LogDialog::showPreview);
     connect(files_, &LogFiles::looked, this, &LogDialog::take);
-    connect(files_, &LogFiles::changed, this, [this] {
-        const auto is_sound = [](const auto& looked) { return !looked.look.problem; };
-        // Otherwise what the fields show may be of a file that went.
-        known_shown_ = known_shown_ && std::ranges::all_of(files_->looks(), is_sound);
-        look();
-    });
+    connect(files_, &LogFiles::changed, this, &LogDialog::changeFiles);
     guardFromWheel(*this);
     keepTranslated(*this, [this] { retranslate(); });
     resize(980, 560);
@@ -243,6 +239,14 @@ void LogDialog::take() {
     }
     refresh();
     showPreview();
+}
+
+// What the fields show may be of a file that went.
+void LogDialog::changeFiles() {
+    known_shown_ = known_shown_ && std::ranges::none_of(files_->looks(), [](const auto& looked) {
+                       return looked.look.problem.has_value();
+                   });
+    look();
 }
 
 void LogDialog::showKnown() {

@@ -52,6 +52,7 @@ private:
     bool isOfPhasors() const;
     void look();
     void take();
+    void changeFiles();
     // What the files tell stands in the fields.
     void showKnown();
     void showPreview();
