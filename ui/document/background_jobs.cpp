@@ -67,6 +67,13 @@ std::function<double()> stopwatch() {
     return [started] { return 1e-9 * static_cast<double>(started.nsecsElapsed()); };
 }
 
+template <class Condition>
+int firstKey(const std::map<int, Request>& requests, Condition condition) {
+    const auto found = std::ranges::find_if(
+        requests, [&](const auto& request) { return condition(request.second); });
+    return found == requests.end() ? 0 : found->first;
+}
+
 }  // namespace
 
 BackgroundJobs::BackgroundJobs() {
@@ -275,17 +282,6 @@ void BackgroundJobs::cancelAnalyses() {
         }
     }
 }
-
-namespace {
-
-template <class Condition>
-int firstKey(const std::map<int, Request>& requests, Condition condition) {
-    const auto found = std::ranges::find_if(
-        requests, [&](const auto& request) { return condition(request.second); });
-    return found == requests.end() ? 0 : found->first;
-}
-
-}  // namespace
 
 RequestQueue::RequestQueue(BackgroundJobs& job) : job_(job) {
     connect(&job_, &BackgroundJobs::analysisProgress, this, [this](int key, double fraction) {

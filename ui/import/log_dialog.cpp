@@ -5,7 +5,7 @@
 #include "core/recording/open/log_columns.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/partner_file.h"
-#include "ui/import/import_preview.h"
+#include "ui/import/import_dialog.h"
 #include "ui/import/log_files.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"

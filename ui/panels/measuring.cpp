@@ -147,70 +147,6 @@ QStringList beatSentences(const Analysis& analysis, const std::vector<FittedTren
     return sentences;
 }
 
-}  // namespace
-
-double FittedTrend::at(double time_s) const {
-    const double value = std::visit([time_s](const auto& each) { return each.at(time_s); }, fit);
-    const bool exponential =
-        std::holds_alternative<Trend>(fit) && kindOf(variable) == TrendOf::logarithm;
-    return exponential ? std::exp(value) : value;
-}
-
-TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double from_s, double to_s,
-                   const DisplayUnits& units) {
-    const DisplayScale scale = scaleOf(analysis, trend, units);
-    const double span = std::abs(to_s - from_s);
-    const auto* beat = std::get_if<Beat>(&trend.fit);
-    const int points =
-        beat ? std::max(curve_points, static_cast<int>(points_per_beat * beat->frequency_hz * span))
-             : curve_points;
-    TrendCurve curve;
-    curve.variable = trend.variable;
-    for (int k = 0; k <= points; ++k) {
-        const double time_s = std::min(from_s, to_s) + span * k / points;
-        curve.time_s.push_back(time_s);
-        curve.value.push_back(scale.value(trend.at(time_s)));
-    }
-    return curve;
-}
-
-QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
-                     const DisplayUnits& units) {
-    if (trends.empty()) {
-        return kind == TrendKind::beat ? Words::tr("no beat") : Words::tr("too few windows");
-    }
-    QStringList words;
-    if (kind == TrendKind::line) {
-        const FittedTrend* amplitude = find(trends, SlowVariable::a_A);
-        const auto decay = amplitude ? decay_time(std::get<Trend>(amplitude->fit)) : std::nullopt;
-        if (decay) {
-            words << Words::tr("τ %1 s").arg(conciseText(decay->tau_s, decay->sd_s));
-        }
-        if (const FittedTrend* angle = find(trends, SlowVariable::two_theta_A)) {
-            const auto& line = std::get<Trend>(angle->fit);
-            words << Words::tr("drift %1 °/h")
-                         .arg(conciseText(line.slope_per_s * degrees_an_hour,
-                                          line.sd_slope_per_s * degrees_an_hour));
-        }
-    }
-    if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
-        words << Words::tr("sd enlarged: %1").arg(names.join(QLatin1Char(' ')));
-    }
-    return words.join(QStringLiteral(", "));
-}
-
-std::size_t nearestRow(const Track& track, double time_s) {
-    const auto times = track.time_s();
-    const auto after = std::ranges::lower_bound(times, time_s);
-    auto row = static_cast<std::size_t>(after - times.begin());
-    if (row == times.size() || (row > 0 && time_s - times[row - 1] < times[row] - time_s)) {
-        --row;
-    }
-    return row;
-}
-
-namespace {
-
 // Nothing where the windows between the times do not determine it.
 std::optional<FittedTrend> fitTrend(const Analysis& analysis, SlowVariable variable, TrendKind kind,
                                     double from_s, double to_s) {
@@ -334,6 +270,66 @@ QString tableOf(const QStringList& head, const auto& variables, const DisplayUni
 }
 
 }  // namespace
+
+double FittedTrend::at(double time_s) const {
+    const double value = std::visit([time_s](const auto& each) { return each.at(time_s); }, fit);
+    const bool exponential =
+        std::holds_alternative<Trend>(fit) && kindOf(variable) == TrendOf::logarithm;
+    return exponential ? std::exp(value) : value;
+}
+
+TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double from_s, double to_s,
+                   const DisplayUnits& units) {
+    const DisplayScale scale = scaleOf(analysis, trend, units);
+    const double span = std::abs(to_s - from_s);
+    const auto* beat = std::get_if<Beat>(&trend.fit);
+    const int points =
+        beat ? std::max(curve_points, static_cast<int>(points_per_beat * beat->frequency_hz * span))
+             : curve_points;
+    TrendCurve curve;
+    curve.variable = trend.variable;
+    for (int k = 0; k <= points; ++k) {
+        const double time_s = std::min(from_s, to_s) + span * k / points;
+        curve.time_s.push_back(time_s);
+        curve.value.push_back(scale.value(trend.at(time_s)));
+    }
+    return curve;
+}
+
+QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
+                     const DisplayUnits& units) {
+    if (trends.empty()) {
+        return kind == TrendKind::beat ? Words::tr("no beat") : Words::tr("too few windows");
+    }
+    QStringList words;
+    if (kind == TrendKind::line) {
+        const FittedTrend* amplitude = find(trends, SlowVariable::a_A);
+        const auto decay = amplitude ? decay_time(std::get<Trend>(amplitude->fit)) : std::nullopt;
+        if (decay) {
+            words << Words::tr("τ %1 s").arg(conciseText(decay->tau_s, decay->sd_s));
+        }
+        if (const FittedTrend* angle = find(trends, SlowVariable::two_theta_A)) {
+            const auto& line = std::get<Trend>(angle->fit);
+            words << Words::tr("drift %1 °/h")
+                         .arg(conciseText(line.slope_per_s * degrees_an_hour,
+                                          line.sd_slope_per_s * degrees_an_hour));
+        }
+    }
+    if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
+        words << Words::tr("sd enlarged: %1").arg(names.join(QLatin1Char(' ')));
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+std::size_t nearestRow(const Track& track, double time_s) {
+    const auto times = track.time_s();
+    const auto after = std::ranges::lower_bound(times, time_s);
+    auto row = static_cast<std::size_t>(after - times.begin());
+    if (row == times.size() || (row > 0 && time_s - times[row - 1] < times[row] - time_s)) {
+        --row;
+    }
+    return row;
+}
 
 bool isInside(const Analysis& analysis, const std::optional<double>& time_s) {
     return time_s && analysis.track.rows() > 0 && covers(analysis, *time_s);

@@ -26,6 +26,65 @@ QString told(const MeasurementSet& set, std::string Conditions::*condition, cons
     return values.isEmpty() ? usual : values.join(QStringLiteral("; "));
 }
 
+// `listed`: as settings_list().
+template <class S>
+QString rowsText(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
+                 std::initializer_list<std::string_view> left_out = {}) {
+    const S defaults;
+    QStringList options;
+    for (const SettingRow<S>& row : rows) {
+        const auto value = std::ranges::find(listed, row.name, &NamedValue::first);
+        if (value == listed.end()) {
+            continue;
+        }
+        const std::string& text = value->second;
+        if (text == row.text(defaults) || std::ranges::find(left_out, row.name) != left_out.end()) {
+            continue;
+        }
+        const QString option = QString::fromStdString(row.option());
+        const bool is_switch = row.placeholder.empty() && text.find(';') == std::string::npos;
+        options << (is_switch ? option : option + QLatin1Char(' ') + QString::fromStdString(text));
+    }
+    return options.join(QLatin1Char(' '));
+}
+
+bool isReported(const AnalysisEntry& entry) {
+    return entry.shown.visible && !entry.partial();
+}
+
+// Ids of the recordings that are open and have an analysis.
+std::vector<RecordingId> analysed(const Document& document, const std::vector<RecordingId>& ids) {
+    std::vector<RecordingId> found;
+    std::ranges::copy_if(ids, std::back_inserter(found), [&](RecordingId id) {
+        const RecordingEntry* recording = document.recording(id);
+        return recording && recording->recording &&
+               std::ranges::any_of(document.analyses(), [id](const AnalysisEntry& entry) {
+                   return entry.recording_id == id && isReported(entry);
+               });
+    });
+    return found;
+}
+
+// Logs have no analyses of their own.
+bool isReportedLog(const Document& document, const RecordingSet& set) {
+    return isOfLogs(set) && document.sets().outcome(set);
+}
+
+// The set whose identification a report shows.
+const RecordingSet* identifiedSet(const Document& document, const ReportSubject& subject) {
+    if (subject.set != SetId::none) {
+        return document.sets().find(subject.set);
+    }
+    if (subject.recordings.empty()) {
+        return nullptr;
+    }
+    const auto& sets = document.sets().all();
+    const auto alone = std::ranges::find_if(sets, [&](const RecordingSet& set) {
+        return set.recordings == subject.recordings && document.sets().outcome(set);
+    });
+    return alone == sets.end() ? nullptr : &*alone;
+}
+
 }  // namespace
 
 ReportTitle titleOf(const MeasurementSet& set, const ReportTitle& usual) {
@@ -93,32 +152,6 @@ QString measuredOn(const std::vector<ReportRecording>& recordings) {
                              : starts.value(0);
 }
 
-namespace {
-
-// `listed`: as settings_list().
-template <class S>
-QString rowsText(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
-                 std::initializer_list<std::string_view> left_out = {}) {
-    const S defaults;
-    QStringList options;
-    for (const SettingRow<S>& row : rows) {
-        const auto value = std::ranges::find(listed, row.name, &NamedValue::first);
-        if (value == listed.end()) {
-            continue;
-        }
-        const std::string& text = value->second;
-        if (text == row.text(defaults) || std::ranges::find(left_out, row.name) != left_out.end()) {
-            continue;
-        }
-        const QString option = QString::fromStdString(row.option());
-        const bool is_switch = row.placeholder.empty() && text.find(';') == std::string::npos;
-        options << (is_switch ? option : option + QLatin1Char(' ') + QString::fromStdString(text));
-    }
-    return options.join(QLatin1Char(' '));
-}
-
-}  // namespace
-
 QString optionsText(const Settings& settings) {
     return rowsText(analysis_settings(), settings_list(settings),
                     {"algorithm", "window", "hop", "f0"});
@@ -135,47 +168,6 @@ QString optionsText(const DriftSettings& settings) {
 QString optionsText(const IdentifySettings& settings) {
     return rowsText(identify_settings(), settings_list(settings));
 }
-
-namespace {
-
-bool isReported(const AnalysisEntry& entry) {
-    return entry.shown.visible && !entry.partial();
-}
-
-// Ids of the recordings that are open and have an analysis.
-std::vector<RecordingId> analysed(const Document& document, const std::vector<RecordingId>& ids) {
-    std::vector<RecordingId> found;
-    std::ranges::copy_if(ids, std::back_inserter(found), [&](RecordingId id) {
-        const RecordingEntry* recording = document.recording(id);
-        return recording && recording->recording &&
-               std::ranges::any_of(document.analyses(), [id](const AnalysisEntry& entry) {
-                   return entry.recording_id == id && isReported(entry);
-               });
-    });
-    return found;
-}
-
-// Logs have no analyses of their own.
-bool isReportedLog(const Document& document, const RecordingSet& set) {
-    return isOfLogs(set) && document.sets().outcome(set);
-}
-
-// The set whose identification a report shows.
-const RecordingSet* identifiedSet(const Document& document, const ReportSubject& subject) {
-    if (subject.set != SetId::none) {
-        return document.sets().find(subject.set);
-    }
-    if (subject.recordings.empty()) {
-        return nullptr;
-    }
-    const auto& sets = document.sets().all();
-    const auto alone = std::ranges::find_if(sets, [&](const RecordingSet& set) {
-        return set.recordings == subject.recordings && document.sets().outcome(set);
-    });
-    return alone == sets.end() ? nullptr : &*alone;
-}
-
-}  // namespace
 
 std::vector<ReportSubject> reportSubjects(const Document& document) {
     std::vector<ReportSubject> subjects;

@@ -22,6 +22,22 @@ bool isNumber(const QString& cell) {
     return number.match(cell).hasMatch();
 }
 
+constexpr double reduced = 0.8;
+
+PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
+    PlotContent plots;
+    plots.variables = content.variables;
+    plots.units = content.units;
+    for (const ReportAnalysis& each : content.analyses) {
+        if (each.recording == recording) {
+            plots.analyses.push_back(each.shown);
+            plots.analyses.back().visible = true;
+        }
+    }
+    plots.zoom.time = coveredTime(plots.analyses).value_or(AxisRange{0, 1});
+    return plots;
+}
+
 }  // namespace
 
 QString heading(const QString& text, bool new_page) {
@@ -120,26 +136,6 @@ QString sideBySide(const QString& left, const QString& right) {
                "</tr></table>")
         .arg(left, right);
 }
-
-namespace {
-
-constexpr double reduced = 0.8;
-
-PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
-    PlotContent plots;
-    plots.variables = content.variables;
-    plots.units = content.units;
-    for (const ReportAnalysis& each : content.analyses) {
-        if (each.recording == recording) {
-            plots.analyses.push_back(each.shown);
-            plots.analyses.back().visible = true;
-        }
-    }
-    plots.zoom.time = coveredTime(plots.analyses).value_or(AxisRange{0, 1});
-    return plots;
-}
-
-}  // namespace
 
 ReportFigure reportFigure(const QString& name, Drawing draw, QSizeF paper) {
     return {name, std::move(draw), (paper / reduced).toSize(), paper};

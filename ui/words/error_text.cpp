@@ -86,18 +86,6 @@ QString partText(const FormatPart& part) {
     return {};
 }
 
-}  // namespace
-
-QString errorText(const Error& error) {
-    return filled("Message", windowSentence(message_row(error.code)), message_args(error));
-}
-
-QString diagnosticText(const Diagnostic& diagnostic) {
-    return filled("Message", windowSentence(message_row(diagnostic.kind)), diagnostic.args);
-}
-
-namespace {
-
 // What the sentence of the first leaves out; empty: nothing.
 QString restText(const Finding& finding) {
     const auto others = static_cast<int>(finding.more.size());
@@ -114,6 +102,14 @@ QString restText(const Finding& finding) {
 }
 
 }  // namespace
+
+QString errorText(const Error& error) {
+    return filled("Message", windowSentence(message_row(error.code)), message_args(error));
+}
+
+QString diagnosticText(const Diagnostic& diagnostic) {
+    return filled("Message", windowSentence(message_row(diagnostic.kind)), diagnostic.args);
+}
 
 QString findingText(const Finding& finding) {
     const QString about = QString::fromStdString(about_text(finding));
