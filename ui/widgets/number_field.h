@@ -71,7 +71,6 @@ private:
         QString refusal;  // empty: a value
     };
     Reading read() const;
-    QString refusalOf(std::optional<double> number) const;
     bool isForTheWindow(const QKeyEvent& key) const;
     void setRefusal(const QString& sentence);
     void showValue();

@@ -73,10 +73,6 @@ QString siPrefix(int exponent) {
 
 namespace {
 
-double amplitudeFactor(const DisplayUnits& units) {
-    return units.amplitude == AmplitudeUnit::volts ? units.volts_per_unit : 1;
-}
-
 QString textOf(const QuantityText& quantity) {
     const auto localised = [](const std::string& number) {
         QString text = QString::fromStdString(number);
@@ -102,6 +98,8 @@ QString textOf(const QuantityText& quantity) {
 struct Unit {
     const char* name = "";
     bool takes_prefix = false;
+    const char* before = "";  // the symbol
+    const char* behind = "";
 };
 
 // In the order of the enumerations.
@@ -110,10 +108,11 @@ constexpr std::array<Unit, 3> amplitude_units{Unit{},
                                               {QT_TRANSLATE_NOOP("DisplayUnits", "dB"), false}};
 constexpr std::array<Unit, 2> angle_units{Unit{QT_TRANSLATE_NOOP("DisplayUnits", "rad"), true},
                                           {"°", false}};
-constexpr std::array<Unit, 4> frequency_units{Unit{QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true},
-                                              {QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"), true},
-                                              {QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true},
-                                              {QT_TRANSLATE_NOOP("DisplayUnits", "ppm"), false}};
+constexpr std::array<Unit, 4> frequency_units{
+    Unit{QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true, "", "/2π"},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"), true},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true, "", "/2π − f_0"},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "ppm"), false, "Δ", "/ω_0"}};
 
 Unit unitOf(SlowVariable variable, const DisplayUnits& units) {
     switch (info(variable).quantity) {
@@ -140,7 +139,7 @@ DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, doub
     switch (info(variable).quantity) {
         case Quantity::amplitude:
             scale.decibels = units.amplitude == AmplitudeUnit::decibels;
-            scale.factor = amplitudeFactor(units);
+            scale.factor = units.amplitude == AmplitudeUnit::volts ? units.volts_per_unit : 1;
             scale.logarithmic = variable == SlowVariable::a_A && units.log_a_A && !scale.decibels;
             break;
         case Quantity::angle:
@@ -163,18 +162,9 @@ DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, doub
 }
 
 QString displaySymbol(SlowVariable variable, const DisplayUnits& units) {
-    const QString symbol = QString::fromUtf8(info(variable).symbol);
-    if (info(variable).quantity != Quantity::frequency) {
-        return symbol;
-    }
-    switch (units.frequency) {
-        case FrequencyUnit::hertz: return symbol + QStringLiteral("/2π");
-        case FrequencyUnit::radians_per_second: return symbol;
-        case FrequencyUnit::deviation_hertz: return symbol + QStringLiteral("/2π − f_0");
-        case FrequencyUnit::deviation_ppm:
-            return QStringLiteral("Δ") + symbol + QStringLiteral("/ω_0");
-    }
-    return symbol;
+    const Unit unit = unitOf(variable, units);
+    return QString::fromUtf8(unit.before) + QString::fromUtf8(info(variable).symbol) +
+           QString::fromUtf8(unit.behind);
 }
 
 QString displayUnit(SlowVariable variable, const DisplayUnits& units) {
