@@ -158,11 +158,7 @@ QString optionsText(const Settings& settings) {
 }
 
 QString optionsText(const DriftSettings& settings) {
-    std::vector<NamedValue> listed;
-    for (const SettingRow<DriftSettings>& row : drift_settings()) {
-        listed.emplace_back(row.name, row.text(settings));
-    }
-    return rowsText(drift_settings(), listed);
+    return rowsText(drift_settings(), listed(drift_settings(), settings));
 }
 
 QString optionsText(const IdentifySettings& settings) {

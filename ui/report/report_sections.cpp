@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vybeg::ui {
 
@@ -264,7 +265,8 @@ QString rateText(double rate_hz) {
 }
 
 // The findings as sentences, beyond `most` their number.
-QStringList sentences(const std::vector<Finding>& findings, std::size_t most) {
+QStringList sentences(const std::vector<Finding>& findings,
+                      std::size_t most = std::numeric_limits<std::size_t>::max()) {
     QStringList texts;
     for (std::size_t k = 0; k < std::min(findings.size(), most); ++k) {
         texts << findingText(findings[k]);
@@ -273,10 +275,6 @@ QStringList sentences(const std::vector<Finding>& findings, std::size_t most) {
         texts << moreText(findings.size() - most);
     }
     return texts;
-}
-
-QStringList sentences(const std::vector<Finding>& findings) {
-    return sentences(findings, findings.size());
 }
 
 QString bold(const QString& text) {
