@@ -145,13 +145,9 @@ QString QuantityTable::tableText() const {
     QStringList lines;
     QStringList head{QString()};
     for (int column = 0; column < headers_.size() && !rows_.empty(); ++column) {
-        head << headers_[column];
-        if (rows_.front().cells[static_cast<std::size_t>(column)].exact.size() > 1) {
-            head << tr("sd");
-        }
-        if (rows_.front().cells[static_cast<std::size_t>(column)].exact.size() > 2) {
-            head << tr("u");
-        }
+        const QStringList all{headers_[column], tr("sd"), tr("u")};
+        const auto& exact = rows_.front().cells[static_cast<std::size_t>(column)].exact;
+        head << all.mid(0, std::max(qsizetype(1), exact.size()));
     }
     if (headers_.isEmpty()) {
         head << tr("value") << tr("sd") << tr("u");
