@@ -22,9 +22,8 @@
 #include "ui/document/document.h"
 #include "ui/plots/figure.h"
 #include "ui/plots/track_view.h"
-#include "ui/report/document_report.h"
 #include "ui/report/report_content.h"
-#include "ui/report/report_pdf.h"
+#include "ui/report/report_document.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/session/session_keeper.h"
 #include "ui/values/shown_analysis.h"
@@ -275,7 +274,7 @@ Result<QByteArray> pdf_of_one(const GuiRequest& request, const MeasurementList& 
 Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& list,
                               const JobControl& job) {
     std::vector<ui::ReportChapter> chapters;
-    std::vector<ui::ReportPicture> pictures;
+    std::vector<ui::ReportFigure> figures;
     ui::DisplayUnits units;
     units.angle = ui::AngleUnit::degrees;
     for (const MeasurementSet& set : list.sets) {
@@ -296,11 +295,11 @@ Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& 
         content->set = QString::fromStdString(set.name);
         content->chapter = static_cast<int>(chapters.size()) + 1;
         chapters.push_back(ui::chapterOf(*content));
-        std::ranges::move(ui::drawnFigures(*content), std::back_inserter(pictures));
+        std::ranges::move(ui::drawnFigures(*content), std::back_inserter(figures));
     }
     const QString about = QFileInfo(QString::fromStdString(request.list)).fileName();
     return ui::reportPdf(ui::reportTextOf(about, chapters, units, program_text(), ui::reportDay()),
-                         pictures);
+                         figures);
 }
 
 using namespace vybeg::ui;

@@ -107,16 +107,6 @@
         </message>
     </context>
     <context>
-        <name>RecordingFacts</name>
-        <message numerus="yes">
-            <source>%1 s, %n sample(s)</source>
-            <translation>
-                <numerusform>%1 s, %n sample</numerusform>
-                <numerusform>%1 s, %n samples</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
         <name>vybeg::ui::ResonatorPage</name>
         <message numerus="yes">
             <source>%1, %n recording(s); χ² per degree of freedom %2</source>
@@ -127,7 +117,7 @@
         </message>
     </context>
     <context>
-        <name>Trend</name>
+        <name>Measuring</name>
         <message numerus="yes">
             <source>%n window(s) without common samples</source>
             <translation>
@@ -150,6 +140,13 @@
             <translation>
                 <numerusform>%n window, %1 flagged, in %2 ms</numerusform>
                 <numerusform>%n windows, %1 flagged, in %2 ms</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 s, %n sample(s)</source>
+            <translation>
+                <numerusform>%1 s, %n sample</numerusform>
+                <numerusform>%1 s, %n samples</numerusform>
             </translation>
         </message>
     </context>

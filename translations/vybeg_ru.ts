@@ -679,41 +679,6 @@
     </message>
 </context>
 <context>
-    <name>Event</name>
-    <message>
-        <source>2θ_A passes %1, rising</source>
-        <translation>2θ_A проходит %1, возрастая</translation>
-    </message>
-    <message>
-        <source>2θ_A passes %1, falling</source>
-        <translation>2θ_A проходит %1, убывая</translation>
-    </message>
-    <message>
-        <source>Samples are missing, %1 s</source>
-        <translation>Нет отсчётов, %1 с</translation>
-    </message>
-    <message>
-        <source>Not converged, %1 s</source>
-        <translation>Нет сходимости, %1 с</translation>
-    </message>
-    <message>
-        <source>Transient of the band-pass, %1 s</source>
-        <translation>Переходный процесс фильтра, %1 с</translation>
-    </message>
-    <message>
-        <source>The delay reaches beyond the samples, %1 s</source>
-        <translation>Задержка выходит за край записи, %1 с</translation>
-    </message>
-    <message>
-        <source>The wave moves inside its windows, %1 s</source>
-        <translation>Волна меняется внутри окон, %1 с</translation>
-    </message>
-    <message>
-        <source>Clipped, %1 s</source>
-        <translation>Ограничение, %1 с</translation>
-    </message>
-</context>
-<context>
     <name>Finding</name>
     <message numerus="yes">
         <source>(And %n more of the kind.)</source>
@@ -747,9 +712,6 @@
             <numerusform>ещё %n</numerusform>
         </translation>
     </message>
-</context>
-<context>
-    <name>Flag</name>
     <message>
         <source>a_B is not estimated</source>
         <translation>a_B не оценивается</translation>
@@ -789,6 +751,38 @@
     <message>
         <source>samples at the rail</source>
         <translation>отсчёты на пределе шкалы</translation>
+    </message>
+    <message>
+        <source>2θ_A passes %1, rising</source>
+        <translation>2θ_A проходит %1, возрастая</translation>
+    </message>
+    <message>
+        <source>2θ_A passes %1, falling</source>
+        <translation>2θ_A проходит %1, убывая</translation>
+    </message>
+    <message>
+        <source>Samples are missing, %1 s</source>
+        <translation>Нет отсчётов, %1 с</translation>
+    </message>
+    <message>
+        <source>Not converged, %1 s</source>
+        <translation>Нет сходимости, %1 с</translation>
+    </message>
+    <message>
+        <source>Transient of the band-pass, %1 s</source>
+        <translation>Переходный процесс фильтра, %1 с</translation>
+    </message>
+    <message>
+        <source>The delay reaches beyond the samples, %1 s</source>
+        <translation>Задержка выходит за край записи, %1 с</translation>
+    </message>
+    <message>
+        <source>The wave moves inside its windows, %1 s</source>
+        <translation>Волна меняется внутри окон, %1 с</translation>
+    </message>
+    <message>
+        <source>Clipped, %1 s</source>
+        <translation>Ограничение, %1 с</translation>
     </message>
 </context>
 <context>
@@ -1154,25 +1148,6 @@
     </message>
 </context>
 <context>
-    <name>LedgerCells</name>
-    <message>
-        <source>Hz</source>
-        <translation>Гц</translation>
-    </message>
-    <message>
-        <source>1/s</source>
-        <translation>1/с</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/с</translation>
-    </message>
-    <message>
-        <source>no windows there</source>
-        <translation>окон здесь нет</translation>
-    </message>
-</context>
-<context>
     <name>LedgerRows</name>
     <message>
         <source>%1 of %2 windows</source>
@@ -1205,6 +1180,74 @@
             <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
             <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message>
+        <source>%1 Hz, from the file</source>
+        <translation>%1 Гц, из файла</translation>
+    </message>
+    <message>
+        <source>%1 Hz, from the time column</source>
+        <translation>%1 Гц, по столбцу времени</translation>
+    </message>
+    <message>
+        <source>%1 Hz, typed</source>
+        <translation>%1 Гц, задана</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Формат</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Дискретизация</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Длительность</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 s, %n sample(s)</source>
+        <translation>
+            <numerusform>%1 с, %n отсчёт</numerusform>
+            <numerusform>%1 с, %n отсчёта</numerusform>
+            <numerusform>%1 с, %n отсчётов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Начало</translation>
+    </message>
+    <message>
+        <source>f₀</source>
+        <translation>f₀</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Гц</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>1/с</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/с</translation>
+    </message>
+    <message>
+        <source>no windows there</source>
+        <translation>окон здесь нет</translation>
     </message>
 </context>
 <context>
@@ -1244,6 +1287,86 @@
     <message>
         <source>B − A</source>
         <translation>B − A</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n window(s) without common samples</source>
+        <translation>
+            <numerusform>%n окно без общих отсчётов</numerusform>
+            <numerusform>%n окна без общих отсчётов</numerusform>
+            <numerusform>%n окон без общих отсчётов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Decay time of a_A: %1 s</source>
+        <translation>Постоянная времени a_A: %1 с</translation>
+    </message>
+    <message>
+        <source>The decay of a_A lies within its noise here.</source>
+        <translation>Спад a_A здесь в пределах шума.</translation>
+    </message>
+    <message>
+        <source>Drift of θ_A: %1 °/h</source>
+        <translation>Дрейф θ_A: %1 °/ч</translation>
+    </message>
+    <message>
+        <source>Drift of f: %1 Hz/s</source>
+        <translation>Уход f: %1 Гц/с</translation>
+    </message>
+    <message>
+        <source>No line within the noise: %1. The deviations are enlarged.</source>
+        <translation>Отклонение от прямой больше шума: %1. СКО увеличены.</translation>
+    </message>
+    <message>
+        <source>No such curve within the noise: %1. The deviations are enlarged.</source>
+        <translation>Кривая не описывает данные в пределах шума: %1. СКО увеличены.</translation>
+    </message>
+    <message>
+        <source>%1: amplitude %2 %3, damping %4 1/s</source>
+        <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
+    </message>
+    <message>
+        <source>Between the cursors no damped sinusoid of 1¼ to 100 periods follows the windows within their noise. A beat that you see has another form; the page Resonator finds its split.</source>
+        <translation>Ни одна затухающая синусоида с числом периодов от 1¼ до 100 не проходит между курсорами через окна в пределах их шума. Видимое биение имеет другую форму; его разночастотность находит страница «Резонатор».</translation>
+    </message>
+    <message>
+        <source>Too few windows between the cursors.</source>
+        <translation>Слишком мало окон между курсорами.</translation>
+    </message>
+    <message>
+        <source>%1/s²</source>
+        <translation>%1/с²</translation>
+    </message>
+    <message>
+        <source>%1: second derivative %2 %3</source>
+        <translation>%1: вторая производная %2 %3</translation>
+    </message>
+    <message>
+        <source>%1: second derivative at the middle %2 %3, third %4 %5</source>
+        <translation>%1: вторая производная в середине %2 %3, третья %4 %5</translation>
+    </message>
+    <message>
+        <source>%1/s³</source>
+        <translation>%1/с³</translation>
+    </message>
+    <message>
+        <source>no beat</source>
+        <translation>биений нет</translation>
+    </message>
+    <message>
+        <source>too few windows</source>
+        <translation>мало окон</translation>
+    </message>
+    <message>
+        <source>τ %1 s</source>
+        <translation>τ %1 с</translation>
+    </message>
+    <message>
+        <source>drift %1 °/h</source>
+        <translation>дрейф %1 °/ч</translation>
+    </message>
+    <message>
+        <source>sd enlarged: %1</source>
+        <translation>СКО увеличены: %1</translation>
     </message>
 </context>
 <context>
@@ -2070,61 +2193,6 @@
     <message>
         <source>The log keeps no phase of the oscillation, and with it no frequency.</source>
         <translation>Журнал не хранит фазу колебаний, а с нею и частоту.</translation>
-    </message>
-</context>
-<context>
-    <name>RecordingFacts</name>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 из %2</translation>
-    </message>
-    <message>
-        <source>%1 Hz, from the file</source>
-        <translation>%1 Гц, из файла</translation>
-    </message>
-    <message>
-        <source>%1 Hz, from the time column</source>
-        <translation>%1 Гц, по столбцу времени</translation>
-    </message>
-    <message>
-        <source>%1 Hz, typed</source>
-        <translation>%1 Гц, задана</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Файл</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Формат</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Дискретизация</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Длительность</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 s, %n sample(s)</source>
-        <translation>
-            <numerusform>%1 с, %n отсчёт</numerusform>
-            <numerusform>%1 с, %n отсчёта</numerusform>
-            <numerusform>%1 с, %n отсчётов</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Начало</translation>
-    </message>
-    <message>
-        <source>f₀</source>
-        <translation>f₀</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Гц</translation>
     </message>
 </context>
 <context>
@@ -3463,89 +3531,6 @@
     <message>
         <source>leakage, algorithm %1</source>
         <translation>утечка, алгоритм %1</translation>
-    </message>
-</context>
-<context>
-    <name>Trend</name>
-    <message numerus="yes">
-        <source>%n window(s) without common samples</source>
-        <translation>
-            <numerusform>%n окно без общих отсчётов</numerusform>
-            <numerusform>%n окна без общих отсчётов</numerusform>
-            <numerusform>%n окон без общих отсчётов</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Decay time of a_A: %1 s</source>
-        <translation>Постоянная времени a_A: %1 с</translation>
-    </message>
-    <message>
-        <source>The decay of a_A lies within its noise here.</source>
-        <translation>Спад a_A здесь в пределах шума.</translation>
-    </message>
-    <message>
-        <source>Drift of θ_A: %1 °/h</source>
-        <translation>Дрейф θ_A: %1 °/ч</translation>
-    </message>
-    <message>
-        <source>Drift of f: %1 Hz/s</source>
-        <translation>Уход f: %1 Гц/с</translation>
-    </message>
-    <message>
-        <source>No line within the noise: %1. The deviations are enlarged.</source>
-        <translation>Отклонение от прямой больше шума: %1. СКО увеличены.</translation>
-    </message>
-    <message>
-        <source>No such curve within the noise: %1. The deviations are enlarged.</source>
-        <translation>Кривая не описывает данные в пределах шума: %1. СКО увеличены.</translation>
-    </message>
-    <message>
-        <source>%1: amplitude %2 %3, damping %4 1/s</source>
-        <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
-    </message>
-    <message>
-        <source>Between the cursors no damped sinusoid of 1¼ to 100 periods follows the windows within their noise. A beat that you see has another form; the page Resonator finds its split.</source>
-        <translation>Ни одна затухающая синусоида с числом периодов от 1¼ до 100 не проходит между курсорами через окна в пределах их шума. Видимое биение имеет другую форму; его разночастотность находит страница «Резонатор».</translation>
-    </message>
-    <message>
-        <source>Too few windows between the cursors.</source>
-        <translation>Слишком мало окон между курсорами.</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/с²</translation>
-    </message>
-    <message>
-        <source>%1: second derivative %2 %3</source>
-        <translation>%1: вторая производная %2 %3</translation>
-    </message>
-    <message>
-        <source>%1: second derivative at the middle %2 %3, third %4 %5</source>
-        <translation>%1: вторая производная в середине %2 %3, третья %4 %5</translation>
-    </message>
-    <message>
-        <source>%1/s³</source>
-        <translation>%1/с³</translation>
-    </message>
-    <message>
-        <source>no beat</source>
-        <translation>биений нет</translation>
-    </message>
-    <message>
-        <source>too few windows</source>
-        <translation>мало окон</translation>
-    </message>
-    <message>
-        <source>τ %1 s</source>
-        <translation>τ %1 с</translation>
-    </message>
-    <message>
-        <source>drift %1 °/h</source>
-        <translation>дрейф %1 °/ч</translation>
-    </message>
-    <message>
-        <source>sd enlarged: %1</source>
-        <translation>СКО увеличены: %1</translation>
     </message>
 </context>
 <context>

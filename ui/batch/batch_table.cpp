@@ -3,10 +3,8 @@
 #include "core/base/number_text.h"
 #include "core/output/batch_csv.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
 

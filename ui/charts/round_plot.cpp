@@ -1,7 +1,7 @@
 #include "ui/charts/round_plot.h"
 
 #include "ui/plots/time_stack.h"
-#include "ui/words/number_label.h"
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace vybeg::ui {
 
@@ -122,23 +121,7 @@ bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& th
     return true;
 }
 
-}  // namespace
-
-QString legendOf(const RoundPlot& content, const Theme& theme) {
-    QStringList names;
-    for (const RoundSeries& series : content.series) {
-        if (!series.name.isEmpty()) {
-            names << QStringLiteral("<nobr><span style=\"color:%1\">%2</span> %3</nobr>")
-                         .arg(colorOf(series, theme).name(),
-                              series.points   ? QStringLiteral("●")
-                              : series.dashed ? QStringLiteral("╍")
-                                              : QStringLiteral("━"),
-                              richText(series.name));
-        }
-    }
-    return names.join(QStringLiteral(" &nbsp; "));
-}
-
+// The caller owns it.
 QChart* makeRoundChart(bool polar) {
     QChart* chart = polar ? new QPolarChart : new QChart;
     chart->legend()->hide();
@@ -159,6 +142,8 @@ QChart* makeRoundChart(bool polar) {
     return chart;
 }
 
+// Makes a chart of makeRoundChart() show a plot at the chart's size. Curves that are there already
+// are moved.
 void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme) {
     chart.setBackgroundBrush(theme.plotBackground);
     QCategoryAxis& across = axisOf(chart, Qt::Horizontal);
@@ -203,6 +188,23 @@ void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme)
     chart.setTitle(content.series.empty() ? content.empty : QString());
     chart.setTitleBrush(theme.mutedText);
     chart.setTitleFont(chartFont());
+}
+
+}  // namespace
+
+QString legendOf(const RoundPlot& content, const Theme& theme) {
+    QStringList names;
+    for (const RoundSeries& series : content.series) {
+        if (!series.name.isEmpty()) {
+            names << QStringLiteral("<nobr><span style=\"color:%1\">%2</span> %3</nobr>")
+                         .arg(colorOf(series, theme).name(),
+                              series.points   ? QStringLiteral("●")
+                              : series.dashed ? QStringLiteral("╍")
+                                              : QStringLiteral("━"),
+                              richText(series.name));
+        }
+    }
+    return names.join(QStringLiteral(" &nbsp; "));
 }
 
 Drawing roundDrawing(const RoundPlot& content) {

@@ -8,7 +8,6 @@
 
 #include <vector>
 
-class QChart;
 class QChartView;
 class QLabel;
 
@@ -42,12 +41,6 @@ struct RoundPlot {
 // The names of a plot's series with their colours, as HTML that wraps between them: Qt's own legend
 // cuts names where room is short. Empty without names.
 QString legendOf(const RoundPlot& content, const Theme& theme);
-
-// Makes a chart of makeRoundChart() show a plot at the chart's size. Curves that are there already
-// are moved.
-void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme);
-// The caller owns it.
-QChart* makeRoundChart(bool polar);
 
 inline constexpr QSize round_paper_size{480, 480};
 

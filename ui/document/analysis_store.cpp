@@ -118,10 +118,17 @@ AnalysisId AnalysisStore::showLive(RecordingId recording_id, const Settings& req
                                    AnalysisOutcome outcome) {
     auto* live = const_cast<AnalysisEntry*>(liveOf(recording_id));
     const bool is_new = live == nullptr;
-    AnalysisEntry* expected = is_new ? addExpected(recording_id, requested, true) : nullptr;
-    AnalysisEntry& entry = expected ? *expected : is_new ? addLive(recording_id) : *live;
-    setOutcome(entry, requested, std::move(outcome));
-    const auto id = entry.shown.id;
+    if (is_new) {
+        live = addExpected(recording_id, requested, true);
+    }
+    if (!live) {
+        const RecordingEntry& recording = *recordings_.find(recording_id);
+        // Its settings change, so they are in its row and not in its name.
+        live = &add(newAnalysis(recording, QFileInfo(recording.path).completeBaseName()));
+        live->live = true;
+    }
+    setOutcome(*live, requested, std::move(outcome));
+    const auto id = live->shown.id;
     emit changed();
     if (is_new) {
         emit added(id);
@@ -176,18 +183,6 @@ AnalysisEntry& AnalysisStore::add(AnalysisEntry entry) {
         }
     }
     return *analyses_.insert(next, std::move(entry));
-}
-
-AnalysisEntry& AnalysisStore::addLive(RecordingId recording_id) {
-    const RecordingEntry& recording = *recordings_.find(recording_id);
-    // Its settings change, so they are in its row and not in its name.
-    AnalysisEntry added = newAnalysis(recording, QFileInfo(recording.path).completeBaseName());
-    added.live = true;
-    return add(std::move(added));
-}
-
-void AnalysisStore::expect(RecordingId recording_id, const AnalysisWish& wish) {
-    expected_.emplace(recording_id, wish);
 }
 
 AnalysisEntry* AnalysisStore::addExpected(RecordingId recording_id, const Settings& requested,

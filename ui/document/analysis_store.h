@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/error.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/recording_store.h"
 #include "ui/values/ids.h"
@@ -70,7 +69,9 @@ public:
     AnalysisId showLive(RecordingId recording_id, const Settings& requested,
                         AnalysisOutcome outcome);
     // The next analysis of that recording with these settings gets the look and place of the wish.
-    void expect(RecordingId recording_id, const AnalysisWish& wish);
+    void expect(RecordingId recording_id, const AnalysisWish& wish) {
+        expected_.emplace(recording_id, wish);
+    }
     // Steps of undo.
     void setVisible(AnalysisId id, bool visible);
     void rename(AnalysisId id, const QString& name);
@@ -95,7 +96,6 @@ private:
     // The colour of the recording's analyses, in a shade that none of that colour has.
     CurveStyle freeStyle(RecordingId recording_id) const;
     AnalysisEntry& add(AnalysisEntry entry);
-    AnalysisEntry& addLive(RecordingId recording_id);
     // The analysis that is expected, in its place; null where none is.
     AnalysisEntry* addExpected(RecordingId recording_id, const Settings& requested, bool live);
 

@@ -5,12 +5,24 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <utility>
 
 namespace vybeg::ui {
 
 Document::Document() {
-    connectStores();
+    // Signals of the stores that are the document's own.
+    connect(&recordings_, &RecordingStore::listChanged, this, &Document::recordingsChanged);
+    connect(&recordings_, &RecordingStore::changed, this, &Document::recordingChanged);
+    connect(&recordings_, &RecordingStore::envelopeGrown, this, &Document::envelopeGrown);
+    connect(&recordings_, &RecordingStore::carrierChanged, this, &Document::carrierChanged);
+    connect(&recordings_, &RecordingStore::reported, this, &Document::reported);
+    connect(&settings_, &SettingsModel::toleranceChanged, this, &Document::settingsChanged);
+    connect(&analyses_, &AnalysisStore::changed, this, &Document::analysesChanged);
+    connect(&analyses_, &AnalysisStore::added, this, &Document::analysisAdded);
+    connect(&queue_, &RequestQueue::busyChanged, this, &Document::busyChanged);
+    connect(&queue_, &RequestQueue::progressChanged, this, &Document::progressChanged);
+    connect(&sets_, &SetStore::reported, this, &Document::reported);
+    connect(&drift_, &DriftStore::reported, this, &Document::reported);
+    connect(&drift_, &DriftStore::settled, this, &Document::settled);
     connect(&recordings_, &RecordingStore::opened, this, &Document::whenOpened);
     connect(&recordings_, &RecordingStore::openFailed, this,
             [this](RecordingId id, const Message& message) {
@@ -34,23 +46,6 @@ Document::Document() {
         }
     });
     connect(&settings_, &SettingsModel::settingsChanged, this, &Document::whenSettingsChanged);
-}
-
-// Their signals that are the document's own.
-void Document::connectStores() {
-    connect(&recordings_, &RecordingStore::listChanged, this, &Document::recordingsChanged);
-    connect(&recordings_, &RecordingStore::changed, this, &Document::recordingChanged);
-    connect(&recordings_, &RecordingStore::envelopeGrown, this, &Document::envelopeGrown);
-    connect(&recordings_, &RecordingStore::carrierChanged, this, &Document::carrierChanged);
-    connect(&recordings_, &RecordingStore::reported, this, &Document::reported);
-    connect(&settings_, &SettingsModel::toleranceChanged, this, &Document::settingsChanged);
-    connect(&analyses_, &AnalysisStore::changed, this, &Document::analysesChanged);
-    connect(&analyses_, &AnalysisStore::added, this, &Document::analysisAdded);
-    connect(&queue_, &RequestQueue::busyChanged, this, &Document::busyChanged);
-    connect(&queue_, &RequestQueue::progressChanged, this, &Document::progressChanged);
-    connect(&sets_, &SetStore::reported, this, &Document::reported);
-    connect(&drift_, &DriftStore::reported, this, &Document::reported);
-    connect(&drift_, &DriftStore::settled, this, &Document::settled);
 }
 
 void Document::reopen(RecordingId id, const OpenOptions& options) {

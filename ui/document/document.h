@@ -3,11 +3,10 @@
 #include "ui/document/analysis_store.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/drift_store.h"
+#include "ui/document/edits.h"
 #include "ui/document/message.h"
 #include "ui/document/recording_store.h"
-#include "ui/document/request_queue.h"
 #include "ui/document/set_store.h"
-#include "ui/document/settings_model.h"
 #include "ui/values/ids.h"
 
 #include <QObject>
@@ -50,7 +49,7 @@ public:
     }
     std::optional<double> carrier() const { return recordings_.carrier(); }
 
-    // Settings (settings_model.h).
+    // Settings (edits.h).
     const Settings& settings() const { return settings_.settings(); }
     void setSettings(const Settings& settings, int gesture = -1) {
         settings_.setSettings(settings, gesture);
@@ -142,7 +141,6 @@ private:
     };
     Closed whatCloses(RecordingId id);
     void bringBack(const Closed& closed);
-    void connectStores();
     void close(RecordingId id);
     // The whole-angle logs among what was opened at once, when all of it is read: one step, in the
     // order in which it was chosen.

@@ -3,8 +3,8 @@
 #include "core/drift/drift_settings.h"
 #include "core/drift/whole_angle_drift.h"
 #include "ui/document/background_jobs.h"
+#include "ui/document/edits.h"
 #include "ui/document/message.h"
-#include "ui/document/undo_steps.h"
 #include "ui/values/ids.h"
 
 #include <QObject>

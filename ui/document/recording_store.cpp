@@ -43,10 +43,6 @@ const RecordingEntry* RecordingStore::find(RecordingId id) const {
     return found == recordings_.end() ? nullptr : &*found;
 }
 
-RecordingEntry* RecordingStore::entry(RecordingId id) {
-    return const_cast<RecordingEntry*>(std::as_const(*this).find(id));
-}
-
 const RecordingEntry* RecordingStore::findPath(const QString& absolute_path) const {
     const auto found = std::ranges::find(recordings_, absolute_path, &RecordingEntry::path);
     return found == recordings_.end() ? nullptr : &*found;
@@ -126,7 +122,13 @@ void RecordingStore::begin(RecordingId id, std::size_t place, const QString& pat
     recordings_.insert(recordings_.begin() + static_cast<std::ptrdiff_t>(place), std::move(entry));
     job_.open(
         number(id), path, options,
-        [this, id](const QuickOverview& look) { whenLookedAt(id, look); },
+        [this, id](const QuickOverview& look) {
+            RecordingEntry& looked_at = *this->entry(id);
+            looked_at.envelope = look.envelope;
+            looked_at.envelope_rate_hz = look.rate_hz;
+            showOpened(id);
+            emit changed(id);
+        },
         [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
 }
 
@@ -155,14 +157,6 @@ void RecordingStore::showOpened(RecordingId id) {
     }
 }
 
-void RecordingStore::whenLookedAt(RecordingId id, const QuickOverview& look) {
-    RecordingEntry& looked_at = *entry(id);
-    looked_at.envelope = look.envelope;
-    looked_at.envelope_rate_hz = look.rate_hz;
-    showOpened(id);
-    emit changed(id);
-}
-
 void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
     RecordingEntry& loaded = *entry(id);
     if (!result && (result.error().code == ErrorCode::holds_log ||
@@ -182,19 +176,15 @@ void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
     }
     loaded.recording = std::move(*result);
     readEnvelope(id);
-    reportWarnings(loaded);
+    for (const Message& message : warningMessages(loaded.name, loaded.recording->diagnostics)) {
+        emit reported(message);
+    }
     if (id == current_) {
         emit currentChanged();  // an envelope was all that was known of it
     }
     showOpened(id);
     emit changed(id);
     emit opened(id);
-}
-
-void RecordingStore::reportWarnings(const RecordingEntry& entry) {
-    for (const Message& message : warningMessages(entry.name, entry.recording->diagnostics)) {
-        emit reported(message);
-    }
 }
 
 void RecordingStore::readEnvelope(RecordingId id) {

@@ -2,8 +2,8 @@
 
 #include "core/analysis/inspect.h"
 #include "ui/document/background_jobs.h"
+#include "ui/document/edits.h"
 #include "ui/document/message.h"
-#include "ui/document/settings_model.h"
 #include "ui/values/ids.h"
 
 #include <QObject>
@@ -89,11 +89,9 @@ signals:
 
 private:
     void begin(RecordingId id, std::size_t place, const QString& path, const OpenOptions& options);
-    RecordingEntry* entry(RecordingId id);
+    RecordingEntry* entry(RecordingId id) { return const_cast<RecordingEntry*>(find(id)); }
     void showOpened(RecordingId id);
-    void whenLookedAt(RecordingId id, const QuickOverview& look);
     void whenOpened(RecordingId id, Result<Recording> result);
-    void reportWarnings(const RecordingEntry& entry);
     void readEnvelope(RecordingId id);
     void checkSamples(RecordingId id);
     void whenChecked(RecordingId id, SampleFaults faults);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/analysis/passport.h"
+#include "ui/document/background_jobs.h"
 #include "ui/document/recording_store.h"
-#include "ui/document/request_queue.h"
 #include "ui/values/dossier.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
@@ -17,6 +17,12 @@
 #include <vector>
 
 namespace vybeg::ui {
+
+// Files of the set's measurement list that are not among its recordings: not opened, or removed.
+QStringList absentFiles(const RecordingSet& set);
+
+// The same list with the row of that file for the recording `id`.
+ListedSet withRowFor(const ListedSet& listed, const QString& path, RecordingId id);
 
 // Sets of recordings, the resonators identified from them, and the passport for comparison. An edit
 // of a set stops its identification; its older result stays, out of date.
@@ -57,7 +63,7 @@ public:
     // A set of logs, which it identifies with calibration and tolerances of the panel; a step of
     // undo.
     void openLogs(MeasurementSet set);
-    // All that belongs to the identification of a set (measured_set.h).
+    // All that belongs to the identification of a set.
     MeasurementSet measured(const RecordingSet& set) const;
 
     // The current set, in the background; where it is empty, the current recording as a set of one.
@@ -110,7 +116,7 @@ private:
     void enter(std::vector<RecordingSet> sets, UndoSteps::Words words);
     void insertInto(SetId id, const std::vector<RecordingId>& recording_ids);
     void eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids);
-    RecordingSet* entry(SetId id);
+    RecordingSet* entry(SetId id) { return const_cast<RecordingSet*>(find(id)); }
     void edited(RecordingSet& set);
     void whenIdentified(int key, Result<ResonatorOutcome> result);
 

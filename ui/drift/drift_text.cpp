@@ -1,9 +1,7 @@
 #include "ui/drift/drift_text.h"
 
-#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -2,7 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/output/batch_csv.h"
-#include "ui/report/report_html.h"
+#include "ui/report/report_parts.h"
 #include "ui/words/program_name.h"
 #include "ui/words/rich_text.h"
 

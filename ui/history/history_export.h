@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/history/history_view.h"
-#include "ui/report/report_figures.h"
-#include "ui/report/report_text.h"
+#include "ui/report/report_document.h"
+#include "ui/report/report_parts.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include "core/numerics/control_chart.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QLocale>
 #include <QStringList>

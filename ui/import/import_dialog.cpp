@@ -2,27 +2,265 @@
 
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/reader_rules.h"
-#include "ui/import/import_memory.h"
-#include "ui/import/import_preview.h"
+#include "ui/values/json_fields.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/error_text.h"
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QHeaderView>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSettings>
+#include <QSplitter>
+#include <QStringList>
+#include <QTableWidget>
 #include <QVBoxLayout>
+#include <qcustomplot.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace vybeg::ui {
 
 namespace {
 
+constexpr std::size_t frames_shown = 256;  // initially; the wheel shows more
+constexpr int widest_column = 240;         // pixels
+
+QColor translucent(QColor color, float alpha) {
+    color.setAlphaF(alpha);
+    return color;
+}
+
+constexpr qsizetype most_kinds = 50;
+const QString imports_key = QStringLiteral("imports");
+const QString kind_key = QStringLiteral("kind");
+const QString options_key = QStringLiteral("options");
+
+QJsonArray imports() {
+    return QJsonDocument::fromJson(QSettings().value(imports_key).toByteArray()).array();
+}
+
 constexpr int preview_key = 0;
 
 }  // namespace
+
+ImportPreview::ImportPreview(QWidget* parent)
+    : QWidget(parent),
+      what_(withName(new QLabel(this), "what")),
+      table_(new QTableWidget(this)),
+      plot_(new QCustomPlot(this)) {
+    what_->setWordWrap(true);
+    what_->setTextFormat(Qt::PlainText);
+    what_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionMode(QAbstractItemView::NoSelection);
+    table_->setTabKeyNavigation(false);
+    table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table_->setWordWrap(false);
+    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table_->horizontalHeader()->setHighlightSections(false);
+    plot_->setMinimumHeight(140);
+    plot_->setInteraction(QCP::iRangeDrag);
+    plot_->setInteraction(QCP::iRangeZoom);
+    plot_->axisRect()->setRangeDrag(Qt::Horizontal);
+    plot_->axisRect()->setRangeZoom(Qt::Horizontal);
+    plot_->addGraph()->setName(QStringLiteral("C"));
+    plot_->addGraph()->setName(QStringLiteral("D"));
+    plot_->legend->setVisible(true);
+    plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
+    plot_->legend->setBorderPen(Qt::NoPen);
+    plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
+    plot_->xAxis->ticker()->setTickCount(7);
+    plot_->yAxis->ticker()->setTickCount(4);
+    auto* parts = new QSplitter(Qt::Vertical, this);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(table_);
+    parts->addWidget(plot_);
+    parts->setStretchFactor(0, 3);
+    parts->setStretchFactor(1, 2);
+    fill(new QVBoxLayout(this), {}, {what_, {parts, 1}});
+    applyLook();
+    keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::PaletteChange}, [this] {
+        if (isDark(palette()) != theme_.dark) {
+            applyLook();
+            setPreview(RecordingPreview(preview_));
+        }
+    });
+}
+
+void ImportPreview::setPreview(const RecordingPreview& preview) {
+    preview_ = preview;
+    showProblem();
+    fillTable();
+    drawSamples();
+}
+
+void ImportPreview::setError(const Error& error) {
+    RecordingPreview none;
+    none.problem = error;
+    setPreview(none);
+}
+
+void ImportPreview::showProblem() {
+    QPalette palette = what_->parentWidget()->palette();
+    if (preview_.problem) {
+        palette.setColor(QPalette::WindowText, theme_.warning);
+    }
+    what_->setPalette(palette);
+    what_->setText(preview_.problem ? errorText(*preview_.problem) : formatText(preview_.format));
+}
+
+void ImportPreview::fillTable() {
+    table_->clearSpans();
+    table_->clear();
+    std::size_t columns = std::max<std::size_t>(preview_.columns.size(), 1);
+    for (const PreviewLine& line : preview_.lines) {
+        columns = std::max(columns, line.cells.size());
+    }
+    table_->setColumnCount(static_cast<int>(columns));
+    table_->setRowCount(static_cast<int>(preview_.lines.size()));
+    QStringList numbers;
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const PreviewLine& line = preview_.lines[static_cast<std::size_t>(row)];
+        numbers << QLocale().toString(static_cast<qint64>(line.number));
+        for (int column = 0; column < static_cast<int>(line.cells.size()); ++column) {
+            auto* item = new QTableWidgetItem(
+                QString::fromStdString(line.cells[static_cast<std::size_t>(column)]));
+            item->setToolTip(item->text());
+            if (!line.is_row) {
+                item->setForeground(theme_.mutedText);
+            } else {
+                item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+                const bool c = column == preview_.c_column;
+                if (c || column == preview_.d_column) {
+                    item->setBackground(translucent(c ? theme_.signalC : theme_.signalD, 0.18F));
+                } else {
+                    item->setForeground(column == preview_.time_column ? theme_.accent
+                                                                       : theme_.mutedText);
+                }
+            }
+            table_->setItem(row, column, item);
+        }
+        if (!line.is_row && columns > 1) {
+            table_->setSpan(row, 0, 1, static_cast<int>(columns));
+        }
+    }
+    QStringList titles;
+    for (int column = 0; column < static_cast<int>(columns); ++column) {
+        const auto i = static_cast<std::size_t>(column);
+        const bool known = i < preview_.columns.size();
+        QString title = known ? QString::fromStdString(preview_.columns[i].name) : QString();
+        title = title.isEmpty() ? QString::number(column + 1) : title;
+        if (known && !preview_.columns[i].unit.empty()) {
+            title += QStringLiteral(" [%1]").arg(QString::fromStdString(preview_.columns[i].unit));
+        }
+        const QString role = column == preview_.c_column      ? QStringLiteral("C")
+                             : column == preview_.d_column    ? QStringLiteral("D")
+                             : column == preview_.time_column ? QStringLiteral("t")
+                                                              : QString();
+        titles << (role.isEmpty() || role == title ? title : role + QStringLiteral(" = ") + title);
+    }
+    table_->setHorizontalHeaderLabels(titles);
+    table_->setVerticalHeaderLabels(numbers);
+    table_->resizeColumnsToContents();
+    for (int column = 0; columns > 1 && column < table_->columnCount(); ++column) {
+        table_->setColumnWidth(column, std::min(table_->columnWidth(column), widest_column));
+    }
+}
+
+void ImportPreview::drawSamples() {
+    plot_->setVisible(!preview_.c.empty());
+    const auto frames = preview_.c.size();
+    QVector<double> x(static_cast<int>(frames));
+    const bool timed = preview_.time_s.size() >= frames && frames > 0;
+    for (std::size_t i = 0; i < frames; ++i) {
+        constexpr double ms = 1e3;
+        x[static_cast<int>(i)] = timed ? ms * preview_.time_s[i]
+                                 : preview_.rate_hz
+                                     ? ms * static_cast<double>(i) / *preview_.rate_hz
+                                     : static_cast<double>(i);
+    }
+    plot_->graph(0)->setData(x, {preview_.c.begin(), preview_.c.end()}, true);
+    plot_->graph(1)->setData(x, {preview_.d.begin(), preview_.d.end()}, true);
+    plot_->xAxis->setLabel(timed || preview_.rate_hz ? tr("ms") : tr("samples"));
+    if (frames > 0) {
+        plot_->yAxis->rescale();
+        plot_->yAxis->scaleRange(1.1);
+        plot_->xAxis->setRange(x.first(), x[static_cast<int>(std::min(frames, frames_shown)) - 1]);
+    }
+    plot_->replot();
+}
+
+void ImportPreview::applyLook() {
+    theme_ = isDark(palette()) ? darkTheme() : lightTheme();
+    plot_->setBackground(theme_.plotBackground);
+    plot_->legend->setBrush(translucent(theme_.plotBackground, 0.85F));
+    plot_->legend->setTextColor(theme_.text);
+    plot_->legend->setFont(font());
+    for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
+        axis->setBasePen(theme_.axis);
+        axis->setTickPen(theme_.axis);
+        axis->setSubTickPen(theme_.axis);
+        axis->setTickLabelColor(theme_.text);
+        axis->setLabelColor(theme_.text);
+        axis->setTickLabelFont(font());
+        axis->setLabelFont(font());
+        axis->grid()->setPen(theme_.grid);
+        axis->grid()->setZeroLinePen(theme_.zeroLine);
+    }
+    plot_->graph(0)->setPen(theme_.signalC);
+    plot_->graph(1)->setPen(QPen(theme_.signalD, 1));
+}
+
+void ImportPreview::retranslate() {
+    table_->setAccessibleName(tr("First rows"));
+    plot_->setAccessibleName(tr("First samples"));
+    plot_->setLocale(QLocale());
+    setPreview(RecordingPreview(preview_));
+}
+
+QString importKind(const QString& path, const RecordingPreview& preview, bool raw) {
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (raw) {
+        return QStringLiteral("raw;%1").arg(ending);
+    }
+    if (!preview.guessed) {
+        return QStringLiteral("file;%1").arg(ending);
+    }
+    QStringList words{QStringLiteral("text"), ending, QString::number(preview.guessed->columns)};
+    for (const Channel& heading : preview.guessed->headings) {
+        words << QString::fromStdString(heading.name);
+    }
+    return words.join(QLatin1Char(';'));
+}
+
+std::optional<OpenOptions> rememberedImport(const QString& kind) {
+    for (const QJsonValue& each : imports()) {
+        if (each[kind_key].toString() == kind) {
+            return optionsFromJson(each[options_key].toObject());
+        }
+    }
+    return {};
+}
+
+void rememberImport(const QString& kind, const OpenOptions& options) {
+    QJsonArray kept{QJsonObject{{kind_key, kind}, {options_key, optionsToJson(options)}}};
+    for (const QJsonValue& each : imports()) {
+        if (each[kind_key].toString() != kind && kept.size() < most_kinds) {
+            kept.append(each);
+        }
+    }
+    QSettings().setValue(imports_key, QJsonDocument(kept).toJson(QJsonDocument::Compact));
+}
 
 ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenOptions& options,
                            QWidget* parent)
@@ -31,18 +269,18 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
       path_(path),
       proposed_(options != OpenOptions{}),
       raw_proposed_(options.raw.has_value()),
-      title_(new QLabel(this)),
       fields_(new ImportFields),
       view_(new ImportPreview(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
-    title_->setTextFormat(Qt::PlainText);
-    title_->setWordWrap(true);
+    auto* title = new QLabel(this);
+    title->setTextFormat(Qt::PlainText);
+    title->setWordWrap(true);
     fields_->setOptions(options);
     auto* choices = scrolled(fields_, this);
     choices->setFocusPolicy(Qt::NoFocus);
     auto* columns = fill(new QHBoxLayout, {choices, {view_, 1}});
-    fill(new QVBoxLayout(this), {title_, {columns, 1}, buttons_});
+    fill(new QVBoxLayout(this), {title, {columns, 1}, buttons_});
     connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
     connect(fields_, &ImportFields::filesWanted, this, &ImportDialog::filesWanted);
@@ -56,7 +294,10 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
             enableOpen();
         }
     });
-    keepTranslated(*this, [this] { retranslate(); });
+    keepTranslated(*this, [this, title] {
+        setWindowTitle(tr("Import"));
+        title->setText(tr("How to read %1").arg(QFileInfo(path_).fileName()));
+    });
     choices->setMinimumWidth(fields_->sizeHint().width() + 20);
     resize(980, 620);
     refresh();
@@ -147,11 +388,6 @@ void ImportDialog::accept() {
     rememberImport(importKind(path_, *preview_, chosen_options.raw.has_value()), of_kind);
     emit chosen(path_, chosen_options);
     QDialog::accept();
-}
-
-void ImportDialog::retranslate() {
-    setWindowTitle(tr("Import"));
-    title_->setText(tr("How to read %1").arg(QFileInfo(path_).fileName()));
 }
 
 }  // namespace vybeg::ui

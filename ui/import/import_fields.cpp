@@ -236,13 +236,6 @@ TextChoice ImportFields::textChoice() const {
     return choice;
 }
 
-RawLayout ImportFields::rawLayout() const {
-    return {.type = static_cast<RawType>(raw_type_->currentIndex()),
-            .big_endian = raw_order_->currentIndex() == 1,
-            .channels = raw_channels_->value(),
-            .skip_bytes = static_cast<std::int64_t>(raw_skip_->typed().value_or(0))};
-}
-
 std::vector<std::string> ImportFields::pieces() const {
     return join_->text() == namesText(pieces_) ? pieces_ : namesIn(*join_);
 }
@@ -257,7 +250,10 @@ OpenOptions ImportFields::options() const {
     options.channel_d_file = channel_d_file_->text().trimmed().toStdString();
     options.join = options.channel_d_file.empty() ? pieces() : std::vector<std::string>{};
     if (readAs() == ReadAs::raw) {
-        options.raw = rawLayout();
+        options.raw = {.type = static_cast<RawType>(raw_type_->currentIndex()),
+                       .big_endian = raw_order_->currentIndex() == 1,
+                       .channels = raw_channels_->value(),
+                       .skip_bytes = static_cast<std::int64_t>(raw_skip_->typed().value_or(0))};
     } else if (isText()) {
         const TextChoice choice = textChoice();
         if (readAs() == ReadAs::text || choice != TextChoice{}) {

@@ -77,7 +77,6 @@ private:
     void showChannels(QComboBox& box);
     TextChoice textChoice() const;
     std::vector<std::string> pieces() const;
-    RawLayout rawLayout() const;
     void retranslate();
 
     QFormLayout* form_;

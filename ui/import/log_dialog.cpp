@@ -5,13 +5,13 @@
 #include "core/recording/open/log_columns.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/reader_rules.h"
-#include "ui/import/import_preview.h"
+#include "ui/import/import_dialog.h"
 #include "ui/import/log_files.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -3,7 +3,7 @@
 #include "ui/panels/measuring.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/words/number_label.h"
+#include "ui/words/display_units.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,6 +1,5 @@
 #include "ui/panels/ledger.h"
 
-#include "ui/panels/ledger_rows.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"

@@ -1,13 +1,13 @@
 #include "ui/panels/ledger_rows.h"
 
+#include "ui/panels/findings_flag.h"
 #include "ui/plots/axis_ticks.h"
-#include "ui/widgets/check_list.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -27,15 +27,15 @@ namespace vybeg::ui {
 
 namespace {
 
-struct FactWords {
-    Q_DECLARE_TR_FUNCTIONS(RecordingFacts)
+struct RowWords {
+    Q_DECLARE_TR_FUNCTIONS(LedgerRows)
 };
 
 QString channelText(const Recording& recording, int number) {
     const Channel& channel = recording.channels.at(static_cast<std::size_t>(number - 1));
     const QString name = QString::fromStdString(channel.name);
     // The name is omitted if the file names its channels by number.
-    QString text = FactWords::tr("%1 of %2").arg(number).arg(recording.channels.size());
+    QString text = RowWords::tr("%1 of %2").arg(number).arg(recording.channels.size());
     if (name != QString::number(number)) {
         text = QStringLiteral("%1 (%2)").arg(name, text);
     }
@@ -45,17 +45,12 @@ QString channelText(const Recording& recording, int number) {
 QString rateText(const Recording& recording) {
     const QString hertz = QLocale().toString(recording.rate_hz, 'g', 10);
     switch (recording.rate_from) {
-        case RateOrigin::file: return FactWords::tr("%1 Hz, from the file").arg(hertz);
-        case RateOrigin::time_column:
-            return FactWords::tr("%1 Hz, from the time column").arg(hertz);
+        case RateOrigin::file: return RowWords::tr("%1 Hz, from the file").arg(hertz);
+        case RateOrigin::time_column: return RowWords::tr("%1 Hz, from the time column").arg(hertz);
         case RateOrigin::option: break;
     }
-    return FactWords::tr("%1 Hz, typed").arg(hertz);
+    return RowWords::tr("%1 Hz, typed").arg(hertz);
 }
-
-struct RowWords {
-    Q_DECLARE_TR_FUNCTIONS(LedgerRows)
-};
 
 constexpr int analysis_role = Qt::UserRole;
 constexpr int recording_role = Qt::UserRole + 1;
@@ -113,10 +108,6 @@ QIcon curveIcon(const ShownAnalysis& shown) {
     return icon;
 }
 
-struct CellWords {
-    Q_DECLARE_TR_FUNCTIONS(LedgerCells)
-};
-
 // The power of ten of a column, so that its numbers have no more than seven digits before or three
 // zeros behind the decimal sign.
 int exponentOf(const std::vector<Reading>& readings) {
@@ -150,9 +141,9 @@ QString headOf(const LedgerReader& reader, SlowVariable variable, int exponent) 
     const bool beat = reader.at == ReadAt::rate && reader.measuring.kind == TrendKind::beat;
     QString unit = displayUnit(variable, reader.units);
     if (beat) {
-        unit = CellWords::tr("Hz");
+        unit = RowWords::tr("Hz");
     } else if (reader.at == ReadAt::rate) {
-        unit = unit.isEmpty() ? CellWords::tr("1/s") : CellWords::tr("%1/s").arg(unit);
+        unit = unit.isEmpty() ? RowWords::tr("1/s") : RowWords::tr("%1/s").arg(unit);
     }
     const QString scaled = scaledUnit(unit, beat || takesPrefix(variable, reader.units), exponent);
     return withUnit(displaySymbol(variable, reader.units), scaled);
@@ -167,30 +158,25 @@ QString recordingFacts(const RecordingEntry& entry) {
             lines << QStringLiteral("%1: %2").arg(name, value);
         }
     };
-    add(FactWords::tr("File"), QDir::toNativeSeparators(entry.path));
+    add(RowWords::tr("File"), QDir::toNativeSeparators(entry.path));
     if (entry.recording) {
         const Recording& recording = *entry.recording;
         const QLocale locale;
-        add(FactWords::tr("Format"), formatText(recording.format));
-        add(FactWords::tr("Rate"), rateText(recording));
-        add(FactWords::tr("Length"),
-            FactWords::tr("%1 s, %n sample(s)", nullptr, static_cast<int>(recording.frames()))
+        add(RowWords::tr("Format"), formatText(recording.format));
+        add(RowWords::tr("Rate"), rateText(recording));
+        add(RowWords::tr("Length"),
+            RowWords::tr("%1 s, %n sample(s)", nullptr, static_cast<int>(recording.frames()))
                 .arg(locale.toString(recording.seconds(), 'g', 8)));
         add(QStringLiteral("C"), channelText(recording, recording.channel_c));
         add(QStringLiteral("D"), channelText(recording, recording.channel_d));
-        add(FactWords::tr("Start"), QString::fromStdString(recording.start));
+        add(RowWords::tr("Start"), QString::fromStdString(recording.start));
         if (entry.f0_hz) {
-            add(FactWords::tr("f₀"),
-                FactWords::tr("%1 Hz").arg(locale.toString(*entry.f0_hz, 'f', 4)));
+            add(RowWords::tr("f₀"),
+                RowWords::tr("%1 Hz").arg(locale.toString(*entry.f0_hz, 'f', 4)));
         }
         add(QStringLiteral("SHA-256"), entry.sha256);
     }
     return lines.join(QLatin1Char('\n'));
-}
-
-bool hasFindings(const RecordingEntry& entry) {
-    return entry.faults ? findingsIn(entry.faults->findings) > 0
-                        : entry.recording && findingsIn(entry.recording->diagnostics) > 0;
 }
 
 std::vector<LedgerRow> ledgerRows(const Document& document) {
@@ -330,7 +316,7 @@ std::pair<QString, QString> trendCell(const LedgerReader& reader, const Analysis
             return {trendSummary(measuring.kind, trends, reader.units),
                     QStringLiteral("<p>%1</p>").arg(sentences.join(QStringLiteral("<br>")))};
         }
-        text = CellWords::tr("no windows there");
+        text = RowWords::tr("no windows there");
     }
     return {text, plainTip(text)};
 }

@@ -24,9 +24,6 @@ namespace vybeg::ui {
 // SHA-256.
 QString recordingFacts(const RecordingEntry& entry);
 
-// Whether its check or its reading found something worse than a note.
-bool hasFindings(const RecordingEntry& entry);
-
 // Of the names, by which the ledger knows its rows.
 inline constexpr int name_column = 0;
 

@@ -2,20 +2,241 @@
 
 #include "ui/values/curve_data.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
 #include <utility>
 
 namespace vybeg::ui {
 
 namespace {
 
-struct MeasuringWords {
+constexpr int curve_points = 200;
+constexpr int points_per_beat = 20;
+// theta_A in degrees an hour, of 2theta_A in rad/s.
+constexpr double degrees_an_hour = 0.5 * 180 / std::numbers::pi * 3600;
+
+struct Words {
     Q_DECLARE_TR_FUNCTIONS(Measuring)
 };
+
+TrendOf kindOf(SlowVariable variable) {
+    return variable == SlowVariable::a_A ? TrendOf::logarithm : TrendOf::value;
+}
+
+// A change by one stored unit per second^k of a value, as displayed, with its sign.
+Reading changeOf(const DisplayScale& scale, double value, double change, double sd) {
+    return {std::copysign(scale.sd(value, std::abs(change)), change), scale.sd(value, sd)};
+}
+
+DisplayScale scaleOf(const Analysis& analysis, const FittedTrend& trend,
+                     const DisplayUnits& units) {
+    return displayScale(trend.variable, units, analysis.f0_hz());
+}
+
+const FittedTrend* find(const std::vector<FittedTrend>& trends, SlowVariable variable) {
+    const auto found = std::ranges::find(trends, variable, &FittedTrend::variable);
+    return found == trends.end() ? nullptr : &*found;
+}
+
+QString windowCount(std::size_t windows) {
+    return Words::tr("%n window(s) without common samples", nullptr, static_cast<int>(windows));
+}
+
+// Variables whose windows scatter about their trend by more than their noise.
+QStringList leaving(const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
+    QStringList names;
+    for (const FittedTrend& trend : trends) {
+        const double enlargement = std::visit(
+            [](const auto& fit) {
+                if constexpr (std::is_same_v<decltype(fit), const Beat&>) {
+                    return 1.0;
+                } else {
+                    return fit.enlargement;
+                }
+            },
+            trend.fit);
+        if (enlargement > 1) {
+            names << displaySymbol(trend.variable, units);
+        }
+    }
+    return names;
+}
+
+QStringList lineSentences(const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
+    QStringList sentences;
+    if (const FittedTrend* amplitude = find(trends, SlowVariable::a_A)) {
+        const auto decay = decay_time(std::get<Trend>(amplitude->fit));
+        sentences
+            << (decay
+                    ? Words::tr("Decay time of a_A: %1 s").arg(valueText(decay->tau_s, decay->sd_s))
+                    : Words::tr("The decay of a_A lies within its noise here."));
+    }
+    if (const FittedTrend* angle = find(trends, SlowVariable::two_theta_A)) {
+        const auto& line = std::get<Trend>(angle->fit);
+        sentences << Words::tr("Drift of θ_A: %1 °/h")
+                         .arg(valueText(line.slope_per_s * degrees_an_hour,
+                                        line.sd_slope_per_s * degrees_an_hour));
+    }
+    if (const FittedTrend* frequency = find(trends, SlowVariable::f)) {
+        const auto& line = std::get<Trend>(frequency->fit);
+        sentences << Words::tr("Drift of f: %1 Hz/s")
+                         .arg(valueText(line.slope_per_s, line.sd_slope_per_s))
+                  << windowCount(line.windows);
+    }
+    if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
+        sentences << Words::tr("No line within the noise: %1. The deviations are enlarged.")
+                         .arg(names.join(QStringLiteral(", ")));
+    }
+    return sentences;
+}
+
+// Derivatives of decibels are none of a polynomial in the amplitude: they are given as recorded.
+QStringList polynomialSentences(const Analysis& analysis, const std::vector<FittedTrend>& trends,
+                                DisplayUnits units) {
+    units.amplitude = AmplitudeUnit::recording;
+    QStringList sentences;
+    for (const FittedTrend& trend : trends) {
+        const auto& fit = std::get<PolynomialTrend>(trend.fit);
+        const DisplayScale scale = scaleOf(analysis, trend, units);
+        const auto derivative = [&](std::size_t order, double factorial) {
+            const Reading value =
+                changeOf(scale, fit.coefficient[0], factorial * fit.coefficient[order],
+                         factorial * fit.sd[order]);
+            return valueText(value.value, value.sd);
+        };
+        const QString symbol = displaySymbol(trend.variable, units);
+        const QString known = displayUnit(trend.variable, units);
+        const QString unit = known.isEmpty() ? QStringLiteral("1") : known;
+        const QString second = Words::tr("%1/s²").arg(unit);
+        sentences
+            << (fit.coefficient.size() == 3
+                    ? Words::tr("%1: second derivative %2 %3").arg(symbol, derivative(2, 2), second)
+                    : Words::tr("%1: second derivative at the middle %2 %3, third %4 %5")
+                          .arg(symbol, derivative(2, 2), second, derivative(3, 6),
+                               Words::tr("%1/s³").arg(unit)));
+    }
+    if (!trends.empty()) {
+        sentences << windowCount(std::get<PolynomialTrend>(trends.front().fit).windows);
+    }
+    if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
+        sentences << Words::tr("No such curve within the noise: %1. The deviations are enlarged.")
+                         .arg(names.join(QStringLiteral(", ")));
+    }
+    return sentences;
+}
+
+QStringList beatSentences(const Analysis& analysis, const std::vector<FittedTrend>& trends,
+                          const DisplayUnits& units) {
+    QStringList sentences;
+    for (const FittedTrend& trend : trends) {
+        const auto& beat = std::get<Beat>(trend.fit);
+        const Reading amplitude = changeOf(scaleOf(analysis, trend, units), beat.value,
+                                           beat.amplitude, beat.sd_amplitude);
+        sentences << Words::tr("%1: amplitude %2 %3, damping %4 1/s")
+                         .arg(displaySymbol(trend.variable, units),
+                              valueText(amplitude.value, amplitude.sd),
+                              displayUnit(trend.variable, units),
+                              valueText(beat.damping_per_s, beat.sd_damping_per_s));
+    }
+    return sentences;
+}
+
+// Nothing where the windows between the times do not determine it.
+std::optional<FittedTrend> fitTrend(const Analysis& analysis, SlowVariable variable, TrendKind kind,
+                                    double from_s, double to_s) {
+    const Track& track = analysis.track;
+    const auto [from, to] = std::minmax(from_s, to_s);
+    const std::size_t apart = windows_apart(analysis.plan.length, analysis.plan.hop);
+    const auto fitted = [variable](const auto& fit) {
+        return fit ? std::optional(FittedTrend{variable, *fit}) : std::nullopt;
+    };
+    switch (kind) {
+        case TrendKind::line:
+            return fitted(line_trend(track, variable, from, to, apart, kindOf(variable)));
+        case TrendKind::parabola:
+            return fitted(polynomial_trend(track, variable, from, to, apart, 2));
+        case TrendKind::cubic: return fitted(polynomial_trend(track, variable, from, to, apart, 3));
+        case TrendKind::beat: return fitted(find_beat(track, variable, from, to, apart));
+    }
+    return std::nullopt;
+}
+
+// Of a beat its frequency, Hz; of the others the rate per second at the middle.
+Reading trendReading(const Analysis& analysis, const FittedTrend& trend,
+                     const DisplayUnits& units) {
+    if (const auto* beat = std::get_if<Beat>(&trend.fit)) {
+        return {beat->frequency_hz, beat->sd_frequency_hz};
+    }
+    const DisplayScale scale = scaleOf(analysis, trend, units);
+    if (const auto* polynomial = std::get_if<PolynomialTrend>(&trend.fit)) {
+        return changeOf(scale, polynomial->coefficient[0], polynomial->coefficient[1],
+                        polynomial->sd[1]);
+    }
+    const auto& line = std::get<Trend>(trend.fit);
+    const double middle = trend.at(line.centre_s);
+    // Of an exponential: its logarithm's rate times its value.
+    const double stored = kindOf(trend.variable) == TrendOf::logarithm ? middle : 1;
+    return changeOf(scale, middle, line.slope_per_s * stored, line.sd_slope_per_s * stored);
+}
+
+// What the trends of one kind say in words, a sentence each.
+QStringList trendSentences(const Analysis& analysis, TrendKind kind,
+                           const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
+    if (trends.empty()) {
+        return {
+            kind == TrendKind::beat
+                ? Words::tr("Between the cursors no damped sinusoid of 1¼ to 100 periods follows "
+                            "the windows within their noise. A beat that you see has another "
+                            "form; the page Resonator finds its split.")
+                : Words::tr("Too few windows between the cursors.")};
+    }
+    switch (kind) {
+        case TrendKind::line: return lineSentences(trends, units);
+        case TrendKind::parabola:
+        case TrendKind::cubic: return polynomialSentences(analysis, trends, units);
+        case TrendKind::beat: return beatSentences(analysis, trends, units);
+    }
+    return {};
+}
+
+// The value of a window.
+Reading readingAt(const Analysis& analysis, SlowVariable variable, std::size_t row,
+                  const DisplayUnits& units) {
+    const DisplayScale scale = displayScale(variable, units, analysis.f0_hz());
+    const double stored = analysis.track.values(variable)[row];
+    Reading reading;
+    reading.value = scale.value(stored);
+    if (info(variable).has_sd) {
+        reading.sd = scale.sd(stored, analysis.track.sds(variable)[row]);
+    }
+    return reading;
+}
+
+// The difference between two windows, without deviation where they share samples. Wrapped angles
+// differ by half a turn at most.
+Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_t from,
+                     std::size_t to, const DisplayUnits& units) {
+    const Reading a = readingAt(analysis, variable, from, units);
+    const Reading b = readingAt(analysis, variable, to, units);
+    Reading difference;
+    difference.value = b.value - a.value;
+    if (isWrapped(variable)) {
+        const double turn =
+            2 * std::numbers::pi * displayScale(variable, units, analysis.f0_hz()).factor;
+        difference.value = std::remainder(difference.value, turn);
+    }
+    if (std::max(from, to) - std::min(from, to) >=
+        windows_apart(analysis.plan.length, analysis.plan.hop)) {
+        difference.sd = std::hypot(a.sd, b.sd);
+    }
+    return difference;
+}
 
 // Trends of more windows than that are fitted to the chosen analysis alone.
 constexpr std::size_t quick_rows = 100'000;
@@ -33,12 +254,82 @@ std::vector<FittedTrend> trendsBetween(const Analysis& analysis, const Measuring
     return trends;
 }
 
-// Symbol and unit: "ω_cp/2π, Hz".
-QString nameWithUnit(SlowVariable variable, const DisplayUnits& units) {
-    return withUnit(displaySymbol(variable, units), displayUnit(variable, units));
+// For a spreadsheet: the head, then of each variable its symbol, its unit and what `read` reads.
+template <class Read>
+QString tableOf(const QStringList& head, const auto& variables, const DisplayUnits& units,
+                Read read) {
+    QStringList lines{head.join(QLatin1Char('\t'))};
+    for (const SlowVariable variable : variables) {
+        QStringList cells{withUnit(displaySymbol(variable, units), displayUnit(variable, units))};
+        for (const Reading& reading : read(variable)) {
+            cells << exactText(reading.value) << exactText(reading.sd);
+        }
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
 }  // namespace
+
+double FittedTrend::at(double time_s) const {
+    const double value = std::visit([time_s](const auto& each) { return each.at(time_s); }, fit);
+    const bool exponential =
+        std::holds_alternative<Trend>(fit) && kindOf(variable) == TrendOf::logarithm;
+    return exponential ? std::exp(value) : value;
+}
+
+TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double from_s, double to_s,
+                   const DisplayUnits& units) {
+    const DisplayScale scale = scaleOf(analysis, trend, units);
+    const double span = std::abs(to_s - from_s);
+    const auto* beat = std::get_if<Beat>(&trend.fit);
+    const int points =
+        beat ? std::max(curve_points, static_cast<int>(points_per_beat * beat->frequency_hz * span))
+             : curve_points;
+    TrendCurve curve;
+    curve.variable = trend.variable;
+    for (int k = 0; k <= points; ++k) {
+        const double time_s = std::min(from_s, to_s) + span * k / points;
+        curve.time_s.push_back(time_s);
+        curve.value.push_back(scale.value(trend.at(time_s)));
+    }
+    return curve;
+}
+
+QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
+                     const DisplayUnits& units) {
+    if (trends.empty()) {
+        return kind == TrendKind::beat ? Words::tr("no beat") : Words::tr("too few windows");
+    }
+    QStringList words;
+    if (kind == TrendKind::line) {
+        const FittedTrend* amplitude = find(trends, SlowVariable::a_A);
+        const auto decay = amplitude ? decay_time(std::get<Trend>(amplitude->fit)) : std::nullopt;
+        if (decay) {
+            words << Words::tr("τ %1 s").arg(conciseText(decay->tau_s, decay->sd_s));
+        }
+        if (const FittedTrend* angle = find(trends, SlowVariable::two_theta_A)) {
+            const auto& line = std::get<Trend>(angle->fit);
+            words << Words::tr("drift %1 °/h")
+                         .arg(conciseText(line.slope_per_s * degrees_an_hour,
+                                          line.sd_slope_per_s * degrees_an_hour));
+        }
+    }
+    if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
+        words << Words::tr("sd enlarged: %1").arg(names.join(QLatin1Char(' ')));
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+std::size_t nearestRow(const Track& track, double time_s) {
+    const auto times = track.time_s();
+    const auto after = std::ranges::lower_bound(times, time_s);
+    auto row = static_cast<std::size_t>(after - times.begin());
+    if (row == times.size() || (row > 0 && time_s - times[row - 1] < times[row] - time_s)) {
+        --row;
+    }
+    return row;
+}
 
 bool isInside(const Analysis& analysis, const std::optional<double>& time_s) {
     return time_s && analysis.track.rows() > 0 && covers(analysis, *time_s);
@@ -93,14 +384,14 @@ Reading readingOf(const Analysis& analysis, SlowVariable variable, ReadAt at,
                        : Reading();
         case ReadAt::rate: break;
     }
-    const auto found = std::ranges::find(trends, variable, &FittedTrend::variable);
-    return found == trends.end() ? Reading() : trendReading(analysis, *found, units);
+    const FittedTrend* trend = find(trends, variable);
+    return trend ? trendReading(analysis, *trend, units) : Reading();
 }
 
 QString reasonAt(const Analysis& analysis, double time_s) {
     return isInside(analysis, time_s)
                ? flagsText(analysis.track.flags()[nearestRow(analysis.track, time_s)])
-               : MeasuringWords::tr("no windows there");
+               : Words::tr("no windows there");
 }
 
 // A large swing is no sinusoid, yet the modes beat with the split that their resonator has.
@@ -119,8 +410,7 @@ QStringList measuredSentences(const Document& document, const AnalysisEntry& ent
         }
         const Estimate& split = outcome->identification.fit.resonator.split_hz;
         if (split.given()) {
-            sentences << MeasuringWords::tr(
-                             "The resonator of this recording beats at its split, %1 Hz")
+            sentences << Words::tr("The resonator of this recording beats at its split, %1 Hz")
                              .arg(valueText(split.value, split.uncertainty()));
         }
     }
@@ -140,21 +430,18 @@ QString mouseTable(const Document& document, const Measuring& measuring,
     }
     Measuring here = measuring;
     here.mouse_s = measuring.mouse_s.value_or(shown.front()->analysis->track.time_s().front());
-    QStringList head{MeasuringWords::tr("t = %1 s").arg(exactText(*here.mouse_s))};
+    QStringList head{Words::tr("t = %1 s").arg(exactText(*here.mouse_s))};
     for (const ShownAnalysis* each : shown) {
-        head << each->name << MeasuringWords::tr("sd");
+        head << each->name << Words::tr("sd");
     }
-    QStringList lines{head.join(QLatin1Char('\t'))};
-    for (const SlowVariable variable : shown_slow_variables) {
-        QStringList cells{nameWithUnit(variable, units)};
+    return tableOf(head, shown_slow_variables, units, [&](SlowVariable variable) {
+        std::vector<Reading> readings;
         for (const ShownAnalysis* each : shown) {
-            const Reading reading =
-                readingOf(*each->analysis, variable, ReadAt::mouse, here, {}, units);
-            cells << exactText(reading.value) << exactText(reading.sd);
+            readings.push_back(
+                readingOf(*each->analysis, variable, ReadAt::mouse, here, {}, units));
         }
-        lines << cells.join(QLatin1Char('\t'));
-    }
-    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+        return readings;
+    });
 }
 
 QString cursorTable(const ShownAnalysis& shown, const Measuring& measuring,
@@ -163,23 +450,20 @@ QString cursorTable(const ShownAnalysis& shown, const Measuring& measuring,
     if (!isInside(analysis, measuring.a_s) || !isInside(analysis, measuring.b_s)) {
         return {};
     }
-    const QString sd = MeasuringWords::tr("sd");
-    const QString rate = measuring.kind == TrendKind::beat ? MeasuringWords::tr("Beat, Hz")
-                                                           : MeasuringWords::tr("Rate, per s");
-    QStringList lines{QStringList{shown.name,
-                                  MeasuringWords::tr("A = %1 s").arg(exactText(*measuring.a_s)), sd,
-                                  MeasuringWords::tr("B = %1 s").arg(exactText(*measuring.b_s)), sd,
-                                  MeasuringWords::tr("B − A"), sd, rate, sd}
-                          .join(QLatin1Char('\t'))};
-    for (const SlowVariable variable : main_slow_variables) {
-        QStringList cells{nameWithUnit(variable, units)};
-        for (const ReadAt at : {ReadAt::a, ReadAt::b, ReadAt::difference, ReadAt::rate}) {
-            const Reading reading = readingOf(analysis, variable, at, measuring, trends, units);
-            cells << exactText(reading.value) << exactText(reading.sd);
-        }
-        lines << cells.join(QLatin1Char('\t'));
-    }
-    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+    const QString sd = Words::tr("sd");
+    const QString rate =
+        measuring.kind == TrendKind::beat ? Words::tr("Beat, Hz") : Words::tr("Rate, per s");
+    const QStringList head{shown.name, Words::tr("A = %1 s").arg(exactText(*measuring.a_s)),
+                           sd,         Words::tr("B = %1 s").arg(exactText(*measuring.b_s)),
+                           sd,         Words::tr("B − A"),
+                           sd,         rate,
+                           sd};
+    return tableOf(head, main_slow_variables, units, [&](SlowVariable variable) {
+        const auto at = [&](ReadAt place) {
+            return readingOf(analysis, variable, place, measuring, trends, units);
+        };
+        return std::array{at(ReadAt::a), at(ReadAt::b), at(ReadAt::difference), at(ReadAt::rate)};
+    });
 }
 
 }  // namespace vybeg::ui

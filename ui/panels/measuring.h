@@ -1,16 +1,50 @@
 #pragma once
 
+#include "core/analysis/analysis.h"
+#include "core/track/trend.h"
 #include "ui/document/document.h"
-#include "ui/panels/fitted_trend.h"
-#include "ui/panels/reading.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
 #include <QString>
+#include <QStringList>
 
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace vybeg::ui {
+
+// A number in displayed units; NaN: none.
+struct Reading {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    double sd = std::numeric_limits<double>::quiet_NaN();
+};
+
+// Row of the window with the nearest centre. Precondition: the track is not empty.
+std::size_t nearestRow(const Track& track, double time_s);
+
+// What the readings fit between the cursors; their order in the list of choices.
+enum class TrendKind { line, parabola, cubic, beat };
+inline constexpr int trend_kinds = 4;
+
+// The trend of one variable between two times, in stored units; a line through a_A is one through
+// its logarithm, an exponential.
+struct FittedTrend {
+    SlowVariable variable = SlowVariable::a_A;
+    std::variant<Trend, PolynomialTrend, Beat> fit;
+
+    double at(double time_s) const;
+};
+
+TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double from_s, double to_s,
+                   const DisplayUnits& units);
+
+// What the trends of one kind say in a few words, for a cell: "τ 30.051(1) s, drift −11.3(6) °/h".
+QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
+                     const DisplayUnits& units);
 
 // Where the window reads the slow variables: at the mouse, at the cursors, between them.
 enum class ReadAt { mouse, a, b, difference, rate };

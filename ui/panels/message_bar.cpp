@@ -22,8 +22,7 @@ constexpr std::size_t most_messages = 3;
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
-    layout_->setContentsMargins(0, 0, 0, 0);
-    layout_->setSpacing(2);
+    fill(layout_, {}, 2, {});
     hide();
     keepTranslated(*this, [this] { retranslate(); });
 }
@@ -45,20 +44,17 @@ void MessageBar::add(const Message& message) {
     frame->setAutoFillBackground(true);
     frame->setBackgroundRole(QPalette::ToolTipBase);
     frame->setForegroundRole(QPalette::ToolTipText);
-    auto* line = new QHBoxLayout(frame);
-    line->setContentsMargins(8, 3, 4, 3);
     auto* icon = new QLabel(frame);
     const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
     const auto sign = message.severity == MessageLevel::error ? QStyle::SP_MessageBoxCritical
                                                               : QStyle::SP_MessageBoxWarning;
     icon->setPixmap(style()->standardIcon(sign).pixmap(size));
-    line->addWidget(icon);
     Row row{message, frame, new QLabel(frame), new QToolButton(frame), nullptr};
     row.text->setWordWrap(true);
     row.text->setTextFormat(Qt::PlainText);
     row.text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row.text->setForegroundRole(QPalette::ToolTipText);
-    line->addWidget(row.text, 1);
+    auto* line = fill(new QHBoxLayout(frame), {8, 3, 4, 3}, {icon, {row.text, 1}});
     if (!message.reopen_path.isEmpty() || message.button) {
         row.action = new QPushButton(frame);
         connect(row.action, &QPushButton::clicked, this, [this, frame, message] {

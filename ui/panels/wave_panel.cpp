@@ -2,7 +2,7 @@
 
 #include "core/track/wave_pattern.h"
 #include "ui/charts/round_plot.h"
-#include "ui/panels/reading.h"
+#include "ui/panels/measuring.h"
 #include "ui/plots/plot_content.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
@@ -64,6 +64,7 @@ WavePanel::WavePanel(Document& document, QWidget* parent)
     connect(ellipse_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(&document_, &Document::analysesChanged, this, &WavePanel::refresh);
     keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::Show}, [this] { refresh(); });
 }
 
 void WavePanel::setTime(std::optional<double> time_s) {
@@ -120,11 +121,6 @@ void WavePanel::refresh() {
     time_->setText(shown_s ? tr("t = %1 s").arg(QLocale().toString(*shown_s, 'f', 5)) : QString());
     pattern_->setContent(pattern);
     ellipse_->setContent(ellipse);
-}
-
-void WavePanel::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    refresh();
 }
 
 void WavePanel::retranslate() {

@@ -30,9 +30,6 @@ public:
 signals:
     void exportWanted(const Figure& figure);
 
-protected:
-    void showEvent(QShowEvent* event) override;
-
 private:
     void refresh();
     void retranslate();

@@ -1,6 +1,6 @@
 #include "ui/plots/axis_ticks.h"
 
-#include "ui/words/number_label.h"
+#include "ui/words/display_units.h"
 
 #include <QCoreApplication>
 

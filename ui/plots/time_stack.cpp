@@ -1,7 +1,7 @@
 #include "ui/plots/time_stack.h"
 
 #include "ui/plots/plot_strip.h"
-#include "ui/words/number_label.h"
+#include "ui/words/display_units.h"
 
 #include <QCoreApplication>
 

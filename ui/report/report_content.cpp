@@ -1,10 +1,13 @@
 #include "ui/report/report_content.h"
 
 #include "core/analysis/setting_table.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/resonator/set_panel.h"
 #include "ui/words/error_text.h"
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <string_view>
 
 namespace vybeg::ui {
@@ -21,6 +24,65 @@ QString told(const MeasurementSet& set, std::string Conditions::*condition, cons
         }
     }
     return values.isEmpty() ? usual : values.join(QStringLiteral("; "));
+}
+
+// `listed`: as settings_list().
+template <class S>
+QString rowsText(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
+                 std::initializer_list<std::string_view> left_out = {}) {
+    const S defaults;
+    QStringList options;
+    for (const SettingRow<S>& row : rows) {
+        const auto value = std::ranges::find(listed, row.name, &NamedValue::first);
+        if (value == listed.end()) {
+            continue;
+        }
+        const std::string& text = value->second;
+        if (text == row.text(defaults) || std::ranges::find(left_out, row.name) != left_out.end()) {
+            continue;
+        }
+        const QString option = QString::fromStdString(row.option());
+        const bool is_switch = row.placeholder.empty() && text.find(';') == std::string::npos;
+        options << (is_switch ? option : option + QLatin1Char(' ') + QString::fromStdString(text));
+    }
+    return options.join(QLatin1Char(' '));
+}
+
+bool isReported(const AnalysisEntry& entry) {
+    return entry.shown.visible && !entry.partial();
+}
+
+// Ids of the recordings that are open and have an analysis.
+std::vector<RecordingId> analysed(const Document& document, const std::vector<RecordingId>& ids) {
+    std::vector<RecordingId> found;
+    std::ranges::copy_if(ids, std::back_inserter(found), [&](RecordingId id) {
+        const RecordingEntry* recording = document.recording(id);
+        return recording && recording->recording &&
+               std::ranges::any_of(document.analyses(), [id](const AnalysisEntry& entry) {
+                   return entry.recording_id == id && isReported(entry);
+               });
+    });
+    return found;
+}
+
+// Logs have no analyses of their own.
+bool isReportedLog(const Document& document, const RecordingSet& set) {
+    return isOfLogs(set) && document.sets().outcome(set);
+}
+
+// The set whose identification a report shows.
+const RecordingSet* identifiedSet(const Document& document, const ReportSubject& subject) {
+    if (subject.set != SetId::none) {
+        return document.sets().find(subject.set);
+    }
+    if (subject.recordings.empty()) {
+        return nullptr;
+    }
+    const auto& sets = document.sets().all();
+    const auto alone = std::ranges::find_if(sets, [&](const RecordingSet& set) {
+        return set.recordings == subject.recordings && document.sets().outcome(set);
+    });
+    return alone == sets.end() ? nullptr : &*alone;
 }
 
 }  // namespace
@@ -90,47 +152,119 @@ QString measuredOn(const std::vector<ReportRecording>& recordings) {
                              : starts.value(0);
 }
 
-namespace {
-
-// `listed`: as settings_list().
-template <class S>
-QString rowsText(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
-                 std::initializer_list<std::string_view> left_out = {}) {
-    const S defaults;
-    QStringList options;
-    for (const SettingRow<S>& row : rows) {
-        const auto value = std::ranges::find(listed, row.name, &NamedValue::first);
-        if (value == listed.end()) {
-            continue;
-        }
-        const std::string& text = value->second;
-        if (text == row.text(defaults) || std::ranges::find(left_out, row.name) != left_out.end()) {
-            continue;
-        }
-        const QString option = QString::fromStdString(row.option());
-        const bool is_switch = row.placeholder.empty() && text.find(';') == std::string::npos;
-        options << (is_switch ? option : option + QLatin1Char(' ') + QString::fromStdString(text));
-    }
-    return options.join(QLatin1Char(' '));
-}
-
-}  // namespace
-
 QString optionsText(const Settings& settings) {
     return rowsText(analysis_settings(), settings_list(settings),
                     {"algorithm", "window", "hop", "f0"});
 }
 
 QString optionsText(const DriftSettings& settings) {
-    std::vector<NamedValue> listed;
-    for (const SettingRow<DriftSettings>& row : drift_settings()) {
-        listed.emplace_back(row.name, row.text(settings));
-    }
-    return rowsText(drift_settings(), listed);
+    return rowsText(drift_settings(), listed(drift_settings(), settings));
 }
 
 QString optionsText(const IdentifySettings& settings) {
     return rowsText(identify_settings(), settings_list(settings));
+}
+
+std::vector<ReportSubject> reportSubjects(const Document& document) {
+    std::vector<ReportSubject> subjects;
+    const auto add_set = [&](const RecordingSet& set) {
+        const std::vector<RecordingId> recordings = analysed(document, set.recordings);
+        if (!recordings.empty() || isReportedLog(document, set)) {
+            subjects.push_back({setName(document, set), recordings, set.id, false});
+        }
+    };
+    const RecordingEntry* recording = document.currentRecording();
+    const RecordingSet* current = document.sets().current();
+    const bool holds_it =
+        current && (isOfLogs(*current) ||
+                    (recording && std::ranges::find(current->recordings, recording->id) !=
+                                      current->recordings.end()));
+    if (holds_it) {
+        add_set(*current);
+    }
+    if (recording && !analysed(document, {recording->id}).empty()) {
+        subjects.push_back({recording->name, {recording->id}, SetId::none, false});
+    }
+    for (const RecordingSet& set : document.sets().all()) {
+        if (!holds_it || set.id != current->id) {
+            add_set(set);
+        }
+    }
+    std::vector<ReportSubject> sets;
+    std::ranges::copy_if(subjects, std::back_inserter(sets),
+                         [](const ReportSubject& each) { return each.set != SetId::none; });
+    if (sets.size() > 1) {
+        ReportSubject all{ReportWords::tr("All sets"), {}, SetId::none, true};
+        for (const ReportSubject& each : sets) {
+            all.recordings.insert(all.recordings.end(), each.recordings.begin(),
+                                  each.recordings.end());
+        }
+        subjects.push_back(all);
+    }
+    if (document.drift().outcome()) {
+        subjects.push_back({ReportWords::tr("Whole-angle logs alone"), {}, SetId::none, false});
+    }
+    return subjects;
+}
+
+std::vector<ReportContent> reportContentsOf(const Document& document,
+                                            const ReportSubject& subject) {
+    if (!subject.all_sets) {
+        return {reportContentOf(document, subject)};
+    }
+    std::vector<ReportContent> contents;
+    for (const RecordingSet& set : document.sets().all()) {
+        const std::vector<RecordingId> recordings = analysed(document, set.recordings);
+        if (!recordings.empty() || isReportedLog(document, set)) {
+            const QString name = setName(document, set);
+            contents.push_back(reportContentOf(document, {name, recordings, set.id, false}));
+            contents.back().set = name;
+            contents.back().drift.reset();  // sets may be those of several gyros
+            contents.back().chapter = static_cast<int>(contents.size());
+        }
+    }
+    return contents;
+}
+
+ReportContent reportContentOf(const Document& document, const ReportSubject& subject) {
+    ReportContent content;
+    const RecordingSet* set = identifiedSet(document, subject);
+    const ListedSet* listed = set ? set->listed.get() : nullptr;
+    for (const RecordingId id : subject.recordings) {
+        const RecordingEntry& entry = *document.recording(id);
+        ReportRecording told = reportRecording(*entry.recording, entry.sha256);
+        if (entry.faults) {
+            told.check = entry.faults->findings;
+        }
+        if (listed) {
+            if (const auto row = listed->members.find(id); row != listed->members.end()) {
+                told.conditions = conditionsText(row->second.row);
+            }
+        }
+        for (const AnalysisEntry& analysis : document.analyses()) {
+            if (analysis.recording_id == id && isReported(analysis)) {
+                content.analyses.push_back(
+                    {analysis.shown, content.recordings.size(), analysis.summary, analysis.events});
+            }
+        }
+        content.recordings.push_back(std::move(told));
+    }
+    if (set && isReportedLog(document, *set)) {
+        for (const RecordingRef& log : document.sets().outcome(*set)->set.recordings) {
+            content.recordings.push_back(reportLog(log));
+            content.recordings.back().conditions = conditionsText(log);
+        }
+    }
+    content.title.date = measuredOn(content.recordings);
+    content.limits = document.dossier().dossier().limits;
+    content.drift = document.drift().outcome();
+    if (set) {
+        content.title = titleOf(document.sets().measured(*set), content.title);
+        content.absent = absentFiles(*set);
+        content.outcome = document.sets().outcome(*set);
+        content.out_of_date = content.outcome && document.sets().outOfDate(*set, *content.outcome);
+    }
+    return content;
 }
 
 }  // namespace vybeg::ui

@@ -9,8 +9,10 @@
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
+#include "ui/document/document.h"
 #include "ui/document/drift_store.h"
 #include "ui/values/dossier.h"
+#include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
 #include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
@@ -138,5 +140,28 @@ QString optionsText(const Settings& settings);
 QString optionsText(const IdentifySettings& settings);
 
 QString optionsText(const DriftSettings& settings);
+
+// What a report can be about: a set of recordings, one recording, all sets, or the whole-angle
+// logs, which every report but that of all sets holds.
+struct ReportSubject {
+    QString name;
+    std::vector<RecordingId> recordings;  // those that are open
+    SetId set = SetId::none;              // none: one recording, all sets, or logs
+    bool all_sets = false;
+
+    friend bool operator==(const ReportSubject&, const ReportSubject&) = default;
+};
+
+// The current set first where it has the current recording, then the current recording, then the
+// other sets, all sets where there are several, and logs with a drift. Of recordings only those
+// with an analysis that has all its windows.
+std::vector<ReportSubject> reportSubjects(const Document& document);
+
+// What the document holds of a subject: visible analyses, and the newest identification of the set
+// or of the recording alone. Without a title but for the date. All sets are a chapter each.
+std::vector<ReportContent> reportContentsOf(const Document& document, const ReportSubject& subject);
+
+// The same of one set or recording.
+ReportContent reportContentOf(const Document& document, const ReportSubject& subject);
 
 }  // namespace vybeg::ui

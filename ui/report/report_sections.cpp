@@ -3,21 +3,20 @@
 #include "core/output/batch_csv.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/drift/drift_text.h"
-#include "ui/panels/reading.h"
-#include "ui/report/report_figures.h"
-#include "ui/report/report_html.h"
+#include "ui/report/report_parts.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vybeg::ui {
 
@@ -53,6 +52,11 @@ std::vector<QuantityRow> budgetRows(const Identification& found, const DisplayUn
     return rows;
 }
 
+QString absenceText(const ReportContent& content) {
+    return content.not_identified ? errorText(*content.not_identified)
+                                  : ReportWords::tr("It has not been identified.");
+}
+
 namespace {
 
 // Columns of values that a page has room for: all logs together and two of them.
@@ -69,8 +73,8 @@ QString filesOf(const DriftOutcome& outcome) {
     return html(table);
 }
 
-}  // namespace
-
+// The drift of the whole-angle logs: logs, settings, the drift against the angle, its harmonics,
+// and what they say of the resonator. Empty without logs.
 QString wholeAngleSection(const ReportContent& content, bool new_page) {
     if (!content.drift) {
         return {};
@@ -94,8 +98,6 @@ QString wholeAngleSection(const ReportContent& content, bool new_page) {
            quantityTables({}, heldRows(outcome.drift.resonator, content.units), 1) +
            paragraph(channelsText(pick_offs(outcome.settings.tolerance)));
 }
-
-namespace {
 
 // Columns of values that a page has room for.
 constexpr qsizetype most_recordings = 2;
@@ -172,13 +174,8 @@ QString figures(const ReportContent& content) {
                 figureHtml(figureName(content, balance_figure)));
 }
 
-}  // namespace
-
-QString absenceText(const ReportContent& content) {
-    return content.not_identified ? errorText(*content.not_identified)
-                                  : ReportWords::tr("It has not been identified.");
-}
-
+// The result for the page to be signed: values with their expanded uncertainties, limits and
+// verdict.
 QString resultSection(const ReportContent& content) {
     QStringList names;
     for (const ReportRecording& recording : content.recordings) {
@@ -209,6 +206,8 @@ QString resultSection(const ReportContent& content) {
     return text;
 }
 
+// The pages of the resonator: parameters with their uncertainties, rim, drift, budget, modes, and
+// what is known of each recording; or why there are none.
 QString resonatorSection(const ReportContent& content) {
     const QString title = ReportWords::tr("Resonator");
     if (!content.outcome) {
@@ -251,8 +250,6 @@ QString resonatorSection(const ReportContent& content) {
     return text;
 }
 
-namespace {
-
 // Events of an analysis that are listed; of the rest the number.
 constexpr std::size_t most_events = 60;
 
@@ -268,7 +265,8 @@ QString rateText(double rate_hz) {
 }
 
 // The findings as sentences, beyond `most` their number.
-QStringList sentences(const std::vector<Finding>& findings, std::size_t most) {
+QStringList sentences(const std::vector<Finding>& findings,
+                      std::size_t most = std::numeric_limits<std::size_t>::max()) {
     QStringList texts;
     for (std::size_t k = 0; k < std::min(findings.size(), most); ++k) {
         texts << findingText(findings[k]);
@@ -277,10 +275,6 @@ QStringList sentences(const std::vector<Finding>& findings, std::size_t most) {
         texts << moreText(findings.size() - most);
     }
     return texts;
-}
-
-QStringList sentences(const std::vector<Finding>& findings) {
-    return sentences(findings, findings.size());
 }
 
 QString bold(const QString& text) {

@@ -8,18 +8,6 @@
 
 namespace vybeg::ui {
 
-// The drift of the whole-angle logs, as HTML: logs, settings, the drift against the angle, its
-// harmonics, and what they say of the resonator. Empty without logs.
-QString wholeAngleSection(const ReportContent& content, bool new_page);
-
-// The result for the page to be signed: values with their expanded uncertainties, limits and
-// verdict.
-QString resultSection(const ReportContent& content);
-
-// The pages of the resonator, as HTML: parameters with their uncertainties, rim, drift, budget,
-// modes, and what is known of each recording; or why there are none.
-QString resonatorSection(const ReportContent& content);
-
 // Why a content has no identification.
 QString absenceText(const ReportContent& content);
 
@@ -28,7 +16,7 @@ QString absenceText(const ReportContent& content);
 // `made`: when and by which program, a last row; empty: none.
 QString titleBlock(const ReportTitle& title, const QString& made);
 
-// From the recordings to the warnings; figures stand in it by their names (report_figures.h).
+// From the recordings to the warnings; figures stand in it by their names (report_parts.h).
 QString reportSections(const ReportContent& content);
 
 // The uncertainty budget as a table: a row for each given parameter; columns: the statistical

@@ -2,15 +2,15 @@
 
 #include "core/residuals/find_residuals.h"
 #include "ui/document/document.h"
-#include "ui/panels/reading.h"
+#include "ui/panels/measuring.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/shown_residuals.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QComboBox>
 #include <QFileInfo>

@@ -2,8 +2,6 @@
 
 #include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
-#include "ui/words/number_label.h"
-#include "ui/words/unit_text.h"
 
 #include <algorithm>
 #include <cmath>

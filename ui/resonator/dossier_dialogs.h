@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/settings_model.h"
+#include "ui/document/edits.h"
 #include "ui/words/display_units.h"
 
 #include <QDialog>

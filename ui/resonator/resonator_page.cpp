@@ -1,7 +1,6 @@
 #include "ui/resonator/resonator_page.h"
 
 #include "core/output/passport_json.h"
-#include "ui/document/measured_set.h"
 #include "ui/resonator/outcome_views.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/widgets/page_parts.h"

@@ -2,7 +2,6 @@
 
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QFileInfo>
 

@@ -2,11 +2,8 @@
 
 #include "core/output/identify_json.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
-#include "ui/words/number_label.h"
-#include "ui/words/unit_text.h"
 
 #include <QLocale>
 

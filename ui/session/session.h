@@ -2,11 +2,12 @@
 
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
+#include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
 #include "ui/document/analysis_store.h"
 #include "ui/document/document.h"
 #include "ui/document/drift_store.h"
-#include "ui/panels/fitted_trend.h"
+#include "ui/panels/measuring.h"
 #include "ui/plots/track_view.h"
 #include "ui/values/dossier.h"
 #include "ui/values/ids.h"
@@ -14,6 +15,7 @@
 #include "ui/values/zoom_state.h"
 #include "ui/words/display_units.h"
 
+#include <QDir>
 #include <QJsonObject>
 #include <QString>
 
@@ -80,5 +82,23 @@ std::vector<RecordingId> restoreSession(const Session& session, Document& docume
 // What the plots of a session show; for the end of the computations, because plots begin with the
 // whole range of each recording that joins.
 void restoreView(const SessionView& view, TrackView& tracks);
+
+// What the plots of a session show. Values that are missing or out of their range keep their
+// defaults.
+QJsonObject viewToJson(const SessionView& view);
+SessionView viewFromJson(const QJsonObject& json);
+
+inline constexpr int session_schema = 1;
+inline const QString session_schema_key = QStringLiteral("vybeg_session");
+
+// A session as the JSON object of its file; paths relative to `folder` where they lie below it.
+QJsonObject sessionToJson(const Session& session, const QDir& folder);
+
+// The first key whose value is not of the kind that a session has there; empty: none.
+QString misplacedKey(const QJsonObject& json);
+
+// The reverse. Values that are missing keep their defaults. Errors: setting_invalid, for a value
+// that a setting does not take.
+Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder);
 
 }  // namespace vybeg::ui

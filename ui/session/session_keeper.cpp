@@ -2,8 +2,6 @@
 
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/sha256.h"
-#include "ui/document/measured_set.h"
-#include "ui/session/session_json.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -29,6 +29,18 @@ SessionWriter::Disk& disk() {
     return used;
 }
 
+constexpr int interval_ms = 10000;
+constexpr int soon_ms = 500;
+
+QDir folder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                QStringLiteral("/backups"));
+}
+
+QString lockOf(const QString& path) {
+    return path + QStringLiteral(".lock");
+}
+
 }  // namespace
 
 QByteArray digest(const QByteArray& bytes) {
@@ -81,22 +93,6 @@ void SessionWriter::begin() {
             }
         });
 }
-
-namespace {
-
-constexpr int interval_ms = 10000;
-constexpr int soon_ms = 500;
-
-QDir folder() {
-    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-                QStringLiteral("/backups"));
-}
-
-QString lockOf(const QString& path) {
-    return path + QStringLiteral(".lock");
-}
-
-}  // namespace
 
 SessionBackup::SessionBackup(std::function<QJsonObject()> content) : content_(std::move(content)) {
     timer_.setInterval(interval_ms);

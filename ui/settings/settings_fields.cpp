@@ -1,8 +1,7 @@
 #include "ui/settings/settings_fields.h"
 
-#include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -31,49 +30,46 @@ void SettingsFields::setState(const SettingsState& state) {
     refresh();
 }
 
-QLabel* SettingsFields::makeLabel(QWidget* buddy) {
-    auto* label = new QLabel(this);
-    label->setBuddy(buddy);
-    // One width of labels for all groups, so that their fields are aligned.
-    label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Перекрытие")));
-    label->setWordWrap(true);
-    return label;
+void SettingsFields::refresh() {
+    for (const auto& show : shown_) {
+        show();
+    }
 }
 
 NumberField* SettingsFields::makeField(const Texts& texts) {
-    auto* field = new NumberField(this);
+    auto* field = withTexts(new NumberField(this), texts);
     field->setMinimumWidth(least_field);
-    entries_.push_back({nullptr, field, texts});
     return field;
 }
 
 NumberField* SettingsFields::addField(const Texts& texts, const Bounds& limits, double unit) {
     NumberField* field = makeField(texts);
     field->setLimits(limits, unit);
-    entries_.back().label = makeLabel(field);
-    form_->addRow(entries_.back().label, field);
+    auto* label = new QLabel(this);
+    label->setBuddy(field);
+    // One width of labels for all groups, so that their fields are aligned.
+    label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Перекрытие")));
+    label->setWordWrap(true);
+    entries_.back().label = label;
+    form_->addRow(label, field);
     addFaults({field});
     return field;
 }
 
-std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first,
-                                                              const Texts& second) {
-    NumberField* left = makeField(first);
+std::array<NumberField*, 2> SettingsFields::addPair(const Texts& first, const char* second_name,
+                                                    const std::array<Bounds, 2>& limits) {
+    const std::array pair{makeField(first), makeField({"", first.unit, first.tip, second_name})};
     auto* label = new QLabel(this);
-    label->setBuddy(left);
-    entries_.back().label = label;
-    entries_.back().unit_in_label = true;
-    NumberField* right = makeField(second);
-    entries_.back().unit_in_label = true;
-    auto* pair = new QWidget(this);
-    auto* line = fill(new QHBoxLayout(pair), {}, 4, {label, LayoutPart(1)});
-    for (NumberField* field : {left, right}) {
-        field->setFixedWidth(least_field);
-        line->addWidget(field);
+    label->setBuddy(pair[0]);
+    entries_[entries_.size() - 2].label = label;
+    for (std::size_t k = 0; k < pair.size(); ++k) {
+        entries_[entries_.size() - 1 - k].unit_in_label = true;
+        pair[k]->setFixedWidth(least_field);
+        pair[k]->setLimits(limits[k]);
     }
-    form_->addRow(pair);
-    addFaults({left, right});
-    return {left, right};
+    addRow({label, LayoutPart(1), pair[0], pair[1]}, 4);
+    addFaults({pair[0], pair[1]});
+    return pair;
 }
 
 // A line below the fields with their fault.
@@ -107,23 +103,18 @@ NumberField* SettingsFields::faulty() const {
     return nullptr;
 }
 
-void SettingsFields::follow(NumberField* field, std::optional<double> Settings::*member) {
-    field->setOptional(true);
-    connect(field, &NumberField::valueEdited, this, [this, member](auto value) {
-        change([&](Settings& settings) { settings.*member = value; });
-    });
-}
-
 void SettingsFields::addWide(QWidget* widget) {
     form_->addRow(widget);
 }
 
-void SettingsFields::addWide(QWidget* widget, const Texts& texts) {
-    entries_.push_back({nullptr, widget, texts});
-    form_->addRow(widget);
+QWidget* SettingsFields::addRow(LayoutParts parts, int between) {
+    auto* row = new QWidget(this);
+    fill(new QHBoxLayout(row), {}, between, parts);
+    addWide(row);
+    return row;
 }
 
-void SettingsFields::retranslate() {
+void SettingsFields::translate() {
     const auto translated = [this](const char* text) {
         return text && *text ? metaObject()->tr(text, nullptr) : QString();
     };
@@ -139,6 +130,10 @@ void SettingsFields::retranslate() {
         entry.widget->setAccessibleName(entry.texts.name ? translated(entry.texts.name) : label);
         if (auto* field = qobject_cast<NumberField*>(entry.widget)) {
             field->setUnit(entry.unit_in_label ? QString() : translated(entry.texts.unit));
+        } else if (auto* button = qobject_cast<QAbstractButton*>(entry.widget)) {
+            button->setText(label);
+        } else if (auto* sentence = qobject_cast<QLabel*>(entry.widget)) {
+            sentence->setText(label);
         }
     }
     refresh();

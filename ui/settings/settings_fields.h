@@ -3,10 +3,14 @@
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/page_parts.h"
 
-#include <QWidget>
+#include <QAbstractButton>
 
+#include <array>
+#include <functional>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 class QFormLayout;
@@ -39,8 +43,9 @@ signals:
     void edited(const Settings& settings);
 
 protected:
-    // Source texts, marked with QT_TR_NOOP in the class that adds the field. The accessible name is
-    // the label; `name` replaces it where several fields share a label.
+    // Source texts, marked with QT_TR_NOOP in the class that adds the widget: of a button or a
+    // label its own text, of others that of the label beside them. The accessible name is the
+    // label; `name` replaces it where several fields share a label.
     struct Texts {
         const char* label;
         const char* unit;
@@ -54,10 +59,16 @@ protected:
     NumberField* makeField(const Texts& texts);
     void addFaults(const std::vector<NumberField*>& fields);
     // Two fields side by side beside the first one's label, which says their unit.
-    std::pair<NumberField*, NumberField*> addPair(const Texts& first, const Texts& second);
+    std::array<NumberField*, 2> addPair(const Texts& first, const char* second_name,
+                                        const std::array<Bounds, 2>& limits);
+    template <class Widget>
+    Widget* withTexts(Widget* widget, const Texts& texts) {
+        entries_.push_back({nullptr, widget, texts});
+        return widget;
+    }
     void addWide(QWidget* widget);
-    // With a translated tooltip, and the label as its accessible name.
-    void addWide(QWidget* widget, const Texts& texts);
+    // Parts side by side; `between` < 0: as the style has it.
+    QWidget* addRow(LayoutParts parts, int between = -1);
 
     const SettingsState& state() const { return state_; }
     // Emits the settings as an edit changes them.
@@ -67,10 +78,36 @@ protected:
         edit(settings);
         emit edited(settings);
     }
-    // Edits of a field go to a setting that may be missing.
-    void follow(NumberField* field, std::optional<double> Settings::*member);
-    virtual void refresh() = 0;
-    virtual void retranslate();
+    // A field shows a number of the settings, which may be missing, and changes it: that which
+    // `access` returns. `per_unit` units of the field are one of the setting's.
+    template <class Access>
+    void follow(NumberField* field, Access access, double per_unit = 1) {
+        using Number = std::remove_cvref_t<std::invoke_result_t<Access, Settings&>>;
+        field->setOptional(std::is_same_v<Number, std::optional<double>>);
+        shown_.emplace_back([this, field, access, per_unit] {
+            const std::optional<double> number = std::invoke(access, state_.settings);
+            field->setValue(number ? std::optional(*number * per_unit) : std::nullopt);
+        });
+        connect(field, &NumberField::valueEdited, this, [this, access, per_unit](auto value) {
+            change([&](Settings& settings) {
+                std::invoke(access, settings) = value ? Number(*value / per_unit) : Number{};
+            });
+        });
+    }
+    template <class Access>
+    void follow(QAbstractButton* box, Access access) {
+        shown_.emplace_back(
+            [this, box, access] { box->setChecked(std::invoke(access, state_.settings)); });
+        connect(box, &QAbstractButton::clicked, this, [this, access](bool on) {
+            change([&](Settings& settings) { std::invoke(access, settings) = on; });
+        });
+    }
+    // What is called for each state, and in each language.
+    void whenShown(std::function<void()> show) { shown_.push_back(std::move(show)); }
+    // At the end of a group's constructor.
+    void begin() {
+        keepTranslated(*this, [this] { translate(); });
+    }
 
 private:
     struct Entry {
@@ -79,11 +116,13 @@ private:
         Texts texts;
         bool unit_in_label = false;
     };
-    QLabel* makeLabel(QWidget* buddy);
+    void translate();
+    void refresh();
 
     QFormLayout* form_;
     SettingsState state_;
     std::vector<Entry> entries_;
+    std::vector<std::function<void()>> shown_;
 };
 
 }  // namespace vybeg::ui

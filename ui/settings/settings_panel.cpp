@@ -1,8 +1,7 @@
 #include "ui/settings/settings_panel.h"
 
 #include "ui/document/document.h"
-#include "ui/settings/estimation_fields.h"
-#include "ui/settings/signal_fields.h"
+#include "ui/settings/settings_groups.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
@@ -10,7 +9,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -70,7 +68,14 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
 
     scroll_ = scrolled(content, this);
     scroll_->setFocusPolicy(Qt::NoFocus);
-    content->installEventFilter(this);
+    // The panel grows instead of cutting its fields, which change with the language and with what
+    // is open.
+    whenChanged(*content, {QEvent::LayoutRequest}, [this, content] {
+        const int needed =
+            content->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width();
+        setFixedWidth(std::max(least_width, needed));
+    });
+    whenChanged(*this, {QEvent::Resize}, [this] { unfold(); });
 
     stale_ = withName(new QLabel(this), "stale");
     stale_->setWordWrap(true);
@@ -149,25 +154,6 @@ void SettingsPanel::refresh() {
         group.fields->setState(state);
     }
     analyse_->setEnabled(state.rate_hz.has_value());
-}
-
-// The panel grows instead of cutting its fields.
-void SettingsPanel::fitWidth() {
-    const int needed = scroll_->widget()->minimumSizeHint().width() +
-                       scroll_->verticalScrollBar()->sizeHint().width();
-    setFixedWidth(std::max(least_width, needed));
-}
-
-bool SettingsPanel::eventFilter(QObject* groups, QEvent* event) {
-    if (event->type() == QEvent::LayoutRequest) {
-        fitWidth();
-    }
-    return QWidget::eventFilter(groups, event);
-}
-
-void SettingsPanel::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    unfold();
 }
 
 // Sections that begin folded are open where the window has room for them, the last one first: what

@@ -33,11 +33,6 @@ signals:
     // A field with a fault is to be seen.
     void wanted();
 
-protected:
-    // Of the groups, whose fields change with the language and with what is open.
-    bool eventFilter(QObject* groups, QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     struct Group {
         Section* section;
@@ -49,7 +44,6 @@ private:
     void add(SettingsFields* fields, const char* title, bool open);
     void refresh();
     void showStaleness();
-    void fitWidth();
     void unfold();
     void retranslate();
 

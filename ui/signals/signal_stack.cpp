@@ -2,7 +2,7 @@
 
 #include "ui/plots/envelope_paint.h"
 #include "ui/plots/plot_strip.h"
-#include "ui/words/number_label.h"
+#include "ui/words/display_units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "ui/document/document.h"
 #include "ui/signals/signal_stack.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QLabel>
 #include <QLayout>

@@ -1,9 +1,7 @@
 #include "ui/sweep/shown_sweep.h"
 
 #include "ui/words/error_text.h"
-#include "ui/words/number_label.h"
 #include "ui/words/rich_text.h"
-#include "ui/words/unit_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,10 +8,10 @@
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/widgets/quantity_table.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
-#include "ui/words/unit_text.h"
 
 #include <QCheckBox>
 #include <QClipboard>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/setting_rows.h"
+#include "core/recording/samples/open_options.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -178,6 +179,24 @@ Result<S> settingsFromJson(const std::vector<SettingRow<S>>& rows, const QJsonOb
         }
     }
     return settings;
+}
+
+// Options of opening; unset ones are omitted.
+inline QJsonObject optionsToJson(const OpenOptions& options) {
+    QJsonObject json;
+    describe(JsonWriter(json), options);
+    return json;
+}
+
+// The reverse; missing values and values of another type remain unset.
+inline OpenOptions optionsFromJson(const QJsonObject& json) {
+    OpenOptions options;
+    describe(JsonReader(json), options);
+    // Earlier versions kept the scale with the layout or the choice.
+    for (const char* part : {"raw", "text"}) {
+        options.scale *= json[QLatin1String(part)].toObject()[QStringLiteral("scale")].toDouble(1);
+    }
+    return options;
 }
 
 }  // namespace vybeg::ui

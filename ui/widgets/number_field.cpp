@@ -107,32 +107,21 @@ NumberField::Reading NumberField::read() const {
     if (text().trimmed().isEmpty()) {
         return {std::nullopt, optional_ ? QString() : tr("A number is needed.")};
     }
-    const auto number = readNumber(text());
-    return {number, refusalOf(number)};
-}
-
-QString NumberField::refusalOf(std::optional<double> number) const {
     const QLocale locale;
+    const auto number = readNumber(text());
+    QString refusal;
     if (!number) {
-        return tr("“%1” is no number.").arg(text().trimmed());
+        refusal = tr("“%1” is no number.").arg(text().trimmed());
+    } else if (integer_ && std::floor(*number) != *number) {
+        refusal = tr("A whole number is needed.");
+    } else if (*number < lowest_) {
+        refusal = lowest_ == std::numeric_limits<double>::min()
+                      ? tr("A number above zero is needed.")
+                      : tr("At least %1 is needed.").arg(locale.toString(lowest_, 'g', digits_));
+    } else if (*number > highest_) {
+        refusal = tr("At most %1 is possible.").arg(locale.toString(highest_, 'g', digits_));
     }
-    if (integer_ && std::floor(*number) != *number) {
-        return tr("A whole number is needed.");
-    }
-    if (*number < lowest_) {
-        if (lowest_ == std::numeric_limits<double>::min()) {
-            return tr("A number above zero is needed.");
-        }
-        return tr("At least %1 is needed.").arg(locale.toString(lowest_, 'g', digits_));
-    }
-    if (*number > highest_) {
-        return tr("At most %1 is possible.").arg(locale.toString(highest_, 'g', digits_));
-    }
-    return {};
-}
-
-bool NumberField::isValid() const {
-    return read().refusal.isEmpty();
+    return {number, refusal};
 }
 
 void NumberField::commit() {
@@ -220,10 +209,6 @@ void NumberField::setPlaceholderText(const QString& text) {
 bool NumberField::showsUnit() const {
     return !unit_.isEmpty() && (!text().isEmpty() || placeholderText().isEmpty() ||
                                 readNumber(placeholderText()).has_value());
-}
-
-void NumberField::makeRoom() {
-    setTextMargins(0, 0, showsUnit() ? unitWidth() : 0, 0);
 }
 
 int NumberField::unitWidth() const {

@@ -50,7 +50,7 @@ public:
     // Sets the reason for which the value contradicts other fields.
     void setConflict(const QString& sentence);
     // Whether the present text is acceptable.
-    bool isValid() const;
+    bool isValid() const { return read().refusal.isEmpty(); }
 
     QSize minimumSizeHint() const override;
     QSize sizeHint() const override { return minimumSizeHint(); }
@@ -71,12 +71,11 @@ private:
         QString refusal;  // empty: a value
     };
     Reading read() const;
-    QString refusalOf(std::optional<double> number) const;
     bool isForTheWindow(const QKeyEvent& key) const;
     void setRefusal(const QString& sentence);
     void showValue();
     bool showsUnit() const;
-    void makeRoom();
+    void makeRoom() { setTextMargins(0, 0, showsUnit() ? unitWidth() : 0, 0); }
     int unitWidth() const;
 
     QString unit_;

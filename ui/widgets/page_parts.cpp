@@ -4,7 +4,6 @@
 
 #include <QAbstractSpinBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -139,14 +138,6 @@ Section::Section(QWidget* content, QWidget* parent)
 void Section::setTitle(const QString& title) {
     title_->setText(title);
     title_->setToolTip(tr("Folds this part away, and opens it again"));
-}
-
-void Section::setOpen(bool open) {
-    title_->setChecked(open);
-}
-
-bool Section::isOpen() const {
-    return title_->isChecked();
 }
 
 void whenChanged(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react) {

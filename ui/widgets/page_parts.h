@@ -79,8 +79,8 @@ public:
     explicit Section(QWidget* content, QWidget* parent = nullptr);
 
     void setTitle(const QString& title);
-    void setOpen(bool open);
-    bool isOpen() const;
+    void setOpen(bool open) { title_->setChecked(open); }
+    bool isOpen() const { return title_->isChecked(); }
 
 signals:
     // By a person.

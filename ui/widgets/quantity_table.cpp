@@ -88,7 +88,7 @@ QuantityCell measuredCell(double value, double sd, const QColor& color) {
     return {valueText(value, sd), {cellNumber(value), cellNumber(sd)}, color};
 }
 
-QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new QAction(this)) {
+QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent) {
     setItemDelegate(new WrappingDelegate(this));
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(8);
@@ -104,12 +104,13 @@ QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new 
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setContextMenuPolicy(Qt::ActionsContextMenu);
-    copy_->setShortcut(QKeySequence::Copy);
-    copy_->setShortcutContext(Qt::WidgetShortcut);
-    addAction(copy_);
-    connect(copy_, &QAction::triggered, this,
+    auto* copy = new QAction(this);
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    addAction(copy);
+    connect(copy, &QAction::triggered, this,
             [this] { QGuiApplication::clipboard()->setText(tableText()); });
-    keepTranslated(*this, [this] { retranslate(); });
+    keepTranslated(*this, [copy] { copy->setText(tr("Copy table")); });
 }
 
 void QuantityTable::setContent(const QStringList& headers, const std::vector<QuantityRow>& rows) {
@@ -144,13 +145,9 @@ QString QuantityTable::tableText() const {
     QStringList lines;
     QStringList head{QString()};
     for (int column = 0; column < headers_.size() && !rows_.empty(); ++column) {
-        head << headers_[column];
-        if (rows_.front().cells[static_cast<std::size_t>(column)].exact.size() > 1) {
-            head << tr("sd");
-        }
-        if (rows_.front().cells[static_cast<std::size_t>(column)].exact.size() > 2) {
-            head << tr("u");
-        }
+        const QStringList all{headers_[column], tr("sd"), tr("u")};
+        const auto& exact = rows_.front().cells[static_cast<std::size_t>(column)].exact;
+        head << all.mid(0, std::max(qsizetype(1), exact.size()));
     }
     if (headers_.isEmpty()) {
         head << tr("value") << tr("sd") << tr("u");
@@ -282,10 +279,6 @@ void QuantityTable::layOutAround() {
             layout->activate();
         }
     }
-}
-
-void QuantityTable::retranslate() {
-    copy_->setText(tr("Copy table"));
 }
 
 }  // namespace vybeg::ui

@@ -8,8 +8,6 @@
 
 #include <vector>
 
-class QAction;
-
 namespace vybeg::ui {
 
 // Draws the texts of a table with subscripts, in as many lines as needed. The table sets the
@@ -72,11 +70,9 @@ private:
     int leastWidth(int column) const;
     int headerHeight() const;
     void narrow(std::vector<int>& widths, int excess) const;
-    void retranslate();
 
     QStringList headers_;
     std::vector<QuantityRow> rows_;
-    QAction* copy_;
 };
 
 }  // namespace vybeg::ui

@@ -199,19 +199,14 @@ double contrast(const QColor& a, const QColor& b) {
 }
 
 QColor inkColor(Ink ink, int style, const Theme& theme, int shades) {
-    switch (ink) {
-        case Ink::style: {
-            const CurveStyle curve = curveStyle(style);
-            return readable(curve.color, theme, curve.shade + shades);
-        }
-        case Ink::text: return theme.text;
-        case Ink::muted: return theme.mutedText;
-        case Ink::channel_c: return theme.signalC;
-        case Ink::channel_d: return theme.signalD;
-        case Ink::accent: return theme.accent;
-        case Ink::warning: return theme.warning;
+    // Those behind Ink::style.
+    static constexpr std::array colors{&Theme::text,    &Theme::mutedText, &Theme::signalC,
+                                       &Theme::signalD, &Theme::accent,    &Theme::warning};
+    if (ink == Ink::style) {
+        const CurveStyle curve = curveStyle(style);
+        return readable(curve.color, theme, curve.shade + shades);
     }
-    return {};
+    return theme.*colors.at(static_cast<std::size_t>(ink) - 1);
 }
 
 QIcon themedIcon(const QString& name, const QPalette& palette) {

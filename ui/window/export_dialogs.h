@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/plots/plot_file.h"
-#include "ui/report/document_report.h"
+#include "ui/report/report_content.h"
 
 #include <QDialog>
 

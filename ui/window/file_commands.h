@@ -3,7 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/history/history_export.h"
 #include "ui/plots/plot_file.h"
-#include "ui/report/report_pdf.h"
+#include "ui/report/report_document.h"
 #include "ui/values/ids.h"
 
 #include <QObject>

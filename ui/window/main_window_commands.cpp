@@ -3,7 +3,7 @@
 #include "ui/panels/ledger.h"
 #include "ui/plots/figure.h"
 #include "ui/plots/track_view.h"
-#include "ui/report/document_report.h"
+#include "ui/report/report_content.h"
 #include "ui/resonator/dossier_dialogs.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/signals/signals_page.h"

@@ -6,7 +6,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
 #include "ui/resonator/resonator_page.h"
-#include "ui/session/session_json.h"
+#include "ui/session/session.h"
 #include "ui/session/session_keeper.h"
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"

@@ -2,9 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/output/quantity_text.h"
-#include "ui/words/number_label.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -15,11 +13,65 @@
 #include <utility>
 
 namespace vybeg::ui {
-namespace {
 
-double amplitudeFactor(const DisplayUnits& units) {
-    return units.amplitude == AmplitudeUnit::volts ? units.volts_per_unit : 1;
+QString groupedDigits(const QString& number) {
+    constexpr qsizetype group = 3;
+    constexpr qsizetype undivided = 4;
+    QString text;
+    bool fraction = false;
+    for (qsizetype begin = 0, end = 0; begin < number.size(); begin = end) {
+        while (end < number.size() && number[end].isDigit()) {
+            ++end;
+        }
+        const qsizetype digits = end - begin;
+        for (qsizetype k = 0; k < digits; ++k) {
+            if (k > 0 && digits > undivided && (fraction ? k : digits - k) % group == 0) {
+                text += QChar(0x202f);
+            }
+            text += number[begin + k];
+        }
+        if (end < number.size()) {
+            fraction = number[end] == '.' || number[end] == ',';
+            text += number[end++];
+        }
+    }
+    return text;
 }
+
+QString numberLabel(double value, int decimals) {
+    // What rounds to zero is zero, not minus zero.
+    const double shown = std::abs(value) < 0.5 * std::pow(10., -decimals) ? 0 : value;
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return groupedDigits(locale.toString(shown, 'f', decimals)).replace('-', QChar(0x2212));
+}
+
+QString countLabel(std::int64_t count) {
+    return numberLabel(static_cast<double>(count), 0);
+}
+
+QString powerOfTen(int exponent) {
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = QStringLiteral("10");
+    for (const QChar c : QString::number(exponent)) {
+        text += c == '-' ? QChar(0x207b) : digits[c.digitValue()];
+    }
+    return text;
+}
+
+QString siPrefix(int exponent) {
+    static constexpr std::array<const char*, 10> prefixes{
+        QT_TRANSLATE_NOOP("SiPrefix", "f"), QT_TRANSLATE_NOOP("SiPrefix", "p"),
+        QT_TRANSLATE_NOOP("SiPrefix", "n"), QT_TRANSLATE_NOOP("SiPrefix", "µ"),
+        QT_TRANSLATE_NOOP("SiPrefix", "m"), "",
+        QT_TRANSLATE_NOOP("SiPrefix", "k"), QT_TRANSLATE_NOOP("SiPrefix", "M"),
+        QT_TRANSLATE_NOOP("SiPrefix", "G"), QT_TRANSLATE_NOOP("SiPrefix", "T")};
+    const int place = exponent / 3 + 5;
+    const char* prefix = prefixes[static_cast<std::size_t>(place)];
+    return *prefix ? QCoreApplication::translate("SiPrefix", prefix) : QString();
+}
+
+namespace {
 
 QString textOf(const QuantityText& quantity) {
     const auto localised = [](const std::string& number) {
@@ -46,6 +98,8 @@ QString textOf(const QuantityText& quantity) {
 struct Unit {
     const char* name = "";
     bool takes_prefix = false;
+    const char* before = "";  // the symbol
+    const char* behind = "";
 };
 
 // In the order of the enumerations.
@@ -54,10 +108,11 @@ constexpr std::array<Unit, 3> amplitude_units{Unit{},
                                               {QT_TRANSLATE_NOOP("DisplayUnits", "dB"), false}};
 constexpr std::array<Unit, 2> angle_units{Unit{QT_TRANSLATE_NOOP("DisplayUnits", "rad"), true},
                                           {"°", false}};
-constexpr std::array<Unit, 4> frequency_units{Unit{QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true},
-                                              {QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"), true},
-                                              {QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true},
-                                              {QT_TRANSLATE_NOOP("DisplayUnits", "ppm"), false}};
+constexpr std::array<Unit, 4> frequency_units{
+    Unit{QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true, "", "/2π"},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"), true},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true, "", "/2π − f_0"},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "ppm"), false, "Δ", "/ω_0"}};
 
 Unit unitOf(SlowVariable variable, const DisplayUnits& units) {
     switch (info(variable).quantity) {
@@ -84,7 +139,7 @@ DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, doub
     switch (info(variable).quantity) {
         case Quantity::amplitude:
             scale.decibels = units.amplitude == AmplitudeUnit::decibels;
-            scale.factor = amplitudeFactor(units);
+            scale.factor = units.amplitude == AmplitudeUnit::volts ? units.volts_per_unit : 1;
             scale.logarithmic = variable == SlowVariable::a_A && units.log_a_A && !scale.decibels;
             break;
         case Quantity::angle:
@@ -107,18 +162,9 @@ DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, doub
 }
 
 QString displaySymbol(SlowVariable variable, const DisplayUnits& units) {
-    const QString symbol = QString::fromUtf8(info(variable).symbol);
-    if (info(variable).quantity != Quantity::frequency) {
-        return symbol;
-    }
-    switch (units.frequency) {
-        case FrequencyUnit::hertz: return symbol + QStringLiteral("/2π");
-        case FrequencyUnit::radians_per_second: return symbol;
-        case FrequencyUnit::deviation_hertz: return symbol + QStringLiteral("/2π − f_0");
-        case FrequencyUnit::deviation_ppm:
-            return QStringLiteral("Δ") + symbol + QStringLiteral("/ω_0");
-    }
-    return symbol;
+    const Unit unit = unitOf(variable, units);
+    return QString::fromUtf8(unit.before) + QString::fromUtf8(info(variable).symbol) +
+           QString::fromUtf8(unit.behind);
 }
 
 QString displayUnit(SlowVariable variable, const DisplayUnits& units) {
@@ -176,6 +222,43 @@ QString valueText(double value, double sd, double u) {
         return QStringLiteral("—");
     }
     return textOf(quantity_text(value, sd, u));
+}
+
+QString exactText(double value) {
+    return std::isnan(value) ? QString()
+                             : QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString unitText(const char* unit) {
+    // Those that core/ gives with its parameters and in its warnings.
+    static constexpr std::array<const char*, 9> known{
+        QT_TRANSLATE_NOOP("Resonator", "Hz"),
+        QT_TRANSLATE_NOOP("Resonator", "s"),
+        QT_TRANSLATE_NOOP("Resonator", "1/s"),
+        QT_TRANSLATE_NOOP("Resonator", "Hz per squared unit"),
+        QT_TRANSLATE_NOOP("Resonator", "rad"),
+        QT_TRANSLATE_NOOP("Resonator", "deg"),
+        QT_TRANSLATE_NOOP("Resonator", "deg/h"),
+        QT_TRANSLATE_NOOP("Resonator", "ns"),
+        QT_TRANSLATE_NOOP("Resonator", "ppm")};
+    for (const char* each : known) {
+        if (QLatin1String(each) == QLatin1String(unit)) {
+            return ResonatorWords::tr(each);
+        }
+    }
+    return QString::fromLatin1(unit);
+}
+
+QString withUnit(const QString& name, const QString& unit) {
+    return unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit);
+}
+
+QString channelUnit(const Recording& recording) {
+    const auto unit = [&](int channel) {
+        return recording.channels[static_cast<std::size_t>(channel - 1)].unit;
+    };
+    const std::string of_c = unit(recording.channel_c);
+    return of_c == unit(recording.channel_d) ? QString::fromStdString(of_c) : QString();
 }
 
 }  // namespace vybeg::ui

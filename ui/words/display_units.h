@@ -1,11 +1,31 @@
 #pragma once
 
 #include "core/base/describe.h"
+#include "core/recording/samples/recording.h"
 #include "core/track/track.h"
 
+#include <QCoreApplication>
 #include <QString>
 
+#include <cstdint>
+
 namespace vybeg::ui {
+
+// Runs of more than four digits of a number, before and behind its decimal sign, in groups of
+// three: "5300.000 171 7". The gap is a narrow no-break space, which number fields read over.
+QString groupedDigits(const QString& number);
+
+// Numbers as they stand beside an axis: the default locale's decimal sign, a true minus, digits in
+// groups.
+QString numberLabel(double value, int decimals);
+// A number of things.
+QString countLabel(std::int64_t count);
+
+// "10⁻³".
+QString powerOfTen(int exponent);
+
+// The SI prefix of an exponent that is a multiple of 3 in [-15, 12], translated: "m" for -3.
+QString siPrefix(int exponent);
 
 enum class FrequencyUnit { hertz, radians_per_second, deviation_hertz, deviation_ppm };
 enum class AngleUnit { radians, degrees };
@@ -76,5 +96,17 @@ QString valueText(double value, double sd);
 QString conciseText(double value, double sd);
 // With a combined uncertainty behind it where that differs: "1.00034 ± 0.00005 (u 0.0003)".
 QString valueText(double value, double sd, double u);
+// With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.
+QString exactText(double value);
+
+// Texts of context "Resonator", and a unit as core/ names it, in the interface's language.
+struct ResonatorWords {
+    Q_DECLARE_TR_FUNCTIONS(Resonator)
+};
+QString unitText(const char* unit);
+QString withUnit(const QString& name, const QString& unit);
+
+// The unit of both channels; empty where they have none, or two.
+QString channelUnit(const Recording& recording);
 
 }  // namespace vybeg::ui

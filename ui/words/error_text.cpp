@@ -1,10 +1,7 @@
 #include "ui/words/error_text.h"
 
-#include "core/base/diagnostic.h"
-#include "core/base/error.h"
 #include "core/base/number_text.h"
-#include "ui/words/number_label.h"
-#include "ui/words/unit_text.h"
+#include "ui/words/display_units.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -19,14 +16,6 @@ namespace {
 
 struct FindingWords {
     Q_DECLARE_TR_FUNCTIONS(Finding)
-};
-
-struct FlagWords {
-    Q_DECLARE_TR_FUNCTIONS(Flag)
-};
-
-struct EventWords {
-    Q_DECLARE_TR_FUNCTIONS(Event)
 };
 
 // A number as core/ writes it ("-2.03e+04"), with the interface's decimal sign, a minus and a power
@@ -94,18 +83,6 @@ QString partText(const FormatPart& part) {
     return {};
 }
 
-}  // namespace
-
-QString errorText(const Error& error) {
-    return filled("Message", message_row(error.code).sentence, message_args(error));
-}
-
-QString diagnosticText(const Diagnostic& diagnostic) {
-    return filled("Message", message_row(diagnostic.kind).sentence, diagnostic.args);
-}
-
-namespace {
-
 // What the sentence of the first leaves out; empty: nothing.
 QString restText(const Finding& finding) {
     const auto others = static_cast<int>(finding.more.size());
@@ -122,6 +99,14 @@ QString restText(const Finding& finding) {
 }
 
 }  // namespace
+
+QString errorText(const Error& error) {
+    return filled("Message", message_row(error.code).sentence, message_args(error));
+}
+
+QString diagnosticText(const Diagnostic& diagnostic) {
+    return filled("Message", message_row(diagnostic.kind).sentence, diagnostic.args);
+}
 
 QString findingText(const Finding& finding) {
     const QString about = QString::fromStdString(about_text(finding));
@@ -152,16 +137,16 @@ QString flagsText(Flags flags) {
             reasons << text;
         }
     };
-    add(Flag::no_quadrature, FlagWords::tr("a_B is not estimated"));
-    add(Flag::circular, FlagWords::tr("circular wave: no angle"));
-    add(Flag::gap, FlagWords::tr("samples are missing"));
-    add(Flag::clipped, FlagWords::tr("samples at the rail"));
-    add(Flag::filter_transient, FlagWords::tr("transient of the band-pass"));
-    add(Flag::delay_reach, FlagWords::tr("the delay reaches beyond the samples"));
-    add(Flag::leakage, FlagWords::tr("leakage above one standard deviation"));
-    add(Flag::moving, FlagWords::tr("the wave moves inside the window"));
-    add(Flag::not_converged, FlagWords::tr("not converged"));
-    add(Flag::at_bound, FlagWords::tr("frequency at its bound"));
+    add(Flag::no_quadrature, FindingWords::tr("a_B is not estimated"));
+    add(Flag::circular, FindingWords::tr("circular wave: no angle"));
+    add(Flag::gap, FindingWords::tr("samples are missing"));
+    add(Flag::clipped, FindingWords::tr("samples at the rail"));
+    add(Flag::filter_transient, FindingWords::tr("transient of the band-pass"));
+    add(Flag::delay_reach, FindingWords::tr("the delay reaches beyond the samples"));
+    add(Flag::leakage, FindingWords::tr("leakage above one standard deviation"));
+    add(Flag::moving, FindingWords::tr("the wave moves inside the window"));
+    add(Flag::not_converged, FindingWords::tr("not converged"));
+    add(Flag::at_bound, FindingWords::tr("frequency at its bound"));
     return reasons.join(QStringLiteral("; "));
 }
 
@@ -180,18 +165,19 @@ QString eventText(const Event& event) {
                 angle = halves == 2 ? sign + QStringLiteral("π")
                                     : sign + QStringLiteral("%1π").arg(halves / 2);
             }
-            return event.direction > 0 ? EventWords::tr("2θ_A passes %1, rising").arg(angle)
-                                       : EventWords::tr("2θ_A passes %1, falling").arg(angle);
+            return event.direction > 0 ? FindingWords::tr("2θ_A passes %1, rising").arg(angle)
+                                       : FindingWords::tr("2θ_A passes %1, falling").arg(angle);
         }
-        case EventKind::gap: return EventWords::tr("Samples are missing, %1 s").arg(seconds());
-        case EventKind::clipped: return EventWords::tr("Clipped, %1 s").arg(seconds());
-        case EventKind::not_converged: return EventWords::tr("Not converged, %1 s").arg(seconds());
+        case EventKind::gap: return FindingWords::tr("Samples are missing, %1 s").arg(seconds());
+        case EventKind::clipped: return FindingWords::tr("Clipped, %1 s").arg(seconds());
+        case EventKind::not_converged:
+            return FindingWords::tr("Not converged, %1 s").arg(seconds());
         case EventKind::filter_transient:
-            return EventWords::tr("Transient of the band-pass, %1 s").arg(seconds());
+            return FindingWords::tr("Transient of the band-pass, %1 s").arg(seconds());
         case EventKind::delay_reach:
-            return EventWords::tr("The delay reaches beyond the samples, %1 s").arg(seconds());
+            return FindingWords::tr("The delay reaches beyond the samples, %1 s").arg(seconds());
         case EventKind::moving:
-            return EventWords::tr("The wave moves inside its windows, %1 s").arg(seconds());
+            return FindingWords::tr("The wave moves inside its windows, %1 s").arg(seconds());
     }
     return {};
 }

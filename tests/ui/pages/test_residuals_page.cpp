@@ -6,7 +6,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/residuals_page.h"
-#include "ui/words/number_label.h"
+#include "ui/words/display_units.h"
 
 #include <QClipboard>
 #include <QComboBox>

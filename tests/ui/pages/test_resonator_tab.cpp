@@ -12,7 +12,7 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/set_panel.h"
-#include "ui/settings/signal_fields.h"
+#include "ui/settings/settings_groups.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/window/file_commands.h"

@@ -5,7 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/sweep/sweep_page.h"
-#include "ui/words/number_label.h"
+#include "ui/words/display_units.h"
 
 #include <QApplication>
 #include <QClipboard>

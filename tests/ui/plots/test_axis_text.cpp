@@ -3,7 +3,6 @@
 #include "tests/test_registry.h"
 #include "ui/plots/axis_ticks.h"
 #include "ui/words/display_units.h"
-#include "ui/words/number_label.h"
 #include "ui/words/rich_text.h"
 
 #include <QTextDocumentFragment>

@@ -4,7 +4,7 @@
 #include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/track_view.h"
-#include "ui/session/session_json.h"
+#include "ui/session/session.h"
 #include "ui/session/session_keeper.h"
 #include "ui/signals/signals_page.h"
 #include "ui/window/file_commands.h"

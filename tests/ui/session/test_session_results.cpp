@@ -4,7 +4,7 @@
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
 #include "ui/resonator/resonator_page.h"
-#include "ui/session/session_json.h"
+#include "ui/session/session.h"
 #include "ui/session/session_keeper.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/window/file_commands.h"

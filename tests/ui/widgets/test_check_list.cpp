@@ -1,7 +1,7 @@
 // What the check of a recording says.
 #include "core/base/diagnostic.h"
 #include "tests/test_registry.h"
-#include "ui/widgets/check_list.h"
+#include "ui/panels/findings_flag.h"
 
 #include <QLabel>
 #include <QTextBrowser>

@@ -6,8 +6,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/import/import_fields.h"
-#include "ui/settings/estimation_fields.h"
-#include "ui/settings/signal_fields.h"
+#include "ui/settings/settings_groups.h"
 
 #include <QComboBox>
 #include <QSpinBox>

@@ -1,10 +1,16 @@
-#include "ui/report/report_pdf.h"
+#include "ui/report/report_document.h"
 
 #include "core/output/output_file.h"
+#include "ui/report/report_sections.h"
+#include "ui/resonator/parameter_text.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/words/display_units.h"
+#include "ui/words/rich_text.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QFontDatabase>
 #include <QGuiApplication>
 #include <QPageLayout>
@@ -28,6 +34,35 @@
 namespace vybeg::ui {
 
 namespace {
+
+QString madeText(const QString& program, QDate made) {
+    return QStringLiteral("%1, %2").arg(made.toString(Qt::ISODate), program);
+}
+
+// "Set, gyro" where they differ.
+QString nameOf(const ReportContent& content) {
+    const QString& gyro = content.title.gyro;
+    return gyro.isEmpty() || gyro == content.set ? content.set
+                                                 : QStringLiteral("%1, %2").arg(content.set, gyro);
+}
+
+QStringList lineOf(const ReportContent& content) {
+    QStringList cells{nameOf(content).toHtmlEscaped(), chapterMark(content.chapter)};
+    if (!content.outcome) {
+        return cells << richText(absenceText(content));
+    }
+    const ResonatorEstimate& resonator = content.outcome->identification.fit.resonator;
+    const auto add = [&cells](const Estimate& estimate, double factor) {
+        cells << (estimate.given()
+                      ? valueText(factor * estimate.value, factor * estimate.uncertainty())
+                      : QStringLiteral("—"));
+    };
+    add(resonator.f_mean_hz, 1);
+    add(resonator.split_hz, 1);
+    add(resonator.theta_w_rad, angleFactor(content.units));
+    add(resonator.q, 1);
+    return cells;
+}
 
 constexpr int resolution = 1200;
 constexpr double scale = resolution / pixels_per_inch;  // device pixels of a pixel
@@ -57,37 +92,37 @@ class Figures : public QObject, public QTextObjectInterface {
     Q_INTERFACES(QTextObjectInterface)
 
 public:
-    explicit Figures(const std::vector<ReportPicture>& pictures) : pictures_(pictures) {}
+    explicit Figures(const std::vector<ReportFigure>& figures) : figures_(figures) {}
 
     QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat& format) override {
-        const ReportPicture* picture = find(format);
-        return picture ? picture->paper * scale : QSizeF();
+        const ReportFigure* figure = find(format);
+        return figure ? figure->paper * scale : QSizeF();
     }
 
     void drawObject(QPainter* painter, const QRectF& room, QTextDocument*, int,
                     const QTextFormat& format) override {
-        if (const ReportPicture* picture = find(format)) {
-            QPicture own = picture->picture;
+        if (const ReportFigure* figure = find(format)) {
+            QPicture own = figure->picture;
             // What a picture itself scales by as it is played.
             const double own_scale =
                 double(painter->device()->logicalDpiX()) / double(own.logicalDpiX());
             painter->save();
             painter->translate(room.topLeft());
-            painter->scale(room.width() / (own_scale * picture->drawn.width()),
-                           room.height() / (own_scale * picture->drawn.height()));
+            painter->scale(room.width() / (own_scale * figure->drawn.width()),
+                           room.height() / (own_scale * figure->drawn.height()));
             painter->drawPicture(0, 0, own);
             painter->restore();
         }
     }
 
 private:
-    const ReportPicture* find(const QTextFormat& format) const {
+    const ReportFigure* find(const QTextFormat& format) const {
         const auto found =
-            std::ranges::find(pictures_, format.toImageFormat().name(), &ReportPicture::name);
-        return found == pictures_.end() ? nullptr : &*found;
+            std::ranges::find(figures_, format.toImageFormat().name(), &ReportFigure::name);
+        return found == figures_.end() ? nullptr : &*found;
     }
 
-    const std::vector<ReportPicture>& pictures_;
+    const std::vector<ReportFigure>& figures_;
 };
 
 int pageOf(const QTextDocument& document, const QTextBlock& block) {
@@ -310,9 +345,108 @@ QByteArray metadata(const ReportText& text) {
         .toUtf8();
 }
 
+ReportText textOf(const std::vector<ReportContent>& contents, const QString& about) {
+    const QString program = QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
+    const QDate made = reportDay();
+    if (contents.size() == 1) {
+        return reportTextOf(contents.front(), program, made);
+    }
+    std::vector<ReportChapter> chapters;
+    std::ranges::transform(contents, std::back_inserter(chapters), chapterOf);
+    return reportTextOf(about, chapters, contents.front().units, program, made);
+}
+
 }  // namespace
 
-QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& pictures) {
+ReportText framedReport(const QString& report, const QString& about, const QString& program) {
+    ReportText text;
+    text.title = QStringLiteral("%1: %2").arg(report, about);
+    text.program = program;
+    text.head = text.title;
+    text.foot = ReportWords::tr("Page %1 of %2");
+    text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped());
+    return text;
+}
+
+QDate reportDay() {
+    bool told = false;
+    const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&told);
+    const QDate day = QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC).date();
+    return told && day.isValid() ? day : QDate::currentDate();
+}
+
+ReportText reportTextOf(const ReportContent& content, const QString& program, QDate made) {
+    QString about = content.title.gyro;
+    if (about.isEmpty() && !content.recordings.empty()) {
+        about = content.recordings.front().name;
+        if (content.recordings.size() > 1) {
+            about += QStringLiteral(" … ") + content.recordings.back().name;
+        }
+    }
+    if (about.isEmpty() && ofLogsAlone(content)) {
+        const std::vector<WholeAngleLog>& logs = content.drift->logs;
+        about = QString::fromStdString(logs.front().name);
+        if (logs.size() > 1) {
+            about += QStringLiteral(" … ") + QString::fromStdString(logs.back().name);
+        }
+    }
+    ReportText text =
+        framedReport(ofLogsAlone(content) ? ReportWords::tr("Report of whole-angle logs")
+                                          : ReportWords::tr("Report of a free decay"),
+                     about, program);
+    text.author = content.title.engineer;
+    text.html += titleBlock(content.title, madeText(program, made)) + reportSections(content);
+    return text;
+}
+
+ReportChapter chapterOf(const ReportContent& content) {
+    const bool assumed = content.outcome && anyAssumed(content.outcome->identification.settings);
+    return {lineOf(content),
+            QStringLiteral("<h1 style=\"page-break-before:always\">%1</h1>")
+                    .arg(content.set.toHtmlEscaped()) +
+                titleBlock(content.title, {}) + reportSections(content),
+            assumed};
+}
+
+ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
+                        const DisplayUnits& units, const QString& program, QDate made) {
+    const auto head = [](const QString& text, const QString& unit = {}) {
+        return richText(withUnit(text, unit));
+    };
+    HtmlTable table{{head(ReportWords::tr("Set, gyro")), head(ReportWords::tr("Page")),
+                     head(ReportWords::tr("Mean f"), unitText("Hz")),
+                     head(ReportWords::tr("Split Δf"), unitText("Hz")),
+                     head(ReportWords::tr("Axis θ_w"), angleUnit(units)),
+                     head(ReportWords::tr("Quality factor Q"))},
+                    {},
+                    {17, 7, 25, 23, 14, 14},
+                    true};
+    const QString combined =
+        std::ranges::any_of(chapters, &ReportChapter::assumed)
+            ? ReportWords::tr(
+                  "Values with their combined standard uncertainties u, with assumed tolerances of "
+                  "the channels. A dash: the recordings do not show it; the page of the set gives "
+                  "the reason.")
+            : ReportWords::tr(
+                  "Values with their combined standard uncertainties u. A dash: the recordings do "
+                  "not show it; the page of the set gives the reason.");
+    QString pages;
+    for (const ReportChapter& chapter : chapters) {
+        table.rows.push_back(chapter.line);
+        pages += chapter.html;
+    }
+    ReportText text = framedReport(ReportWords::tr("Report of free decays"), about, program);
+    text.html += paragraph(QStringLiteral("%1: %2").arg(ReportWords::tr("Report made"),
+                                                        madeText(program, made))) +
+                 heading(ReportWords::tr("All sets")) + paragraph(combined) + html(table) + pages;
+    return text;
+}
+
+QString chapterMark(int number) {
+    return QStringLiteral("⟦%1⟧").arg(number);
+}
+
+QByteArray reportPdf(const ReportText& text, const std::vector<ReportFigure>& figures) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -327,7 +461,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
     const double left = (pdf.width() - content.width()) / 2;
     const double top = (pdf.height() - content.height()) / 2;
 
-    Figures figures(pictures);
+    Figures drawings(figures);
     QTextDocument document;
     QFont font(QGuiApplication::font().family());
     font.setPointSizeF(base_points);
@@ -339,7 +473,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
         QLatin1String(style_sheet) +
         QStringLiteral(".mono { font-family: \"%1\"; font-size: 7.5pt; }")
             .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family()));
-    document.documentLayout()->registerHandler(QTextFormat::ImageObject, &figures);
+    document.documentLayout()->registerHandler(QTextFormat::ImageObject, &drawings);
     document.documentLayout()->setPaintDevice(&pdf);
     document.setPageSize(content);
     layOut(document, text.html);
@@ -383,26 +517,11 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
 
 struct ReportWriter::Work {
     std::vector<ReportFigure> figures;
-    std::vector<ReportPicture> pictures;  // as many as are drawn
+    std::size_t drawn = 0;  // of them
     ReportText text;
     QString path;
     std::function<void(const Status&)> done;
 };
-
-namespace {
-
-ReportText textOf(const std::vector<ReportContent>& contents, const QString& about) {
-    const QString program = QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
-    const QDate made = reportDay();
-    if (contents.size() == 1) {
-        return reportTextOf(contents.front(), program, made);
-    }
-    std::vector<ReportChapter> chapters;
-    std::ranges::transform(contents, std::back_inserter(chapters), chapterOf);
-    return reportTextOf(about, chapters, contents.front().units, program, made);
-}
-
-}  // namespace
 
 void ReportWriter::write(const std::vector<ReportContent>& contents, const QString& about,
                          const QString& path, std::function<void(const Status&)> done) {
@@ -424,15 +543,16 @@ void ReportWriter::write(ReportText text, std::vector<ReportFigure> figures, con
 }
 
 void ReportWriter::drawNext(const std::shared_ptr<Work>& work) {
-    if (work->pictures.size() < work->figures.size()) {
-        work->pictures.push_back(drawn(work->figures[work->pictures.size()]));
+    if (work->drawn < work->figures.size()) {
+        ReportFigure& next = work->figures[work->drawn++];
+        next = drawn(std::move(next));
         QTimer::singleShot(0, this, [this, work] { drawNext(work); });
         return;
     }
     job_.write(
         ++key_,
         [work](const JobControl& job) {
-            const QByteArray pdf = reportPdf(work->text, work->pictures);
+            const QByteArray pdf = reportPdf(work->text, work->figures);
             return write_file(std::filesystem::path(work->path.toStdU16String()),
                               {pdf.constData(), static_cast<std::size_t>(pdf.size())}, job);
         },
@@ -441,4 +561,4 @@ void ReportWriter::drawNext(const std::shared_ptr<Work>& work) {
 
 }  // namespace vybeg::ui
 
-#include "report_pdf.moc"
+#include "report_document.moc"

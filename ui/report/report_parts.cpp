@@ -1,10 +1,14 @@
-#include "ui/report/report_html.h"
+#include "ui/report/report_parts.h"
 
+#include "ui/drift/drift_text.h"
+#include "ui/plots/figure.h"
+#include "ui/resonator/resonator_plots.h"
 #include "ui/words/rich_text.h"
 
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -16,6 +20,22 @@ bool isNumber(const QString& cell) {
     static const QRegularExpression number(
         QStringLiteral("^(?:[^\\p{L}<]|u|ppm)*\\d(?:[^\\p{L}<]|u|ppm)*$"));
     return number.match(cell).hasMatch();
+}
+
+constexpr double reduced = 0.8;
+
+PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
+    PlotContent plots;
+    plots.variables = content.variables;
+    plots.units = content.units;
+    for (const ReportAnalysis& each : content.analyses) {
+        if (each.recording == recording) {
+            plots.analyses.push_back(each.shown);
+            plots.analyses.back().visible = true;
+        }
+    }
+    plots.zoom.time = coveredTime(plots.analyses).value_or(AxisRange{0, 1});
+    return plots;
 }
 
 }  // namespace
@@ -115,6 +135,66 @@ QString sideBySide(const QString& left, const QString& right) {
                "<td width=\"50%\"><img src=\"%1\"></td><td width=\"50%\"><img src=\"%2\"></td>"
                "</tr></table>")
         .arg(left, right);
+}
+
+ReportFigure reportFigure(const QString& name, Drawing draw, QSizeF paper) {
+    return {name, std::move(draw), (paper / reduced).toSize(), paper};
+}
+
+QString figureName(const ReportContent& content, const char* figure) {
+    return QStringLiteral("%1-%2").arg(content.chapter).arg(QLatin1String(figure));
+}
+
+QString plotsName(const ReportContent& content, std::size_t recording) {
+    return figureName(content, "plots") + QString::number(recording);
+}
+
+std::vector<ReportFigure> reportFigures(const ReportContent& content) {
+    // Room for the heading of the page.
+    constexpr double heading = 60;
+    constexpr double half = 0.49;
+    std::vector<ReportFigure> figures;
+    if (content.summary) {
+        return figures;
+    }
+    for (std::size_t k = 0; k < content.recordings.size(); ++k) {
+        const PlotContent plots = plotsOf(content, k);
+        if (!plots.analyses.empty()) {
+            figures.push_back(reportFigure(plotsName(content, k), plotsDrawing(plots),
+                                           {report_page.width(), report_page.height() - heading}));
+        }
+    }
+    if (content.outcome &&
+        content.outcome->identification.fit.model == ResonatorModel::structured) {
+        const QSizeF side(half * report_page.width(), half * report_page.width());
+        figures.push_back(reportFigure(figureName(content, rim_figure),
+                                       roundDrawing(rimPlot(*content.outcome)), side));
+        figures.push_back(reportFigure(figureName(content, drift_figure),
+                                       xyDrawing(driftPlot(*content.outcome, content.units)),
+                                       side));
+        figures.push_back(
+            reportFigure(figureName(content, balance_figure),
+                         xyDrawing(balancePlot(*content.outcome, BalanceAxis::time, content.units)),
+                         {report_page.width(), 0.33 * report_page.width()}));
+    }
+    if (content.drift) {
+        figures.push_back(
+            reportFigure(figureName(content, whole_angle_figure),
+                         xyDrawing(wholeAnglePlot(content.drift->drift, content.units)),
+                         {report_page.width(), 0.45 * report_page.width()}));
+    }
+    return figures;
+}
+
+ReportFigure drawn(ReportFigure figure) {
+    figure.picture = toPicture(std::exchange(figure.draw, {}), figure.drawn);
+    return figure;
+}
+
+std::vector<ReportFigure> drawnFigures(const ReportContent& content) {
+    std::vector<ReportFigure> figures = reportFigures(content);
+    std::ranges::transform(figures, figures.begin(), drawn);
+    return figures;
 }
 
 }  // namespace vybeg::ui

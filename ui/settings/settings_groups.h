@@ -3,6 +3,8 @@
 #include "ui/settings/settings_fields.h"
 
 #include <array>
+#include <cstdint>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -19,17 +21,14 @@ class WindowFields : public SettingsFields {
 public:
     explicit WindowFields(QWidget* parent = nullptr);
 
-protected:
-    void refresh() override;
-    void retranslate() override;
-
 private:
     enum class Unit { samples, periods, milliseconds };  // as in the list of choices
 
     Unit unit() const;
     void setLength(double length);
     void setSamples(double samples);
-    void snap();
+    void showState();
+    void showResidual(std::int64_t window);
 
     NumberField* length_;
     QComboBox* unit_;
@@ -40,6 +39,41 @@ private:
     NumberField* overlap_;
 };
 
+// The part of the recording that is analysed.
+class RangeFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit RangeFields(QWidget* parent = nullptr);
+
+signals:
+    // The user wants the visible range of the plots.
+    void visibleRangeWanted();
+};
+
+// Carrier, search band, and the band-pass before all processing.
+class CarrierFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit CarrierFields(QWidget* parent = nullptr);
+
+private:
+    struct BandFields {
+        std::optional<Band> Settings::*member;
+        std::array<NumberField*, 2> ends;
+        std::optional<Band> shown;
+
+        bool isFaulty() const;
+    };
+
+    void editBand(const BandFields& fields);
+    void showBand(BandFields& fields);
+    static void showConflict(const BandFields& fields);
+
+    std::array<BandFields, 2> bands_;
+};
+
 // Start of the conjugate gradient: algorithm 1, the window before, or typed values of the five
 // parameters. Disabled for the other algorithms.
 class StartFields : public SettingsFields {
@@ -48,19 +82,32 @@ class StartFields : public SettingsFields {
 public:
     explicit StartFields(QWidget* parent = nullptr);
 
-protected:
-    void refresh() override;
-    void retranslate() override;
-
 private:
     enum Start { automatic, previous, typed };
 
     void chooseStart(int start);
     void editTyped();
+    void showState();
 
     QComboBox* start_;
     std::array<NumberField*, 5> typed_{};  // as StartValues: a_A, a_B, 2θ_A, α, f
     QCheckBox* every_window_;
+};
+
+// Calibration of the pick-offs and its tolerances.
+class CalibrationFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit CalibrationFields(QWidget* parent = nullptr);
+
+signals:
+    void toleranceEdited(const Tolerance& tolerance);
+
+private:
+    // In units of `scale`.
+    void addTolerance(const Texts& texts, std::optional<double> Tolerance::*member, double scale,
+                      double step);
 };
 
 }  // namespace vybeg::ui
