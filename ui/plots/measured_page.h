@@ -12,7 +12,7 @@ namespace vybeg::ui {
 
 class XYPlotView;
 
-// A page of numbers with plots of its own.
+// A page of the window: plots, and numbers beside them.
 class MeasuredPage : public QWidget {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ protected:
     // A plot of at least that height, pixels, in the page's theme; its export is exportWanted().
     XYPlotView* addPlot(const char* name, int least_height);
     // The texts of the page in the language of the window.
-    virtual void retranslate() = 0;
+    virtual void retranslate() {}
 
 private:
     Theme theme_ = lightTheme();

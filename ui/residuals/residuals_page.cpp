@@ -3,6 +3,7 @@
 #include "core/residuals/find_residuals.h"
 #include "ui/document/document.h"
 #include "ui/panels/reading.h"
+#include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/shown_residuals.h"
 #include "ui/widgets/number_field.h"
@@ -35,9 +36,10 @@ constexpr QMargins beside{6, 0, 6, 0};  // of a sentence
 
 }  // namespace
 
-ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
+ResidualsPage::ResidualsPage(Document& document, TrackView& tracks, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
+      tracks_(tracks),
       range_(withName(new QComboBox(this), "residualRange")),
       range_label_(new QLabel(this)),
       time_(new NumberField(this)),
@@ -59,6 +61,11 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
             [this](std::optional<double> time_s) { setCursor(time_s.value_or(cursor_s_)); });
     connect(&document_, &Document::analysesChanged, this, &ResidualsPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResidualsPage::refresh);
+    connect(&tracks_, &TrackView::timeRangeChanged, this, &ResidualsPage::refresh);
+    connect(&tracks_, &TrackView::trackerMoved, this,
+            [this](double time_s) { setCursor(tracks_.cursor(Cursor::a).value_or(time_s)); });
+    connect(&tracks_, &TrackView::cursorsChanged, this,
+            [this] { setCursor(tracks_.cursor(Cursor::a).value_or(cursor_s_)); });
     retranslate();
 }
 
@@ -118,11 +125,6 @@ void ResidualsPage::setAnalysis(AnalysisId id) {
     refresh();
 }
 
-void ResidualsPage::setVisibleRange(const AxisRange& visible) {
-    visible_ = visible;
-    refresh();
-}
-
 void ResidualsPage::setCursor(double time_s) {
     cursor_s_ = time_s;
     refresh();
@@ -144,7 +146,9 @@ std::optional<ResidualsPage::Request> ResidualsPage::wanted() const {
             request.range.window =
                 static_cast<std::int64_t>(nearestRow(chosen->shown.analysis->track, cursor_s_));
             break;
-        case Range::visible: request.range.time = {visible_.lower, visible_.upper}; break;
+        case Range::visible:
+            request.range.time = {tracks_.timeRange().lower, tracks_.timeRange().upper};
+            break;
         case Range::whole: break;
     }
     return request;

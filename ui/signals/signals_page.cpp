@@ -88,12 +88,11 @@ void SignalsView::paintEvent(QPaintEvent* event) {
 }
 
 SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
-    : QWidget(parent),
+    : MeasuredPage(parent),
       document_(document),
       tracks_(tracks),
       state_(withName(new QLabel(this), "signalsState")),
-      view_(new SignalsView(tracks, this)),
-      theme_(lightTheme()) {
+      view_(new SignalsView(tracks, this)) {
     setObjectName(QStringLiteral("signals"));
     state_->setWordWrap(true);
     state_->setContentsMargins(6, 2, 6, 2);
@@ -112,7 +111,7 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     connect(&document_, &Document::currentRecordingChanged, this, &SignalsPage::refresh);
     connect(&document_, &Document::envelopeGrown, this, &SignalsPage::refresh);
     connect(&document_, &Document::analysesChanged, this, &SignalsPage::refresh);
-    keepTranslated(*this, [this] { retranslate(); });
+    retranslate();
 }
 
 const AnalysisEntry* SignalsPage::fitted() const {
@@ -129,7 +128,7 @@ void SignalsPage::setAnalysis(AnalysisId id) {
 }
 
 void SignalsPage::setTheme(const Theme& theme) {
-    theme_ = theme;
+    MeasuredPage::setTheme(theme);
     refresh();
 }
 
@@ -161,7 +160,7 @@ SignalContent SignalsPage::content() const {
     }
     content.wave = wave_;
     content.no_residual = tr("The residual is what an analysis leaves of the samples.");
-    content.theme = theme_;
+    content.theme = theme();
     content.time = tracks_.timeRange();
     return content;
 }

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
-#include "ui/plots/plot_file.h"
+#include "ui/plots/measured_page.h"
 #include "ui/plots/track_view.h"
 #include "ui/signals/signal_picture.h"
 #include "ui/values/ids.h"
 
 #include <QTimer>
-#include <QWidget>
 
 #include <memory>
 #include <optional>
@@ -61,14 +60,13 @@ private:
 };
 
 class Document;
-class TrackView;
 struct RecordingEntry;
 struct AnalysisEntry;
 
 // The signals of the current recording as samples, with the wave that the chosen analysis fitted to
 // them and what it leaves. Few samples are read in the background; what was read before is shown
 // until they are there. Time range, zoom history and cursors are those of the tracks.
-class SignalsPage : public QWidget {
+class SignalsPage : public MeasuredPage {
     Q_OBJECT
 
 public:
@@ -76,7 +74,7 @@ public:
     SignalsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
     void setAnalysis(AnalysisId id);
-    void setTheme(const Theme& theme);
+    void setTheme(const Theme& theme) override;
     // Whether the wave of the analysis is drawn over the samples.
     void setWave(bool shown);
     // Draws the cursors again.
@@ -85,7 +83,7 @@ public:
     // Whether samples are being read, or are about to be.
     bool reading() const { return reading_ || pause_.isActive(); }
 
-    FigureSource figures() const;
+    FigureSource figures() const override;
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -106,7 +104,7 @@ private:
     SignalContent content() const;
     void showState();
     QString stateText() const;
-    void retranslate();
+    void retranslate() override;
 
     Document& document_;
     TrackView& tracks_;
@@ -115,7 +113,6 @@ private:
     bool wave_ = true;  // of the analysis, over the samples
     QLabel* state_;
     SignalsView* view_;
-    Theme theme_;
     AnalysisId analysis_id_ = AnalysisId::none;
     // Of the excerpt that is shown, and of the next one.
     std::optional<SignalSource> source_;

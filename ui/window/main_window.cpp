@@ -100,15 +100,13 @@ void MainWindow::buildPages() {
     tracks_ = &tracks_page_->tracks();
     signals_ = new SignalsPage(document_, *tracks_, this);
     resonator_ = new ResonatorPage(document_, this);
-    residuals_ = new ResidualsPage(document_, this);
+    residuals_ = new ResidualsPage(document_, *tracks_, this);
     sweep_ = new SweepPage(document_, this);
     drift_ = new DriftPage(document_, this);
     history_ = new HistoryPage(document_, this);
-    figure_pages_ = {residuals_, sweep_, resonator_, drift_, history_};
+    all_pages_ = {tracks_page_, signals_, residuals_, sweep_, resonator_, drift_, history_};
     pages_ = new PageStack(welcome_, this);
-    pages_->add(tracks_page_);
-    pages_->add(signals_);
-    std::ranges::for_each(figure_pages_, [this](MeasuredPage* page) { pages_->add(page); });
+    std::ranges::for_each(all_pages_, [this](MeasuredPage* page) { pages_->add(page); });
     settings_ = new SettingsPanel(document_, this);
     overview_ = new Overview(document_, *tracks_, this);
     wave_ = new WavePanel(document_, this);
@@ -235,7 +233,7 @@ void MainWindow::connectPanels() {
         sidebar_wanted_ = true;
         showPanels();
     });
-    for (const MeasuredPage* page : figure_pages_) {
+    for (const MeasuredPage* page : all_pages_) {
         connect(page, &MeasuredPage::figuresChanged, commands_, &Commands::refresh);
         connect(page, &MeasuredPage::exportWanted, files_, &FileCommands::exportPlot);
     }
@@ -253,19 +251,11 @@ void MainWindow::connectPanels() {
         pages_->showPage(Page::history);
         history_->openDatabase(path, make);
     });
-    connect(tracks_, &TrackView::timeRangeChanged, this,
-            [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
         ledger_->setMouse(time_s);
         wave_->setTime(time_s);
-        residuals_->setCursor(tracks_->cursor(Cursor::a).value_or(time_s));
     });
-    connect(tracks_, &TrackView::cursorsChanged, this, [this] {
-        if (const auto a = tracks_->cursor(Cursor::a)) {
-            residuals_->setCursor(*a);
-        }
-        showCursors();
-    });
+    connect(tracks_, &TrackView::cursorsChanged, this, &MainWindow::showCursors);
     connect(tracks_, &TrackView::variablesChanged, this,
             [this] { ledger_->setVariables(tracks_->shownVariables()); });
     connect(ledger_, &Ledger::trendsChanged, tracks_, &TrackView::setTrends);
@@ -334,7 +324,6 @@ void MainWindow::showAnalysis(AnalysisId id) {
     wave_->setAnalysis(id);
     tracks_page_->chooseAnalysis(id);
     signals_->setAnalysis(id);
-    residuals_->setVisibleRange(tracks_->timeRange());
     residuals_->setAnalysis(id);
 }
 
@@ -345,22 +334,15 @@ void MainWindow::goToEvent(double time_s, double seconds) {
 }
 
 void MainWindow::setUnits(const DisplayUnits& units) {
-    tracks_->setUnits(units);
+    std::ranges::for_each(all_pages_, [&units](MeasuredPage* page) { page->setUnits(units); });
     ledger_->setUnits(units);
-    std::ranges::for_each(figure_pages_, [&units](MeasuredPage* page) { page->setUnits(units); });
     batch_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
 
 FigureSource MainWindow::figures() const {
-    const Page page = pages_->page();
-    return page == Page::tracks ? tracks_page_->figures()
-           : page == Page::samples
-               ? signals_->figures()
-               : figure_pages_
-                     .at(static_cast<std::size_t>(page) - static_cast<std::size_t>(Page::residuals))
-                     ->figures();
+    return all_pages_.at(static_cast<std::size_t>(pages_->page()))->figures();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

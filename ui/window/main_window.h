@@ -124,7 +124,7 @@ private:
     SweepPage* sweep_ = nullptr;
     DriftPage* drift_ = nullptr;
     HistoryPage* history_ = nullptr;
-    std::vector<MeasuredPage*> figure_pages_;  // as Page, from residuals on
+    std::vector<MeasuredPage*> all_pages_;  // as Page
     SettingsPanel* settings_ = nullptr;
     Overview* overview_ = nullptr;
     Ledger* ledger_ = nullptr;

@@ -138,10 +138,8 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
-    tracks_page_->setTheme(theme_);
+    std::ranges::for_each(all_pages_, [this](MeasuredPage* page) { page->setTheme(theme_); });
     overview_->setTheme(theme_);
-    signals_->setTheme(theme_);
-    std::ranges::for_each(figure_pages_, [this](MeasuredPage* page) { page->setTheme(theme_); });
     wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
 }
