@@ -74,21 +74,25 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme,
       recent_(new RecentFiles(bar)),
       languages_(new QActionGroup(this)),
       theme_(theme) {
-    addFile();
-    QMenu* edit = top(QT_TR_NOOP("&Edit"));
-    add(edit, {Command::undo, Command::redo});
-    edit->addSeparator();
-    add(edit, {Command::copy_plot, Command::copy_table});
+    QMenu* file = top(QT_TR_NOOP("&File"));
+    add(file, {{Command::open}});
+    titles_[recent_] = QT_TR_NOOP("Open rece&nt");
+    file->addMenu(recent_);
+    add(file,
+        {{Command::import_file, Command::open_logs, Command::open_whole_angle,
+          Command::open_database, Command::close_recording},
+         {Command::save_session, Command::save_session_as},
+         {Command::export_plots, Command::article_figure, Command::export_track, Command::report},
+         {Command::save_passport, Command::compare_passport},
+         {Command::quit}});
+    add(top(QT_TR_NOOP("&Edit")),
+        {{Command::undo, Command::redo}, {Command::copy_plot, Command::copy_table}});
     addView();
-    QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
-    add(analysis, {Command::analyse, Command::live, Command::cancel});
-    QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
-    add(gyro, {Command::gyro_data, Command::limits});
-    gyro->addSeparator();
-    add(gyro, {Command::identify, Command::new_set});
-    gyro->addSeparator();
-    add(gyro, {Command::batch});
-    add(top(QT_TR_NOOP("&Help")), {Command::help, Command::copy_diagnostics, Command::about});
+    add(top(QT_TR_NOOP("&Analysis")), {{Command::analyse, Command::live, Command::cancel}});
+    add(top(QT_TR_NOOP("&Gyro")), {{Command::gyro_data, Command::limits},
+                                   {Command::identify, Command::new_set},
+                                   {Command::batch}});
+    add(top(QT_TR_NOOP("&Help")), {{Command::help, Command::copy_diagnostics, Command::about}});
 }
 
 QMenu* WindowMenus::top(const char* title) {
@@ -104,9 +108,14 @@ QMenu* WindowMenus::sub(QMenu* parent, const char* title) {
     return menu;
 }
 
-void WindowMenus::add(QMenu* menu, std::initializer_list<Command> commands) {
-    for (const Command command : commands) {
-        menu->addAction(commands_.action(command));
+void WindowMenus::add(QMenu* menu, std::initializer_list<std::initializer_list<Command>> groups) {
+    for (const std::initializer_list<Command>& group : groups) {
+        if (&group != groups.begin()) {
+            menu->addSeparator();
+        }
+        for (const Command command : group) {
+            menu->addAction(commands_.action(command));
+        }
     }
 }
 
@@ -127,39 +136,19 @@ void WindowMenus::addChoice(QMenu* parent, const char* title, const std::vector<
     connect(menu, &QMenu::aboutToShow, this, show);  // a session may have changed it
 }
 
-void WindowMenus::addFile() {
-    QMenu* file = top(QT_TR_NOOP("&File"));
-    add(file, {Command::open});
-    titles_[recent_] = QT_TR_NOOP("Open rece&nt");
-    file->addMenu(recent_);
-    add(file, {Command::import_file, Command::open_logs, Command::open_whole_angle,
-               Command::open_database, Command::close_recording});
-    file->addSeparator();
-    add(file, {Command::save_session, Command::save_session_as});
-    file->addSeparator();
-    add(file,
-        {Command::export_plots, Command::article_figure, Command::export_track, Command::report});
-    file->addSeparator();
-    add(file, {Command::save_passport, Command::compare_passport});
-    file->addSeparator();
-    add(file, {Command::quit});
-}
-
 void WindowMenus::addView() {
     QMenu* view = top(QT_TR_NOOP("&View"));
-    add(view, {Command::page_tracks, Command::page_signals, Command::page_residuals,
-               Command::page_windows, Command::page_resonator, Command::page_drift,
-               Command::page_history});
-    view->addSeparator();
-    add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
-               Command::zoom_forward});
-    view->addSeparator();
+    add(view, {{Command::page_tracks, Command::page_signals, Command::page_residuals,
+                Command::page_windows, Command::page_resonator, Command::page_drift,
+                Command::page_history},
+               {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
+                Command::zoom_forward},
+               {}});
     addVariables(view);
     addUnits(view);
-    add(view, {Command::log_a_A, Command::sigma_bands});
-    view->addSeparator();
-    add(view, {Command::sidebar, Command::wave, Command::fitted_wave});
-    view->addSeparator();
+    add(view, {{Command::log_a_A, Command::sigma_bands},
+               {Command::sidebar, Command::wave, Command::fitted_wave},
+               {}});
     addChoice(
         view, QT_TR_NOOP("&Theme"),
         {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},

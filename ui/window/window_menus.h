@@ -60,10 +60,10 @@ private:
 
     QMenu* top(const char* title);
     QMenu* sub(QMenu* parent, const char* title);
-    void add(QMenu* menu, std::initializer_list<Command> commands);
+    // Groups of commands, a line between each two.
+    void add(QMenu* menu, std::initializer_list<std::initializer_list<Command>> groups);
     void addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
                    const std::function<int()>& chosen, const std::function<void(int)>& choose);
-    void addFile();
     void addView();
     void addVariables(QMenu* view);
     void addUnits(QMenu* view);
