@@ -427,10 +427,10 @@ void BatchWindow::retranslate() {
     stop_->setText(tr("S&top"));
     stop_->setToolTip(tr("Stop; what is computed is kept"));
     bar_->setAccessibleName(tr("Progress of the batch"));
-    table_->setAccessibleName(tr("Results of the batch"));
-    table_->setToolTip(tr("A double click or Return opens the set in the main window"));
-    details_->setAccessibleName(tr("About the chosen set"));
-    details_->setToolTip(tr("Why the chosen set has no result, and its warnings"));
+    setWords(*table_, tr("Results of the batch"),
+             tr("A double click or Return opens the set in the main window"));
+    setWords(*details_, tr("About the chosen set"),
+             tr("Why the chosen set has no result, and its warnings"));
     open_->setText(tr("Open the set in the main window"));
     copy_->setText(tr("Copy rows"));
     message_->refresh();

@@ -7,7 +7,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QResizeEvent>
 #include <QSettings>
 #include <QSpinBox>
 
@@ -59,7 +58,8 @@ HistoryChoices::HistoryChoices(QWidget* parent)
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setColumnStretch(1, 1);
     grid_->setColumnStretch(3, 1);
-    place(2);
+    constexpr int wide = 1000;
+    placeByWidth(*this, wide, false, [this](bool is_wide) { place(is_wide ? 4 : 2); });
     connect(gyro_, &QComboBox::activated, this, &HistoryChoices::dataWanted);
     connect(parameter_, &QComboBox::currentIndexChanged, this, &HistoryChoices::dataWanted);
     connect(axis_, &QComboBox::currentIndexChanged, this, &HistoryChoices::axisChanged);
@@ -108,7 +108,6 @@ void HistoryChoices::setGyros(const std::vector<StoredGyro>& gyros) {
 
 // So many choices stand beside each other.
 void HistoryChoices::place(int in_a_row) {
-    in_a_row_ = in_a_row;
     const std::array<std::pair<QWidget*, QWidget*>, 4> choices{{{gyro_label_, gyro_},
                                                                 {parameter_label_, parameter_},
                                                                 {axis_label_, axis_},
@@ -123,20 +122,11 @@ void HistoryChoices::place(int in_a_row) {
     }
 }
 
-void HistoryChoices::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    constexpr int wide = 1000;
-    if (const int in_a_row = event->size().width() >= wide ? 4 : 2; in_a_row != in_a_row_) {
-        place(in_a_row);
-    }
-}
-
 void HistoryChoices::retranslate() {
     gyro_label_->setText(tr("Gyro"));
-    gyro_->setAccessibleName(tr("Gyro of the history"));
-    gyro_->setToolTip(
-        richTip(tr("Whose results are shown; the number of its results stands behind "
-                   "its name")));
+    setWords(*gyro_, tr("Gyro of the history"),
+             richTip(tr("Whose results are shown; the number of its results stands behind "
+                        "its name")));
     gyro_->setItemText(0, tr("All gyros"));
     for (std::size_t k = 0; k < gyros_.size(); ++k) {
         const QString name = QString::fromStdString(gyros_[k].name);
@@ -146,8 +136,8 @@ void HistoryChoices::retranslate() {
                                QLocale().toString(static_cast<qlonglong>(gyros_[k].results))));
     }
     parameter_label_->setText(tr("Parameter"));
-    parameter_->setAccessibleName(tr("Parameter of the history"));
-    parameter_->setToolTip(richTip(tr("Which of its parameters is shown")));
+    setWords(*parameter_, tr("Parameter of the history"),
+             richTip(tr("Which of its parameters is shown")));
     const auto& parameters = historyParameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         parameter_->setItemText(
@@ -155,13 +145,12 @@ void HistoryChoices::retranslate() {
             indexPlain(shownAs(parameters[k].name, parameters[k].unit, {}).title));
     }
     axis_label_->setText(tr("Against"));
-    axis_->setAccessibleName(tr("Axis of the history"));
-    axis_->setToolTip(richTip(tr("The mean frequency follows the temperature of the resonator")));
+    setWords(*axis_, tr("Axis of the history"),
+             richTip(tr("The mean frequency follows the temperature of the resonator")));
     setTexts(*axis_, {tr("Date"), tr("Frequency"), tr("Order")});
     baseline_label_->setText(tr("Baseline"));
-    baseline_->setAccessibleName(tr("Baseline of the control charts"));
-    baseline_->setToolTip(
-        richTip(tr("So many first results of the gyro set centre and limits of the charts")));
+    setWords(*baseline_, tr("Baseline of the control charts"),
+             richTip(tr("So many first results of the gyro set centre and limits of the charts")));
 }
 
 }  // namespace vybeg::ui

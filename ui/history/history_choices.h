@@ -36,9 +36,6 @@ signals:
     void limitsChanged();
     void axisChanged();
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     void place(int in_a_row);
     void retranslate();
@@ -53,7 +50,6 @@ private:
     QLabel* baseline_label_;
     QSpinBox* baseline_;
     QGridLayout* grid_;
-    int in_a_row_ = 0;
 };
 
 }  // namespace vybeg::ui

@@ -172,11 +172,9 @@ StoreDialog::StoreDialog(const QStringList& gyros, const QString& gyro, const QS
     gyro_->setEditable(true);
     gyro_->addItems(gyros);
     gyro_->setCurrentText(gyro);
-    gyro_->setAccessibleName(tr("Gyro"));
-    gyro_->setToolTip(tr("The name under which the history of this resonator is kept"));
-    date_->setAccessibleName(tr("Date"));
-    date_->setToolTip(
-        tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
+    setWords(*gyro_, tr("Gyro"), tr("The name under which the history of this resonator is kept"));
+    setWords(*date_, tr("Date"),
+             tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
     fault_->setWordWrap(true);
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("Add"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));

@@ -319,20 +319,11 @@ QLayout* HistoryPage::buildHead() {
 
 // Side by side where both have room for their titles.
 void HistoryPage::placeSmallPlots(bool side_by_side) {
-    side_by_side_ = side_by_side;
     for (QWidget* plot : {ranges_, average_}) {
         grid_->removeWidget(plot);
     }
     grid_->addWidget(ranges_, 3, 0, 1, side_by_side ? 1 : 2);
     grid_->addWidget(average_, side_by_side ? 3 : 4, side_by_side ? 1 : 0, 1, side_by_side ? 1 : 2);
-}
-
-void HistoryPage::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    constexpr int wide = 760;
-    if (side_by_side_ != (width() >= wide)) {
-        placeSmallPlots(width() >= wide);
-    }
 }
 
 QWidget* HistoryPage::buildContent() {
@@ -353,7 +344,8 @@ QWidget* HistoryPage::buildContent() {
     grid->addLayout(chosen, 2, 0, 1, 2);
     grid->addWidget(distribution_, 5, 0, 1, 2);
     grid_ = grid;
-    placeSmallPlots(true);
+    constexpr int wide = 760;
+    placeByWidth(*this, wide, true, [this](bool side_by_side) { placeSmallPlots(side_by_side); });
     grid->setRowStretch(1, 3);
     grid->setRowStretch(3, 2);
     grid->setRowStretch(5, 2);
@@ -394,15 +386,15 @@ void HistoryPage::connectWidgets() {
 
 void HistoryPage::retranslate() {
     open_->setText(tr("Open…"));
-    open_->setAccessibleName(tr("Open a database"));
-    open_->setToolTip(richTip(tr("A database of results, of this window or of the command line")));
+    setWords(*open_, tr("Open a database"),
+             richTip(tr("A database of results, of this window or of the command line")));
     new_->setText(tr("New…"));
-    new_->setAccessibleName(tr("Make a database"));
-    new_->setToolTip(richTip(tr("An empty database of results in a new file")));
+    setWords(*new_, tr("Make a database"),
+             richTip(tr("An empty database of results in a new file")));
     add_->setText(tr("Add this result…"));
     export_->setText(tr("Export…"));
-    export_->setAccessibleName(tr("Export the results shown"));
-    export_->setToolTip(
+    setWords(
+        *export_, tr("Export the results shown"),
         richTip(tr("The results shown as a table (CSV), or as a report with the charts (PDF)")));
     recordings_->setText(tr("Open its recordings"));
     recordings_->setToolTip(

@@ -44,7 +44,6 @@ signals:
     void setOpened();
 
 protected:
-    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -76,7 +75,6 @@ private:
 
     Document& document_;
     QGridLayout* grid_ = nullptr;
-    bool side_by_side_ = true;
     BackgroundJobs job_;
     ResultAdder adder_;
     QString path_;

@@ -324,28 +324,24 @@ void ResidualsPage::retranslate() {
     range_label_->setText(tr("Residual of"));
     setTexts(*range_,
              {tr("the window at the cursor"), tr("the visible part"), tr("the whole analysis")});
-    range_->setAccessibleName(tr("Range of the residual"));
-    range_->setToolTip(
-        tr("Samples less the wave of their window: of one window, of what the plots "
-           "of the tracks show, or of all"));
+    setWords(*range_, tr("Range of the residual"),
+             tr("Samples less the wave of their window: of one window, of what the plots "
+                "of the tracks show, or of all"));
     time_->setUnit(tr("s"));
-    time_->setAccessibleName(tr("Time of the window"));
-    time_->setToolTip(
-        tr("The window nearest to this time, which cursor A or the mouse over the "
-           "tracks sets, too"));
-    lines_->setAccessibleName(tr("Lines above the noise"));
-    lines_->setToolTip(
-        tr("Peaks that rise above the noise around them; white noise shows one in "
-           "one of a hundred spectra"));
+    setWords(*time_, tr("Time of the window"),
+             tr("The window nearest to this time, which cursor A or the mouse over the "
+                "tracks sets, too"));
+    setWords(*lines_, tr("Lines above the noise"),
+             tr("Peaks that rise above the noise around them; white noise shows one in "
+                "one of a hundred spectra"));
     filter_->setToolTip(tr("Puts this band-pass into the panel Analysis; Undo takes it back"));
-    spectrum_->setAccessibleName(tr("Spectrum of the residual"));
-    spectrum_->setToolTip(tr("A click on a line names it; Left and Right go from line to line"));
-    histogram_->setAccessibleName(tr("Distribution of the residual"));
-    histogram_->setToolTip(tr("Against the normal curve of the same standard deviation"));
-    correlation_->setAccessibleName(tr("Autocorrelation of the residual"));
-    correlation_->setToolTip(tr("Of white noise, 95 % of the lags lie between the dashed lines"));
-    numbers_->setAccessibleName(tr("Numbers of the residual"));
-    numbers_->setToolTip(tr("Ctrl+C copies the table"));
+    setWords(*spectrum_, tr("Spectrum of the residual"),
+             tr("A click on a line names it; Left and Right go from line to line"));
+    setWords(*histogram_, tr("Distribution of the residual"),
+             tr("Against the normal curve of the same standard deviation"));
+    setWords(*correlation_, tr("Autocorrelation of the residual"),
+             tr("Of white noise, 95 % of the lags lie between the dashed lines"));
+    setWords(*numbers_, tr("Numbers of the residual"), tr("Ctrl+C copies the table"));
     showFound();
 }
 

@@ -18,7 +18,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QResizeEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -160,12 +159,12 @@ QWidget* FiguresView::buildPlots() {
     grid->addLayout(balance_head, 5, 0, 1, 2);
     grid->addWidget(balance_plot_, 6, 0, 1, 2);
     grid_ = grid;
-    place(true);
+    constexpr int wide = 620;
+    placeByWidth(*this, wide, true, [this](bool side_by_side) { place(side_by_side); });
     return plots;
 }
 
 void FiguresView::place(bool side_by_side) {
-    side_by_side_ = side_by_side;
     const int span = side_by_side ? 1 : 2;
     const int drift_row = side_by_side ? 0 : 2;
     const int drift_column = side_by_side ? 1 : 0;
@@ -180,14 +179,6 @@ void FiguresView::place(bool side_by_side) {
     grid_->addWidget(drift_, drift_row + 2, drift_column, 1, span, Qt::AlignTop);
     grid_->setColumnStretch(0, 2);
     grid_->setColumnStretch(1, 3);
-}
-
-void FiguresView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    constexpr int wide = 620;
-    if (side_by_side_ != (width() >= wide)) {
-        place(width() >= wide);
-    }
 }
 
 void FiguresView::setTheme(const Theme& theme) {
@@ -331,12 +322,12 @@ void ComparisonView::retranslate() {
     section_->setTitle(tr("Comparison with the passport"));
     differences_->setAccessibleName(tr("Comparison with the passport"));
     limit_label_->setText(tr("Frequencies change from"));
-    limit_->setAccessibleName(tr("Frequencies change from"));
-    limit_->setToolTip(
+    setWords(
+        *limit_, tr("Frequencies change from"),
         richTip(tr("Frequencies follow the temperature: smaller changes, in parts per million, are "
                    "none of the gyro")));
-    tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));
-    tracks_->setToolTip(
+    setWords(
+        *tracks_, tr("Tracks of the runs and of the passport"),
         richTip(tr("In the colours of the recordings; further from the background: the passport")));
     track_choice_->setAccessibleName(tr("What to overlay"));
     setTexts(*track_choice_, {tr("Amplitude of the working wave"),

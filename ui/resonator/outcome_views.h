@@ -102,9 +102,6 @@ public:
 signals:
     void exportWanted(const Figure& figure);
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     QWidget* buildPlots();
     // The rim beside the drift function, or above it where the page is narrow.
@@ -116,7 +113,6 @@ private:
     QLabel* hint_;
     QWidget* plots_ = nullptr;
     QGridLayout* grid_ = nullptr;
-    bool side_by_side_ = true;
     QLabel* rim_name_ = nullptr;
     RoundView* rim_ = nullptr;
     QLabel* drift_name_ = nullptr;

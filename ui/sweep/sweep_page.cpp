@@ -453,11 +453,11 @@ void SweepPage::retranslate() {
                                    QStringLiteral(" – ") + displayMeaning(main_slow_variables[v]));
     }
     algorithm_label_->setText(tr("Algorithm"));
-    algorithm_->setAccessibleName(tr("Algorithm of the sweep"));
-    algorithm_->setToolTip(richTip(tr("Follows the panel Analysis; may be another one here")));
+    setWords(*algorithm_, tr("Algorithm of the sweep"),
+             richTip(tr("Follows the panel Analysis; may be another one here")));
     snap_->setText(tr("Snap"));
-    snap_->setAccessibleName(tr("Snap every length"));
-    snap_->setToolTip(richTip(tr("Moves every length to whole half-periods of the carrier")));
+    setWords(*snap_, tr("Snap every length"),
+             richTip(tr("Moves every length to whole half-periods of the carrier")));
     lengths_label_->setText(tr("Lengths"));
     lengths_->retranslate();
     compute_->setText(tr("Compute"));
@@ -466,8 +466,8 @@ void SweepPage::retranslate() {
     cancel_->setAccessibleName(tr("Cancel the sweep"));
     progress_->setAccessibleName(tr("Progress of the sweep"));
     variable_label_->setText(tr("Variable"));
-    variable_->setAccessibleName(tr("Variable of the sweep"));
-    variable_->setToolTip(richTip(tr("The variable of the left plot and of the table")));
+    setWords(*variable_, tr("Variable of the sweep"),
+             richTip(tr("The variable of the left plot and of the table")));
     copy_->setText(tr("Copy table"));
     copy_->setToolTip(richTip(tr("All variables and lengths to the clipboard, for a spreadsheet")));
     use_->setToolTip(

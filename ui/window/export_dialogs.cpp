@@ -78,8 +78,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
                             const QString& unit, double least, double most) {
         field->setLimits(least, most);
         field->setUnit(unit);
-        field->setAccessibleName(name);
-        field->setToolTip(tip);
+        setWords(*field, name, tip);
         form->addRow(name, field);
         connect(field, &NumberField::valueEdited, this, &ExportDialog::refresh);
         connect(field, &NumberField::faultChanged, this, &ExportDialog::refresh);
@@ -97,8 +96,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     }
     title_->setPlaceholderText(tr("No title"));
     title_->setClearButtonEnabled(true);
-    title_->setAccessibleName(tr("Title"));
-    title_->setToolTip(tr("Above the plots; empty: none"));
+    setWords(*title_, tr("Title"), tr("Above the plots; empty: none"));
     form->addRow(tr("Title"), title_);
     settings_->setChecked(kept.value(settings_key, true).toBool() && !source_.settings.isEmpty());
     settings_->setEnabled(!source_.settings.isEmpty());
@@ -244,8 +242,7 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     auto* form = new QFormLayout(this);
     const auto add = [form](const QString& name, QWidget* field, const QString& tip) {
         form->addRow(name, field);
-        field->setAccessibleName(name);
-        field->setToolTip(tip);
+        setWords(*field, name, tip);
     };
     for (const ReportSubject& each : subjects_) {
         subject_->addItem(each.name);
