@@ -122,13 +122,14 @@ TimeGestures::TimeGestures(QWidget* parent) : QWidget(parent), plot_(new QCustom
     preparePlot(*plot_, lightTheme());
 }
 
-void TimeGestures::setPlots(const TimeStack& stack, TimeOverlay& overlay) {
-    stack_ = &stack;
-    overlay_ = &overlay;
+// First the plot, because it uses the stack.
+TimeGestures::~TimeGestures() {
+    delete plot_;
 }
 
-void TimeGestures::removePlot() {
-    delete plot_;
+void TimeGestures::setPlots(const TimeStack* stack, TimeOverlay& overlay) {
+    stack_.reset(stack);
+    overlay_ = &overlay;
 }
 
 HairLines TimeGestures::hairs() const {

@@ -146,9 +146,9 @@ TrackView::TrackView(QWidget* parent)
       zoom_([this](ZoomState state) {
           return clipped(std::move(state), content_.analyses, recorded_);
       }),
-      stack_(std::make_unique<PlotStack>(plot(), 0, PlotHead::margin)),
-      overlay_(new PlotOverlay(*stack_, [this] { return hairs(); })) {
-    setPlots(*stack_, *overlay_);
+      stack_(*new PlotStack(plot(), 0, PlotHead::margin)),
+      overlay_(new PlotOverlay(stack_, [this] { return hairs(); })) {
+    setPlots(&stack_, *overlay_);
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));
     connect(&plot(), &QCustomPlot::afterLayout, this, &TrackView::followLayout);
@@ -162,10 +162,6 @@ TrackView::TrackView(QWidget* parent)
         setAccessibleName(tr("Slow variables over time"));
         rebuild();
     });
-}
-
-TrackView::~TrackView() {
-    removePlot();
 }
 
 void TrackView::setAnalyses(std::vector<ShownAnalysis> analyses, int unlike) {
@@ -218,7 +214,7 @@ void TrackView::setTheme(const Theme& theme) {
 void TrackView::setMarks(std::vector<double> times_s) {
     if (times_s != content_.marks_s) {
         content_.marks_s = std::move(times_s);
-        stack_->setMarks(content_.marks_s);
+        stack_.setMarks(content_.marks_s);
         plot().replot(QCustomPlot::rpQueuedReplot);
     }
 }
@@ -260,8 +256,8 @@ QSize TrackView::minimumSizeHint() const {
 }
 
 void TrackView::rebuild() {
-    stack_->prepare(plot().size());
-    stack_->setContent(content());
+    stack_.prepare(plot().size());
+    stack_.setContent(content());
     const bool has_analyses = hasTime();
     overlay_->setHint(has_analyses ? QString()
                                    : tr("No analysis yet.\nOpen a recording and press Analyse."));
@@ -276,8 +272,8 @@ void TrackView::rebuild() {
 
 void TrackView::redraw() {
     // The number of strips may have changed since the last resize.
-    stack_->prepare(plot().size());
-    stack_->setZoom(zoom_.current());
+    stack_.prepare(plot().size());
+    stack_.setZoom(zoom_.current());
     // Other pages zoom, too; what is hidden is drawn when it is shown.
     if (isVisible()) {
         plot().replot(QCustomPlot::rpQueuedReplot);
@@ -285,9 +281,9 @@ void TrackView::redraw() {
 }
 
 void TrackView::followLayout() {
-    focus_.place(*stack_);
-    if (!stack_->panels().empty()) {
-        const QRect area = stack_->panels().front()->rect();
+    focus_.place(stack_);
+    if (!stack_.panels().empty()) {
+        const QRect area = stack_.panels().front()->rect();
         emit timeAxisPlaced(area.left(), width() - 1 - area.right());
     }
 }
@@ -304,7 +300,7 @@ void TrackView::showEvent(QShowEvent* event) {
 
 void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,
                              Gesture gesture) {
-    const PlotPanel* panel = stack_->panel(variable);
+    const PlotPanel* panel = stack_.panel(variable);
     if (!panel) {
         return;
     }
@@ -327,7 +323,7 @@ void TrackView::moveCursor(Cursor which, std::optional<double> time_s) {
 }
 
 void TrackView::pressedAt(const QPointF& at) {
-    const PlotPanel& panel = *stack_->panelAt(at);
+    const PlotPanel& panel = *stack_.panelAt(at);
     focus_.give(panel.variable());
     press_variable_ = panel.variable();
     press_values_ = panel.values();
@@ -335,7 +331,7 @@ void TrackView::pressedAt(const QPointF& at) {
 
 // An automatic axis remains automatic; a fixed one moves along.
 void TrackView::panValues(ZoomState& state, const QPointF& moved) {
-    const PlotPanel* panel = stack_->panel(*press_variable_);
+    const PlotPanel* panel = stack_.panel(*press_variable_);
     if (panel && state.fixed.contains(panel->variable())) {
         state.fixed[panel->variable()] = changed(*panel->valueAxis(), press_values_, 1, 0,
                                                  moved.y() / std::max(1, panel->height()));
@@ -343,12 +339,12 @@ void TrackView::panValues(ZoomState& state, const QPointF& moved) {
 }
 
 QRectF TrackView::bandBetween(const QPointF& from, const QPointF& to) const {
-    const PlotPanel* panel = stack_->panel(*press_variable_);
+    const PlotPanel* panel = stack_.panel(*press_variable_);
     return panel ? QRectF(from, to).normalized().intersected(QRectF(panel->rect())) : QRectF();
 }
 
 void TrackView::zoomValuesTo(ZoomState& state, const QRectF& band) {
-    const PlotPanel* panel = stack_->panel(*press_variable_);
+    const PlotPanel* panel = stack_.panel(*press_variable_);
     if (panel && band.height() >= least_band) {
         state.fixed[panel->variable()] = {panel->valueAxis()->pixelToCoord(band.bottom()),
                                           panel->valueAxis()->pixelToCoord(band.top())};
@@ -356,7 +352,7 @@ void TrackView::zoomValuesTo(ZoomState& state, const QRectF& band) {
 }
 
 bool TrackView::zoomValues(const QPointF& at, double factor) {
-    const PlotPanel& panel = *stack_->panelAt(at);
+    const PlotPanel& panel = *stack_.panelAt(at);
     const double about = (panel.bottom() - at.y()) / std::max(1, panel.height());
     changeValues(panel.variable(), factor, std::clamp(about, 0., 1.), 0, Gesture::wheel_value);
     return true;
@@ -364,7 +360,7 @@ bool TrackView::zoomValues(const QPointF& at, double factor) {
 
 // At the margin, the meaning of the symbol that stands there.
 void TrackView::hoverAt(const QPointF& at) {
-    const PlotPanel* panel = stack_->panelAt(at);
+    const PlotPanel* panel = stack_.panelAt(at);
     const bool margin = panel && at.x() < panel->rect().left();
     setToolTip(margin ? displayMeaning(panel->variable()) : QString());
 }

@@ -7,7 +7,6 @@
 #include "ui/words/display_units.h"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -44,7 +43,6 @@ class TrackView : public TimeGestures {
 
 public:
     explicit TrackView(QWidget* parent = nullptr);
-    ~TrackView() override;
 
     // Keeps the visible time range. Shows everything if everything was visible before, if the range
     // lies outside the new analyses or if a new recording joins.
@@ -126,7 +124,7 @@ private:
     PlotContent content_;
     RecordedTime recorded_;
     ZoomNavigator zoom_;
-    std::unique_ptr<PlotStack> stack_;
+    PlotStack& stack_;
     PlotOverlay* overlay_ = nullptr;
     PlotFocus focus_{*this};
     std::optional<double> tracker_;

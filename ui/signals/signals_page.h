@@ -15,7 +15,6 @@ class QLabel;
 
 namespace vybeg::ui {
 
-class SignalOverlay;
 class SignalStack;
 
 // The plots of the signals; time range, zoom history, tracker and cursors are those of the view of
@@ -25,7 +24,6 @@ class SignalsView : public TimeGestures {
 
 public:
     explicit SignalsView(TrackView& tracks, QWidget* parent = nullptr);
-    ~SignalsView() override;
 
     ZoomNavigator& zoom() override { return tracks_.zoom(); }
     std::optional<double> tracker() const override { return tracks_.tracker(); }
@@ -46,17 +44,12 @@ public:
     QSize sizeHint() const override { return {900, 700}; }
     QSize minimumSizeHint() const override { return {320, 320}; }
 
-signals:
-    void resized();
-
 protected:
-    void resizeEvent(QResizeEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
     TrackView& tracks_;
-    std::unique_ptr<SignalStack> stack_;
-    SignalOverlay* overlay_;
+    SignalStack& stack_;
 };
 
 class Document;
