@@ -7325,17 +7325,6 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::ResultAdder</name>
-    <message>
-        <source>The result of %1 replaces that of %3 (set %4) in %2: the same recordings and settings.</source>
-        <translation>Результат %1 заменяет в %2 результат %3 (набор %4): те же записи и параметры.</translation>
-    </message>
-    <message>
-        <source>The result of %1 is in %2.</source>
-        <translation>Результат %1 записан в %2.</translation>
-    </message>
-</context>
-<context>
     <name>vybeg::ui::Section</name>
     <message>
         <source>Folds this part away, and opens it again</source>
@@ -7729,7 +7718,7 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::StoreDialog</name>
+    <name>Store</name>
     <message>
         <source>Add this result</source>
         <translation>Добавить результат</translation>
@@ -7769,6 +7758,14 @@
     <message>
         <source>Without a date the result stands behind all others.</source>
         <translation>Без даты результат стоит после всех остальных.</translation>
+    </message>
+    <message>
+        <source>The result of %1 replaces that of %3 (set %4) in %2: the same recordings and settings.</source>
+        <translation>Результат %1 заменяет в %2 результат %3 (набор %4): те же записи и параметры.</translation>
+    </message>
+    <message>
+        <source>The result of %1 is in %2.</source>
+        <translation>Результат %1 записан в %2.</translation>
     </message>
 </context>
 <context>

@@ -5,9 +5,6 @@
 #include "ui/history/history_export.h"
 #include "ui/plots/measured_page.h"
 
-#include <array>
-#include <utility>
-
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -47,6 +44,11 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    struct Chart {
+        XYPlotView* plot = nullptr;
+        HistoryPlot shown;
+    };
+
     QLayout* buildHead();
     QWidget* buildContent();
     void placeSmallPlots(bool side_by_side);
@@ -60,10 +62,6 @@ private:
     void refresh();
     // Precondition: there is a history.
     HistoryView view() const;
-    std::array<std::pair<XYPlotView*, HistoryPlot*>, 3> chartsOfPoints() {
-        return {
-            {{values_, &shown_values_}, {ranges_, &shown_ranges_}, {average_, &shown_average_}}};
-    }
     QString stateText() const;
     QString addHint() const;
     // `place`: of a point in the plot.
@@ -71,12 +69,12 @@ private:
     void step(int by);
     void openChosen();
     void openStored(const StoredResult& result);
-    void askToAdd();
+    void add();
+    DatabaseJob job(int key) { return {job_, key, document_, path_}; }
 
     Document& document_;
     QGridLayout* grid_ = nullptr;
     BackgroundJobs job_;
-    ResultAdder adder_;
     QString path_;
     bool seen_ = false;
     bool reading_ = false;
@@ -96,13 +94,10 @@ private:
     QLabel* verdict_ = nullptr;
     QLabel* point_ = nullptr;
     QPushButton* recordings_ = nullptr;
-    XYPlotView* values_ = nullptr;
-    XYPlotView* ranges_ = nullptr;
-    XYPlotView* average_ = nullptr;
+    Chart values_;
+    Chart ranges_;
+    Chart average_;
     XYPlotView* distribution_ = nullptr;
-    HistoryPlot shown_values_;
-    HistoryPlot shown_ranges_;
-    HistoryPlot shown_average_;
 };
 
 }  // namespace vybeg::ui

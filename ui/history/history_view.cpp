@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -44,10 +43,6 @@ Placed placed(const StoredHistory& history, const std::vector<double>& values, H
         placed.x.push_back(place(k));
     }
     return placed;
-}
-
-HistoryAxis sequenceAxis(HistoryAxis axis) {
-    return axis == HistoryAxis::frequency ? HistoryAxis::order : axis;
 }
 
 XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_name,
@@ -91,23 +86,14 @@ void addLevel(XYPlot& plot, const QString& name, double level, Ink ink, bool das
     if (!std::isfinite(level) || x.empty()) {
         return;
     }
-    XYSeries line;
-    line.name = name;
-    line.ink = ink;
-    line.dashed = dashed;
-    line.x = acrossAll(x);
-    line.y = {level, level};
-    plot.series.push_back(std::move(line));
+    plot.series.push_back(dashedLine(name, ink, acrossAll(x), {level, level}));
+    plot.series.back().dashed = dashed;
 }
 
 // Limits that may differ from point to point, about `centre`.
 void addLimits(XYPlot& plot, const Placed& at, const QString& name, double centre,
                const std::vector<double>& limits, double factor, bool both_sides = true) {
-    XYSeries upper;
-    upper.name = name;
-    upper.ink = Ink::muted;
-    upper.dashed = true;
-    upper.x = at.x;
+    XYSeries upper = dashedLine(name, Ink::muted, at.x);
     XYSeries lower = upper;
     lower.name.clear();
     for (const std::size_t k : at.points) {
@@ -170,6 +156,33 @@ void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryVie
     if (chosen) {
         shown.plot.series.push_back(std::move(*chosen));
     }
+}
+
+struct SequenceTexts {
+    QString name;  // of the axis
+    QString unit;
+    QString empty;
+    QString points;
+    QString limits;
+};
+
+// A chart about zero of the results of one gyro in their sequence.
+HistoryPlot sequencePlot(const HistoryView& view, const ControlChart& chart, double factor,
+                         bool both_sides, const SequenceTexts& texts) {
+    const HistoryAxis axis = view.axis == HistoryAxis::frequency ? HistoryAxis::order : view.axis;
+    HistoryPlot shown{emptyPlot(view, axis, texts.name, texts.unit), {}};
+    shown.plot.empty = texts.empty;
+    Placed at = placed(view.history, chart.values, axis);
+    if (at.points.empty() || !view.charts.one_gyro) {
+        return shown;
+    }
+    XYSeries points = pointsAt(at, chart.values, factor);
+    points.name = texts.points;
+    shown.plot.series.push_back(std::move(points));
+    addLimits(shown.plot, at, texts.limits, 0, chart.limits, factor, both_sides);
+    shown.points = std::move(at.points);
+    addMarks(shown, chart.out, view);
+    return shown;
 }
 
 void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
@@ -242,43 +255,18 @@ HistoryPlot valuesPlot(const HistoryView& view) {
 
 HistoryPlot rangesPlot(const HistoryView& view) {
     const Shown parameter = shownIn(view);
-    const double factor = std::abs(parameter.factor);
-    const HistoryAxis axis = sequenceAxis(view.axis);
-    HistoryPlot shown{
-        emptyPlot(view, axis, HistoryWords::tr("Change from the one before"), parameter.unit), {}};
-    shown.plot.empty = HistoryWords::tr("A change needs two results of one gyro in their order.");
-    Placed at = placed(view.history, view.charts.control.ranges.values, axis);
-    if (at.points.empty() || !view.charts.one_gyro) {
-        return shown;
-    }
-    XYSeries ranges = pointsAt(at, view.charts.control.ranges.values, factor);
-    ranges.name = HistoryWords::tr("moving range");
-    shown.plot.series.push_back(std::move(ranges));
-    addLimits(shown.plot, at, HistoryWords::tr("limit"), 0, view.charts.control.ranges.limits,
-              factor, false);
-    shown.points = std::move(at.points);
-    addMarks(shown, view.charts.control.ranges.out, view);
-    return shown;
+    return sequencePlot(view, view.charts.control.ranges, std::abs(parameter.factor), false,
+                        {HistoryWords::tr("Change from the one before"), parameter.unit,
+                         HistoryWords::tr("A change needs two results of one gyro in their order."),
+                         HistoryWords::tr("moving range"), HistoryWords::tr("limit")});
 }
 
 HistoryPlot averagePlot(const HistoryView& view) {
-    const HistoryAxis axis = sequenceAxis(view.axis);
-    HistoryPlot shown{
-        emptyPlot(view, axis, HistoryWords::tr("Weighted average (EWMA)"), HistoryWords::tr("sd")),
-        {}};
-    Placed at = placed(view.history, view.charts.control.average.values, axis);
-    if (at.points.empty() || !view.charts.one_gyro) {
-        shown.plot.empty =
-            HistoryWords::tr("This chart needs ten results of one gyro to set its limits.");
-        return shown;
-    }
-    XYSeries average = pointsAt(at, view.charts.control.average.values, 1);
-    average.name = HistoryWords::tr("average");
-    shown.plot.series.push_back(std::move(average));
-    addLimits(shown.plot, at, HistoryWords::tr("limits"), 0, view.charts.control.average.limits, 1);
-    shown.points = std::move(at.points);
-    addMarks(shown, view.charts.control.average.out, view);
-    return shown;
+    return sequencePlot(
+        view, view.charts.control.average, 1, true,
+        {HistoryWords::tr("Weighted average (EWMA)"), HistoryWords::tr("sd"),
+         HistoryWords::tr("This chart needs ten results of one gyro to set its limits."),
+         HistoryWords::tr("average"), HistoryWords::tr("limits")});
 }
 
 XYPlot distributionPlot(const HistoryView& view) {
@@ -297,16 +285,9 @@ XYPlot distributionPlot(const HistoryView& view) {
     };
     XYSeries steps = histogramSteps(found, HistoryWords::tr("results"), Ink::channel_c);
     std::ranges::transform(steps.x, steps.x.begin(), value);
-    XYSeries normal = dashedLine(HistoryWords::tr("normal"), Ink::text);
-    constexpr int points = 121;
-    constexpr double reach = 4;
-    const double scale = found.width * static_cast<double>(view.charts.moments.count) /
-                         std::sqrt(2 * std::numbers::pi);
-    for (int k = 0; k < points; ++k) {
-        const double z = reach * (2.0 * k / (points - 1) - 1);
-        normal.x.push_back(value(z));
-        normal.y.push_back(scale * std::exp(-0.5 * z * z));
-    }
+    const double area = found.width * static_cast<double>(view.charts.moments.count);
+    XYSeries normal = normalCurve(HistoryWords::tr("normal"), area, 121);
+    std::ranges::transform(normal.x, normal.x.begin(), value);
     plot.series = {std::move(steps), std::move(normal)};
     return plot;
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace vybeg::ui {
 
@@ -215,6 +216,17 @@ XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink
     }
     add(static_cast<double>(histogram.counts.size()), 0);
     return steps;
+}
+
+XYSeries normalCurve(const QString& name, double area, int points) {
+    constexpr double reach = 4;
+    XYSeries curve = dashedLine(name, Ink::text);
+    for (int k = 0; k < points; ++k) {
+        const double z = reach * (2.0 * k / (points - 1) - 1);
+        curve.x.push_back(z);
+        curve.y.push_back(area * std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi));
+    }
+    return curve;
 }
 
 XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink) {

@@ -36,6 +36,9 @@ XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x = {},
 // The counts of a histogram at the middle of their bins, as steps that fall to zero at both ends.
 XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink);
 
+// The normal curve of zero mean and unit deviation, over so much area.
+XYSeries normalCurve(const QString& name, double area, int points);
+
 // A mark on one point of a series.
 XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink);
 

@@ -91,7 +91,7 @@ private:
     XYPlotView* correlation_ = nullptr;
     QuantityTable* numbers_ = nullptr;
     AnalysisId analysis_id_ = AnalysisId::none;
-    double cursor_s_ = 0;  // in whose window
+    double cursor_s_ = 0;           // in whose window
     std::optional<Request> asked_;  // shown or under way
     bool computing_ = false;
     std::optional<Error> failure_;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vybeg::ui {
 
@@ -113,18 +112,6 @@ XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink i
         count /= whole;
     }
     return series;
-}
-
-XYSeries normalCurve() {
-    constexpr int points = 161;
-    constexpr double reach = 4;
-    XYSeries curve = dashedLine(ResidualWords::tr("normal"), Ink::text);
-    for (int k = 0; k < points; ++k) {
-        const double z = reach * (2.0 * k / (points - 1) - 1);
-        curve.x.push_back(z);
-        curve.y.push_back(std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi));
-    }
-    return curve;
 }
 
 XYSeries densitySeries(const Residuals& found, const ResidualChannel& channel, const char* name,
@@ -300,7 +287,8 @@ XYPlot histogramPlot(const Residuals* found, const QString& empty) {
     if (found != nullptr && !found->c.histogram.counts.empty() &&
         !found->d.histogram.counts.empty()) {
         plot.series = {histogramSeries(found->c, "C", Ink::channel_c),
-                       histogramSeries(found->d, "D", Ink::channel_d), normalCurve()};
+                       histogramSeries(found->d, "D", Ink::channel_d),
+                       normalCurve(ResidualWords::tr("normal"), 1, 161)};
     }
     return plot;
 }
