@@ -24,74 +24,59 @@ QString significant(double value, int digits) {
     return std::abs(value) < 10 ? shortNumberText(value, digits) : numberLabel(value, 0);
 }
 
-bool isHarmonic(LineOrigin origin) {
-    return origin == LineOrigin::carrier_harmonic || origin == LineOrigin::folded_harmonic;
-}
+struct OriginText {
+    QString name;  // what a line is, without its frequency
+    QString why;   // it is called so, and what helps
+};
 
-// What a line is, without its frequency.
-QString originText(const ResidualLine& line) {
+OriginText originText(const ResidualLine& line) {
     const QString base = hertz(line.base_hz, 0);
     switch (line.origin) {
-        case LineOrigin::wave: return ResidualWords::tr("the wave itself");
-        case LineOrigin::window_rate:
-            return ResidualWords::tr("the wave, at the rate of the windows");
-        case LineOrigin::window_image:
-            return ResidualWords::tr("image of the line at %1 Hz by the windows")
-                .arg(hertz(line.base_hz));
-        case LineOrigin::mains:
-            return line.order == 1 ? ResidualWords::tr("supply of %1 Hz").arg(base)
-                                   : ResidualWords::tr("supply of %1 Hz, harmonic %2")
-                                         .arg(base)
-                                         .arg(line.order);
-        case LineOrigin::carrier_by_mains:
-            return ResidualWords::tr("carrier modulated at %1 Hz")
-                .arg(hertz(line.order * line.base_hz, 0));
-        case LineOrigin::carrier_harmonic:
-            return ResidualWords::tr("harmonic %1 of the carrier").arg(line.order);
-        case LineOrigin::folded_harmonic:
-            return ResidualWords::tr("harmonic %1 of the carrier, folded").arg(line.order);
-        case LineOrigin::other_mode: return ResidualWords::tr("another mode");
-        case LineOrigin::unknown: return ResidualWords::tr("unknown");
-    }
-    return {};
-}
-
-// Why the line is what it is called, and what helps.
-QString explanation(const ResidualLine& line) {
-    switch (line.origin) {
         case LineOrigin::wave:
-            return ResidualWords::tr(
-                "This is the wave itself: it changes inside the windows, or another mode lies "
-                "beside it. Shorter windows follow a change.");
+            return {ResidualWords::tr("the wave itself"),
+                    ResidualWords::tr(
+                        "This is the wave itself: it changes inside the windows, or another mode "
+                        "lies beside it. Shorter windows follow a change.")};
         case LineOrigin::window_rate:
-            return ResidualWords::tr(
-                "The distance from the carrier is a multiple of the rate of the windows: the wave "
-                "changes inside them. Shorter windows follow it.");
+            return {ResidualWords::tr("the wave, at the rate of the windows"),
+                    ResidualWords::tr(
+                        "The distance from the carrier is a multiple of the rate of the windows: "
+                        "the wave changes inside them. Shorter windows follow it.")};
         case LineOrigin::window_image:
-            return ResidualWords::tr(
-                "Each window takes up a little of that line, which makes images beside the "
-                "carrier. Without the line they are gone, too.");
+            return {ResidualWords::tr("image of the line at %1 Hz by the windows")
+                        .arg(hertz(line.base_hz)),
+                    ResidualWords::tr(
+                        "Each window takes up a little of that line, which makes images beside the "
+                        "carrier. Without the line they are gone, too.")};
         case LineOrigin::mains:
-            return ResidualWords::tr("An electrical supply couples into the pick-offs.");
+            return {
+                line.order == 1
+                    ? ResidualWords::tr("supply of %1 Hz").arg(base)
+                    : ResidualWords::tr("supply of %1 Hz, harmonic %2").arg(base).arg(line.order),
+                ResidualWords::tr("An electrical supply couples into the pick-offs.")};
         case LineOrigin::carrier_by_mains:
-            return ResidualWords::tr(
-                "The distance from the carrier is that of the mains: they modulate the wave or its "
-                "pick-off.");
+            return {ResidualWords::tr("carrier modulated at %1 Hz")
+                        .arg(hertz(line.order * line.base_hz, 0)),
+                    ResidualWords::tr(
+                        "The distance from the carrier is that of the mains: they modulate the "
+                        "wave or its pick-off.")};
         case LineOrigin::carrier_harmonic:
-            return ResidualWords::tr(
-                "A pick-off or the suspension is not linear, or samples are clipped.");
+            return {ResidualWords::tr("harmonic %1 of the carrier").arg(line.order),
+                    ResidualWords::tr(
+                        "A pick-off or the suspension is not linear, or samples are clipped.")};
         case LineOrigin::folded_harmonic:
-            return ResidualWords::tr(
-                "It lies above half the sample rate and appears as an alias. A pick-off is not "
-                "linear, or samples are clipped.");
+            return {ResidualWords::tr("harmonic %1 of the carrier, folded").arg(line.order),
+                    ResidualWords::tr(
+                        "It lies above half the sample rate and appears as an alias. A pick-off is "
+                        "not linear, or samples are clipped.")};
         case LineOrigin::other_mode:
-            return ResidualWords::tr("It decays in this range as a mode of the resonator does.");
-        case LineOrigin::unknown:
-            return ResidualWords::tr(
-                "It is no harmonic of the carrier or the mains, and no decay is seen in this "
-                "range.");
+            return {ResidualWords::tr("another mode"),
+                    ResidualWords::tr("It decays in this range as a mode of the resonator does.")};
+        case LineOrigin::unknown: break;
     }
-    return {};
+    return {ResidualWords::tr("unknown"),
+            ResidualWords::tr("It is no harmonic of the carrier or the mains, and no decay is seen "
+                              "in this range.")};
 }
 
 QString unitName(const char* unit) {
@@ -249,7 +234,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
 }
 
 QString lineName(const ResidualLine& line) {
-    return ResidualWords::tr("%1 Hz: %2").arg(hertz(line.f_hz), originText(line));
+    return ResidualWords::tr("%1 Hz: %2").arg(hertz(line.f_hz), originText(line).name);
 }
 
 QString bandText(const Band& band) {
@@ -267,11 +252,11 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
     sentences << ResidualWords::tr("Amplitude: C %1, D %2.")
                      .arg(amplitude(line.amplitude_c, line.sd_c),
                           amplitude(line.amplitude_d, line.sd_d));
-    if (isHarmonic(line.origin)) {
+    if (line.origin == LineOrigin::carrier_harmonic || line.origin == LineOrigin::folded_harmonic) {
         sentences
             << ResidualWords::tr("It is %1 times %2 Hz.").arg(line.order).arg(hertz(found.f0_hz));
     }
-    sentences << explanation(line);
+    sentences << originText(line).why;
     if (line.filter) {
         sentences << ResidualWords::tr("A band-pass filter takes it out.");
     }
