@@ -62,10 +62,7 @@ XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_nam
 }
 
 XYSeries pointsAt(const Placed& at, const std::vector<double>& values, double factor) {
-    XYSeries series;
-    series.points = true;
-    series.ink = Ink::text;
-    series.x = at.x;
+    XYSeries series{.ink = Ink::text, .points = true, .x = at.x};
     for (const std::size_t k : at.points) {
         series.y.push_back(factor * values[k]);
     }
@@ -135,11 +132,7 @@ QString withBaseline(const QString& name, const HistoryCharts& charts, bool sets
 void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryView& view,
               const QString& outside_name = {}) {
     const XYSeries& points = shown.plot.series.front();
-    XYSeries outside;
-    outside.name = outside_name;
-    outside.points = true;
-    outside.style = 3;
-    outside.ink = Ink::warning;
+    XYSeries outside{.name = outside_name, .style = 3, .ink = Ink::warning, .points = true};
     std::optional<XYSeries> chosen;
     for (std::size_t k = 0; k < shown.points.size(); ++k) {
         if (out[shown.points[k]]) {
@@ -190,11 +183,11 @@ void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
     if (!std::isfinite(view.passport.value) || x.empty()) {
         return;
     }
-    XYSeries band;
-    band.name = HistoryWords::tr("passport ± 3 u");
-    band.ink = Ink::channel_c;
-    band.x = acrossAll(x);
-    band.y = {factor * view.passport.value, factor * view.passport.value};
+    const double value = factor * view.passport.value;
+    XYSeries band{.name = HistoryWords::tr("passport ± 3 u"),
+                  .ink = Ink::channel_c,
+                  .x = acrossAll(x),
+                  .y = {value, value}};
     const double wide = std::abs(factor) * passport_deviations * view.passport.u;
     if (std::isfinite(wide)) {
         band.sd = {wide, wide};
@@ -270,12 +263,12 @@ HistoryPlot averagePlot(const HistoryView& view) {
 }
 
 XYPlot distributionPlot(const HistoryView& view) {
-    XYPlot plot;
     const Shown parameter = shownIn(view);
-    plot.x_name = parameter.title;
-    plot.x_unit = parameter.unit;
-    plot.y_name = HistoryWords::tr("Results in each step");
-    plot.empty = HistoryWords::tr("A distribution needs two results with different values.");
+    XYPlot plot{
+        .x_name = parameter.title,
+        .x_unit = parameter.unit,
+        .y_name = HistoryWords::tr("Results in each step"),
+        .empty = HistoryWords::tr("A distribution needs two results with different values.")};
     const Histogram& found = view.charts.histogram;
     if (found.counts.empty()) {
         return plot;

@@ -192,20 +192,11 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
 }  // namespace
 
 XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x, std::vector<double> y) {
-    XYSeries line;
-    line.name = name;
-    line.ink = ink;
-    line.dashed = true;
-    line.x = std::move(x);
-    line.y = std::move(y);
-    return line;
+    return {.name = name, .ink = ink, .dashed = true, .x = std::move(x), .y = std::move(y)};
 }
 
 XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink) {
-    XYSeries steps;
-    steps.name = name;
-    steps.ink = ink;
-    steps.steps = true;
+    XYSeries steps{.name = name, .ink = ink, .steps = true};
     const auto add = [&](double bin, double count) {
         steps.x.push_back(histogram.low + (bin + 0.5) * histogram.width);
         steps.y.push_back(count);
@@ -230,13 +221,7 @@ XYSeries normalCurve(const QString& name, double area, int points) {
 }
 
 XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink) {
-    XYSeries mark;
-    mark.points = true;
-    mark.style = 1;
-    mark.ink = ink;
-    mark.x = {points.x[point]};
-    mark.y = {points.y[point]};
-    return mark;
+    return {.style = 1, .ink = ink, .points = true, .x = {points.x[point]}, .y = {points.y[point]}};
 }
 
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size) {

@@ -83,13 +83,6 @@ QString unitName(const char* unit) {
     return QCoreApplication::translate("DisplayUnits", unit);
 }
 
-XYSeries channelSeries(const char* name, Ink ink) {
-    XYSeries series;
-    series.name = QLatin1String(name);
-    series.ink = ink;
-    return series;
-}
-
 XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink ink) {
     XYSeries series = histogramSteps(channel.histogram, QLatin1String(name), ink);
     const double whole = channel.histogram.width * static_cast<double>(channel.moments.count);
@@ -101,8 +94,7 @@ XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink i
 
 XYSeries densitySeries(const Residuals& found, const ResidualChannel& channel, const char* name,
                        Ink ink) {
-    XYSeries series = channelSeries(name, ink);
-    series.thin = true;
+    XYSeries series{.name = QLatin1String(name), .ink = ink, .thin = true};
     // Bin 0 has no place on a logarithmic axis, and no density below rounding.
     for (std::size_t k = 1; k < channel.density.size(); ++k) {
         if (channel.density[k] > 0) {
@@ -137,8 +129,7 @@ AxisRange densityRange(const std::vector<XYSeries>& channels) {
 
 XYSeries correlationSeries(const Residuals& found, const ResidualChannel& channel, const char* name,
                            Ink ink) {
-    XYSeries series = channelSeries(name, ink);
-    series.thin = true;
+    XYSeries series{.name = QLatin1String(name), .ink = ink, .thin = true};
     for (std::size_t lag = 1; lag < channel.autocorrelation.size(); ++lag) {
         series.x.push_back(1e3 * static_cast<double>(lag) / found.rate_hz);
         series.y.push_back(channel.autocorrelation[lag]);
@@ -264,11 +255,10 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
 }
 
 XYPlot histogramPlot(const Residuals* found, const QString& empty) {
-    XYPlot plot;
-    plot.x_name = ResidualWords::tr("Residual");
-    plot.x_unit = ResidualWords::tr("sd");
-    plot.y_name = ResidualWords::tr("Probability density");
-    plot.empty = empty;
+    XYPlot plot{.x_name = ResidualWords::tr("Residual"),
+                .x_unit = ResidualWords::tr("sd"),
+                .y_name = ResidualWords::tr("Probability density"),
+                .empty = empty};
     if (found != nullptr && !found->c.histogram.counts.empty() &&
         !found->d.histogram.counts.empty()) {
         plot.series = {histogramSeries(found->c, "C", Ink::channel_c),
@@ -292,9 +282,7 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
     if (found == nullptr || found->c.density.size() < 2) {
         return plot;
     }
-    XYSeries lines;
-    lines.points = true;
-    lines.ink = Ink::text;
+    XYSeries lines{.ink = Ink::text, .points = true};
     for (const ResidualLine& line : found->lines) {
         lines.x.push_back(line.f_hz);
         lines.y.push_back(heightOf(*found, line));
@@ -309,11 +297,10 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
 }
 
 XYPlot correlationPlot(const Residuals* found, const QString& empty) {
-    XYPlot plot;
-    plot.x_name = ResidualWords::tr("Lag");
-    plot.x_unit = ResidualWords::tr("ms");
-    plot.y_name = ResidualWords::tr("Autocorrelation");
-    plot.empty = empty;
+    XYPlot plot{.x_name = ResidualWords::tr("Lag"),
+                .x_unit = ResidualWords::tr("ms"),
+                .y_name = ResidualWords::tr("Autocorrelation"),
+                .empty = empty};
     if (found == nullptr || found->c.autocorrelation.size() < 2 ||
         found->d.autocorrelation.size() < 2) {
         return plot;
