@@ -7019,13 +7019,6 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::Overview</name>
-    <message>
-        <source>Overview of the recording</source>
-        <translation>Обзор записи</translation>
-    </message>
-</context>
-<context>
     <name>vybeg::ui::PageStack</name>
     <message>
         <source>Pages</source>

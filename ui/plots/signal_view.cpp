@@ -46,10 +46,6 @@ SignalView::SignalView(QWidget* parent) : QWidget(parent), theme_(lightTheme()) 
     setAccessibleName(tr("Overview of the recording"));
 }
 
-void SignalView::clear() {
-    setReading(0);
-}
-
 void SignalView::setReading(double seconds) {
     envelope_.reset();
     faults_.reset();
