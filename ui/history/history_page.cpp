@@ -357,8 +357,8 @@ QWidget* HistoryPage::buildContent() {
 }
 
 void HistoryPage::connectWidgets() {
-    connect(open_, &QPushButton::clicked, this, &HistoryPage::openWanted);
-    connect(new_, &QPushButton::clicked, this, &HistoryPage::newWanted);
+    connect(open_, &QPushButton::clicked, this, [this] { emit databaseWanted(false); });
+    connect(new_, &QPushButton::clicked, this, [this] { emit databaseWanted(true); });
     connect(add_, &QPushButton::clicked, this, &HistoryPage::add);
     connect(export_, &QPushButton::clicked, this, [this] {
         emit exportAllWanted(historyExport(view(), database_->text(), choices_->gyro()));

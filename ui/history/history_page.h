@@ -35,8 +35,8 @@ public:
 
 signals:
     void exportAllWanted(const HistoryExport& all);
-    void openWanted();
-    void newWanted();
+    // `make`: a new one.
+    void databaseWanted(bool make);
     // Recordings of a result, open as a set.
     void setOpened();
 

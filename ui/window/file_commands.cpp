@@ -228,16 +228,15 @@ void FileCommands::askForPassport() {
               [this](const QString& path) { document_.sets().openPassport(path); });
 }
 
-void FileCommands::askForDatabase() {
-    ask_.file(FileQuestions::tr("Open database"),
-              {FileQuestions::tr("Database of results (*.db *.sqlite)")},
-              [this](const QString& path) { emit databaseChosen(path, false); });
-}
-
-void FileCommands::askForNewDatabase() {
-    ask_.target(FileQuestions::tr("New database"), QStringLiteral("results.db"),
-                {FileQuestions::tr("Database of results (*.db)")},
-                [this](const QString& path) { emit databaseChosen(path, true); });
+void FileCommands::askForDatabase(bool make) {
+    const auto take = [this, make](const QString& path) { emit databaseChosen(path, make); };
+    if (make) {
+        ask_.target(FileQuestions::tr("New database"), QStringLiteral("results.db"),
+                    {FileQuestions::tr("Database of results (*.db)")}, take);
+    } else {
+        ask_.file(FileQuestions::tr("Open database"),
+                  {FileQuestions::tr("Database of results (*.db *.sqlite)")}, take);
+    }
 }
 
 void FileCommands::askWhereToPutTrack() {
@@ -252,10 +251,7 @@ void FileCommands::askWhereToPutTrack() {
 }
 
 void FileCommands::askForWholeAngleLogs() {
-    ask_.wholeAngleLogs([this](const QStringList& files) {
-        document_.drift().open(files);
-        emit wholeAngleLogsOpened();
-    });
+    ask_.wholeAngleLogs([this](const QStringList& files) { document_.drift().open(files); });
 }
 
 void FileCommands::askWhereToPutDrift() {
@@ -355,17 +351,16 @@ void FileCommands::exportPlot(const Figure& figure) {
 void FileCommands::exportHistory(const HistoryExport& all) {
     ask_.target(FileQuestions::tr("Export history"), all.name + QStringLiteral(".csv"),
                 {FileQuestions::tr("Table (*.csv)"), FileQuestions::tr("PDF document (*.pdf)")},
-                [this, all](const QString& path) { exportHistoryTo(path, all); });
-}
-
-void FileCommands::exportHistoryTo(const QString& path, const HistoryExport& all) {
-    put(path, [&](const Done& done) {
-        if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
-            reports_.write(all.report, all.figures, path, done);
-        } else {
-            done(write_file(std::filesystem::path(path.toStdU16String()), all.table, JobControl()));
-        }
-    });
+                [this, all](const QString& path) {
+                    put(path, [&](const Done& done) {
+                        if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
+                            reports_.write(all.report, all.figures, path, done);
+                        } else {
+                            done(write_file(std::filesystem::path(path.toStdU16String()), all.table,
+                                            JobControl()));
+                        }
+                    });
+                });
 }
 
 void FileCommands::askForReport(bool of_set) {

@@ -239,11 +239,8 @@ void MainWindow::connectPanels() {
     }
     connect(drift_, &DriftPage::exportResultWanted, files_, &FileCommands::askWhereToPutDrift);
     connect(drift_, &DriftPage::openWanted, files_, &FileCommands::askForWholeAngleLogs);
-    connect(files_, &FileCommands::wholeAngleLogsOpened, action(Command::page_drift),
-            &QAction::trigger);
     connect(history_, &HistoryPage::exportAllWanted, files_, &FileCommands::exportHistory);
-    connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
-    connect(history_, &HistoryPage::newWanted, files_, &FileCommands::askForNewDatabase);
+    connect(history_, &HistoryPage::databaseWanted, files_, &FileCommands::askForDatabase);
     connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
     connect(batch_, &BatchCommands::helpWanted, this, &MainWindow::showHelp);
     connect(batch_, &BatchCommands::setOpened, this, [this] { pages_->showPage(Page::resonator); });

@@ -58,7 +58,7 @@ std::vector<CommandRow> windowCommands(MainWindow& w) {
          .text = QT_TRANSLATE_NOOP("Command", "Open &database…"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "Open a database of results, for the history of its gyros"),
-         .act = [&w] { w.files_->askForDatabase(); }},
+         .act = [&w] { w.files_->askForDatabase(false); }},
         {.id = Command::open_whole_angle,
          .text = QT_TRANSLATE_NOOP("Command", "Open w&hole-angle logs…"),
          .tip = QT_TRANSLATE_NOOP("Command",
