@@ -29,11 +29,6 @@ ZoomNavigator::ZoomNavigator(std::function<ZoomState(ZoomState)> clipped, QObjec
     pause_.setInterval(gesture_pause_ms);
 }
 
-void ZoomNavigator::announce() {
-    emit moved();
-    emit historyChanged();
-}
-
 void ZoomNavigator::visit(ZoomState state, Gesture gesture) {
     state = clipped_(std::move(state));
     if (state == current()) {
@@ -56,20 +51,20 @@ void ZoomNavigator::goTo(ZoomState state, bool same_entry) {
         states_.push_back(std::move(state));
         position_ = states_.size() - 1;
     }
-    announce();
+    emit moved();
 }
 
 void ZoomNavigator::restart(const ZoomState& state) {
     states_ = {state};
     position_ = 0;
-    announce();
+    emit moved();
 }
 
 void ZoomNavigator::back() {
     if (canBack()) {
         endGesture();
         --position_;
-        announce();
+        emit moved();
     }
 }
 
@@ -77,7 +72,7 @@ void ZoomNavigator::forward() {
     if (canForward()) {
         endGesture();
         ++position_;
-        announce();
+        emit moved();
     }
 }
 

@@ -63,12 +63,10 @@ public:
     void endGesture() { gesture_ = Gesture::none; }
 
 signals:
+    // Another view, or another history.
     void moved();
-    void historyChanged();
 
 private:
-    void announce();
-
     std::function<ZoomState(ZoomState)> clipped_;
     std::vector<ZoomState> states_{ZoomState()};
     std::size_t position_ = 0;

@@ -156,7 +156,6 @@ TrackView::TrackView(QWidget* parent)
         redraw();
         emit timeRangeChanged(timeRange().lower, timeRange().upper);
     });
-    connect(&zoom_, &ZoomNavigator::historyChanged, this, &TrackView::zoomHistoryChanged);
     rebuild();
     whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange}, [this] {
         setAccessibleName(tr("Slow variables over time"));

@@ -90,12 +90,12 @@ public slots:
     void fit() override { zoom_.visit({fullTimeRange(), {}}, Gesture::none); }
 
 signals:
+    // Time range, or the history of zooms.
     void timeRangeChanged(double from_s, double to_s);
     void trackerMoved(double time_s);
     void trackerLeft();
     // The user moved, placed or removed a cursor.
     void cursorsChanged();
-    void zoomHistoryChanged();
     void variablesChanged();
     // Margins of the time axes, pixels from both edges.
     void timeAxisPlaced(int left, int right);

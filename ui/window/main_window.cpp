@@ -262,7 +262,7 @@ void MainWindow::connectPanels() {
                 tracks_->setCursor(Cursor::b, b_s);
                 showCursors();
             });
-    connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
+    connect(tracks_, &TrackView::timeRangeChanged, commands_, &Commands::refresh);
     connect(ledger_, &Ledger::currentAnalysisChanged, this, &MainWindow::showAnalysis);
     connect(wave_, &WavePanel::exportWanted, files_, &FileCommands::exportPlot);
 }
