@@ -14,6 +14,7 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
@@ -24,10 +25,58 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <set>
 #include <utility>
 
 namespace vybeg::ui {
+
+namespace {
+
+constexpr double minute_s = 60;
+constexpr double hour_s = 3600;
+constexpr double ms_per_s = 1000;
+
+}  // namespace
+
+void BatchProgress::begin(std::size_t sets) {
+    *this = BatchProgress();
+    sets_ = sets;
+    since_.start();
+}
+
+void BatchProgress::add(bool kept) {
+    ++done_;
+    if (!kept) {
+        ++computed_;
+        last_row_ms_ = since_.elapsed();
+    }
+}
+
+std::optional<double> BatchProgress::secondsLeft() const {
+    if (computed_ == 0 || done_ == sets_) {
+        return std::nullopt;
+    }
+    const double each_ms = static_cast<double>(last_row_ms_) / static_cast<double>(computed_);
+    const double left_ms = each_ms * static_cast<double>(sets_ - done_) -
+                           static_cast<double>(since_.elapsed() - last_row_ms_);
+    return std::max(left_ms, 0.) / ms_per_s;
+}
+
+QString durationText(double seconds) {
+    const QLocale locale;
+    if (seconds < 1.5 * minute_s) {
+        return QCoreApplication::translate("Duration", "%1 s")
+            .arg(locale.toString(std::ceil(seconds), 'f', 0));
+    }
+    if (seconds < 1.5 * hour_s) {
+        return QCoreApplication::translate("Duration", "%1 min")
+            .arg(locale.toString(std::ceil(seconds / minute_s), 'f', 0));
+    }
+    return QCoreApplication::translate("Duration", "%1 h")
+        .arg(locale.toString(seconds / hour_s, 'f', 1));
+}
 
 BatchMessage::BatchMessage(QWidget* parent) : QLabel(parent) {
     setObjectName(QStringLiteral("batchMessage"));
@@ -140,23 +189,15 @@ BatchWindow::BatchWindow(QWidget* parent)
     connect(form_, &BatchForm::changed, this, &BatchWindow::refresh);
     connect(start_, &QPushButton::clicked, this, &BatchWindow::askAndStart);
     connect(stop_, &QPushButton::clicked, this, &BatchWindow::stop);
-    connect(&job_, &BatchJob::begun, this, &BatchWindow::whenBegun);
-    connect(&job_, &BatchJob::ended, this, &BatchWindow::whenEnded);
-    connect(&job_, &BatchJob::warned, this, [this](const Diagnostic& diagnostic) {
-        message_->warn([diagnostic] { return diagnosticText(diagnostic); });
-    });
-    connect(&job_, &BatchJob::rowFinished, this, [this](const FinishedRow& finished) {
-        model_.add(finished);
-        progress_.add(finished.kept);
-        widenFor(static_cast<int>(finished.set));
-        showProgress();
-        showDetails();
-    });
     connect(new QShortcut(QKeySequence::HelpContents, this), &QShortcut::activated, this,
             &BatchWindow::helpWanted);
     applyTheme();
     retranslate();
     refresh();
+}
+
+BatchWindow::~BatchWindow() {
+    batch_stop_.request_stop();
 }
 
 void BatchWindow::buildTable() {
@@ -227,7 +268,7 @@ void BatchWindow::askAndStart() {
 }
 
 void BatchWindow::start() {
-    if (job_.running()) {
+    if (running_) {
         return;
     }
     BatchRequest request = form_->request();
@@ -242,16 +283,41 @@ void BatchWindow::start() {
     message_->begin();
     model_.begin(std::make_shared<const MeasurementList>());  // the table of the batch before goes
     progress_.begin(0);
-    job_.start(request);
+    running_ = true;
+    batch_stop_ = std::stop_source();
+    constexpr int only_one = 0;
+    job_.write(
+        only_one,
+        [this, request, token = batch_stop_.get_token()](const JobControl&) {
+            return compute_batch(request, events(), token);
+        },
+        [this](const Status& status) { whenEnded(status); });
     refresh();
 }
 
 void BatchWindow::stop() {
-    if (job_.running()) {
+    if (running_) {
         stopping_ = true;
-        job_.stop();
+        batch_stop_.request_stop();
         refresh();
     }
+}
+
+BatchEvents BatchWindow::events() {
+    return {
+        [this](const std::vector<Diagnostic>& warnings) {
+            for (const Diagnostic& each : warnings) {
+                post([this, each] { message_->warn([each] { return diagnosticText(each); }); });
+            }
+        },
+        [this](const MeasurementList& list) {
+            post([this, own = std::make_shared<const MeasurementList>(list)] { whenBegun(own); });
+        },
+        [this](const FinishedRow& row) { post([this, row] { whenFinished(row); }); }};
+}
+
+void BatchWindow::post(std::function<void()> act) {
+    QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection);
 }
 
 void BatchWindow::whenBegun(const std::shared_ptr<const MeasurementList>& list) {
@@ -263,7 +329,16 @@ void BatchWindow::whenBegun(const std::shared_ptr<const MeasurementList>& list) 
     showDetails();
 }
 
+void BatchWindow::whenFinished(const FinishedRow& row) {
+    model_.add(row);
+    progress_.add(row.kept);
+    widenFor(static_cast<int>(row.set));
+    showProgress();
+    showDetails();
+}
+
 void BatchWindow::whenEnded(const Status& status) {
+    running_ = false;
     tick_.stop();
     const auto kept = [] { return tr("What is computed is kept: Start goes on from here."); };
     if (status) {
@@ -297,9 +372,9 @@ void BatchWindow::showProgress() {
         parts << tr("%n without a result", nullptr, model_.failed());
     }
     const auto left = progress_.secondsLeft();
-    if (job_.running() && stopping_) {
+    if (running_ && stopping_) {
         parts << tr("stopping…");
-    } else if (job_.running() && left) {
+    } else if (running_ && left) {
         parts << tr("%1 left").arg(durationText(*left));
     }
     told_->setText(parts.join(QStringLiteral("; ")));
@@ -353,7 +428,7 @@ void BatchWindow::showDetails() {
 }
 
 void BatchWindow::refresh() {
-    const bool running = job_.running();
+    const bool running = running_;
     form_->setEnabled(!running);
     start_->setEnabled(!running && form_->isComplete());
     stop_->setEnabled(running && !stopping_);
@@ -388,7 +463,7 @@ void BatchWindow::copyRows() const {
 }
 
 void BatchWindow::closeEvent(QCloseEvent* event) {
-    if (!job_.running() || leaving_) {  // then the batch stops where this object goes
+    if (!running_ || leaving_) {  // then the batch stops where this object goes
         QWidget::closeEvent(event);
         return;
     }
