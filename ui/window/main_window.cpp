@@ -77,7 +77,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     statusBar()->addWidget(times_);
     statusBar()->addWidget(status_, 1);
     statusBar()->setSizeGripEnabled(false);
-    commands_ = new Commands(windowCommands(*this), this);
+    commands_ = new Commands(WindowCommands::of(*this), this);
     menus_ = new WindowMenus(*commands_, *tracks_, static_cast<int>(storedThemeMode()), menu_bar_);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
     action(Command::fitted_wave)->setChecked(true);

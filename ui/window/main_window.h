@@ -90,7 +90,7 @@ private:
     void showHelp();
 
     // main_window_commands.cpp
-    friend std::vector<CommandRow> windowCommands(MainWindow& w);
+    friend struct WindowCommands;
 
     // main_window_state.cpp
     static ThemeMode storedThemeMode();
