@@ -9,7 +9,6 @@
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QCoreApplication>
-#include <QEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -83,6 +82,7 @@ BatchMessage::BatchMessage(QWidget* parent) : QLabel(parent) {
     setWordWrap(true);
     setTextFormat(Qt::PlainText);
     setTextInteractionFlags(Qt::TextSelectableByMouse);
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { color(); });
     hide();
 }
 
@@ -125,13 +125,6 @@ void BatchMessage::color() {
     }
     if (palette() != colors) {
         setPalette(colors);
-    }
-}
-
-void BatchMessage::changeEvent(QEvent* event) {
-    QLabel::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        color();
     }
 }
 
@@ -192,7 +185,8 @@ BatchWindow::BatchWindow(QWidget* parent)
     connect(new QShortcut(QKeySequence::HelpContents, this), &QShortcut::activated, this,
             &BatchWindow::helpWanted);
     applyTheme();
-    retranslate();
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { applyTheme(); });
+    keepTranslated(*this, [this] { retranslate(); });
     refresh();
 }
 
@@ -472,15 +466,6 @@ void BatchWindow::closeEvent(QCloseEvent* event) {
         tr("The batch is running. What is computed is kept beside the table, and Start with the "
            "same files goes on from there."),
         tr("Stop and close"), tr("Go on"), [this] { leave(); });
-}
-
-void BatchWindow::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        applyTheme();
-    }
 }
 
 void BatchWindow::applyTheme() {

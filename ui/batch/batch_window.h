@@ -64,9 +64,6 @@ public:
     void end(Text text, bool fault);
     void refresh();  // in the present language
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void color();
 
@@ -100,7 +97,6 @@ signals:
     void helpWanted();
 
 protected:
-    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
 

@@ -88,7 +88,12 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     connectSession();
     connectPanels();
     restoreState();
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::ThemeChange}, [this] {
+        if (theme_mode_ == ThemeMode::system) {
+            applyLook();
+        }
+    });
     showCurrentRecording();
     showAnalyses();
     tracks_->setFocus();

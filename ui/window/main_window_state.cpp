@@ -112,15 +112,6 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     showPanels();
 }
 
-void MainWindow::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::ThemeChange && theme_mode_ == ThemeMode::system) {
-        applyLook();
-    }
-}
-
 void MainWindow::setLanguage(const QString& code) {
     language_.use(code);
     QSettings().setValue(language_key, language_.code());
