@@ -39,9 +39,7 @@ HistoryChoices::HistoryChoices(QWidget* parent)
       grid_(new QGridLayout(this)) {
     gyro_->addItem(QString());
     parameter_->setItemDelegate(new IndexDelegate(parameter_));
-    for ([[maybe_unused]] const HistoryParameter& each : historyParameters()) {
-        parameter_->addItem(QString());
-    }
+    parameter_->addItems(QStringList(std::ssize(historyParameters())));
     parameter_->setCurrentIndex(1);
     for (QComboBox* box : {gyro_, parameter_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

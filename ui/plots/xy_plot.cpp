@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace vybeg::ui {
@@ -29,22 +28,20 @@ constexpr int legend_inset = 8;
 // one of their whole deviations, as their bars would fill the plot from edge to edge.
 AxisRange rangeOf(const XYPlot& content, bool of_y) {
     const bool logarithmic = of_y ? content.y_logarithmic : content.x_logarithmic;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    double left = low;
-    double right = high;
+    Extent values;
+    Extent places;
     for (const XYSeries& series : content.series) {
         for (std::size_t k = 0; k < series.x.size(); ++k) {
             const double sd = of_y && !series.sd.empty() ? series.sd[k] : 0;
             const double value = of_y ? series.y[k] : series.x[k];
             if (std::isfinite(value) && std::isfinite(sd) && (!logarithmic || value - sd > 0)) {
-                low = std::min(low, value - sd);
-                high = std::max(high, value + sd);
-                left = std::min(left, series.x[k]);
-                right = std::max(right, series.x[k]);
+                values.add(value - sd);
+                values.add(value + sd);
+                places.add(series.x[k]);
             }
         }
     }
+    const auto [low, high] = values;
     if (low > high) {
         return logarithmic ? AxisRange{0.1, 10} : AxisRange{0, 1};
     }
@@ -52,7 +49,7 @@ AxisRange rangeOf(const XYPlot& content, bool of_y) {
         const double spare = high > low ? std::pow(high / low, 0.05) : 2;
         return {low / spare, high * spare};
     }
-    const double part = of_y && left == right ? 1 : 0.05;
+    const double part = of_y && places.low == places.high ? 1 : 0.05;
     const double spare = high > low ? part * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
     return {low - spare, high + spare};
 }

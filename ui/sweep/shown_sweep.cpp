@@ -46,19 +46,9 @@ XYSeries seriesOf(const WindowSweep& sweep, XYSeries series, double factor, cons
     return series;
 }
 
-struct Extent {
-    double low = 1e300;
-    double high = 0;
-
-    void take(const XYSeries& series) {
-        for (const double y : series.y) {
-            if (std::isfinite(y)) {
-                low = std::min(low, y);
-                high = std::max(high, y);
-            }
-        }
-    }
-};
+void extend(Extent& extent, const XYSeries& series) {
+    std::ranges::for_each(series.y, [&extent](double y) { extent.add(y); });
+}
 
 // A vertical line at the recommended length, and a mark on the chosen point.
 void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
@@ -210,7 +200,7 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view) {
         &SweepValue::motion);
     Extent extent;
     for (const std::size_t k : {0, 1, 2}) {
-        extent.take(plot.series[k]);
+        extend(extent, plot.series[k]);
     }
     const double floor = extent.low / 4;
     for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
@@ -221,9 +211,9 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view) {
                                        factor, [&](const SweepLength& each) {
                                            return each.values[view.variable].leakage[k];
                                        }));
-        extent.take(plot.series.back());
+        extend(extent, plot.series.back());
     }
-    extent.take(plot.series[3]);
+    extend(extent, plot.series[3]);
     // Whole half-periods have a leakage of almost nothing, which needs no room.
     plot.y_range = extent.high > 0 ? AxisRange{floor, 2 * extent.high} : AxisRange{0.1, 10};
     for (XYSeries& each : plot.series) {  // a curve that lies below the plot needs no name
@@ -251,7 +241,7 @@ XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view) {
         [sweep](const SweepLength&) { return sweep->white_noise; });
     Extent extent;
     for (const XYSeries& each : plot.series) {
-        extent.take(each);
+        extend(extent, each);
     }
     plot.y_range =
         extent.high > 0 ? AxisRange{extent.low / 1.5, 1.5 * extent.high} : AxisRange{0.1, 10};

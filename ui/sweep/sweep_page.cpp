@@ -355,9 +355,7 @@ void SweepPage::setUnits(const DisplayUnits& units) {
 QLayout* SweepPage::buildHead() {
     recording_->setTextFormat(Qt::PlainText);
     recording_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    for ([[maybe_unused]] const Algorithm each : all_algorithms) {
-        algorithm_->addItem(QString());
-    }
+    algorithm_->addItems(QStringList(std::ssize(all_algorithms)));
     algorithm_label_->setBuddy(algorithm_);
     lengths_label_->setBuddy(lengths_);
     progress_->setRange(0, progress_steps);
@@ -374,9 +372,7 @@ QWidget* SweepPage::buildContent() {
     variable_label_ = new QLabel(content);
     variable_ = withName(new QComboBox(content), "sweepVariable");
     variable_->setItemDelegate(new IndexDelegate(variable_));
-    for ([[maybe_unused]] const SlowVariable each : main_slow_variables) {
-        variable_->addItem(QString());
-    }
+    variable_->addItems(QStringList(std::ssize(main_slow_variables)));
     variable_->setCurrentIndex(2);
     variable_label_->setBuddy(variable_);
     copy_ = withName(new QPushButton(content), "sweepCopy");
