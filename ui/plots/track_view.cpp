@@ -100,47 +100,6 @@ private:
     bool framed_ = false;
 };
 
-void PlotFocus::match(const PlotContent& content) {
-    const bool same = std::ranges::equal(frames_, content.variables, {}, &PanelFocus::variable);
-    if (!same) {
-        for (PanelFocus* frame : frames_) {
-            delete frame;
-        }
-        frames_.clear();
-        for (const SlowVariable variable : content.variables) {
-            frames_.push_back(new PanelFocus(variable, &view_));
-            frames_.back()->show();
-        }
-    }
-    for (PanelFocus* frame : frames_) {
-        const SlowVariable variable = frame->variable();
-        frame->setColor(content.theme.accent);
-        frame->setAccessibleName(
-            QCoreApplication::translate("PlotFocus", "Plot of %1, %2")
-                .arg(indexPlain(displaySymbol(variable, content.units)), displayMeaning(variable)));
-    }
-}
-
-void PlotFocus::place(const PlotStack& stack) {
-    for (PanelFocus* frame : frames_) {
-        if (const PlotPanel* panel = stack.panel(frame->variable())) {
-            frame->setGeometry(panel->outerRect());
-        }
-    }
-}
-
-void PlotFocus::give(SlowVariable variable) {
-    const auto found = std::ranges::find(frames_, variable, &PanelFocus::variable);
-    if (found != frames_.end()) {
-        (*found)->setFocus(Qt::MouseFocusReason);
-    }
-}
-
-std::optional<SlowVariable> PlotFocus::focused() const {
-    const auto found = std::ranges::find_if(frames_, &PanelFocus::hasFocus);
-    return found == frames_.end() ? std::nullopt : std::optional((*found)->variable());
-}
-
 TrackView::TrackView(QWidget* parent)
     : TimeGestures(parent),
       zoom_([this](ZoomState state) {
@@ -264,9 +223,27 @@ void TrackView::rebuild() {
     for (const char* name : {"background", "grid", "main", "axes"}) {
         plot().layer(QString::fromLatin1(name))->setVisible(has_analyses);
     }
-    focus_.match(content_);
+    matchFocus();
     updateGeometry();
     redraw();
+}
+
+void TrackView::matchFocus() {
+    if (!std::ranges::equal(focus_, content_.variables, {}, &PanelFocus::variable)) {
+        std::ranges::for_each(focus_, [](PanelFocus* frame) { delete frame; });
+        focus_.clear();
+        for (const SlowVariable variable : content_.variables) {
+            focus_.push_back(new PanelFocus(variable, this));
+            focus_.back()->show();
+        }
+    }
+    for (PanelFocus* frame : focus_) {
+        frame->setColor(content_.theme.accent);
+        frame->setAccessibleName(
+            QCoreApplication::translate("PlotFocus", "Plot of %1, %2")
+                .arg(indexPlain(displaySymbol(frame->variable(), content_.units)),
+                     displayMeaning(frame->variable())));
+    }
 }
 
 void TrackView::redraw() {
@@ -280,7 +257,11 @@ void TrackView::redraw() {
 }
 
 void TrackView::followLayout() {
-    focus_.place(stack_);
+    for (PanelFocus* frame : focus_) {
+        if (const PlotPanel* panel = stack_.panel(frame->variable())) {
+            frame->setGeometry(panel->outerRect());
+        }
+    }
     if (!stack_.panels().empty()) {
         const QRect area = stack_.panels().front()->rect();
         emit timeAxisPlaced(area.left(), width() - 1 - area.right());
@@ -323,7 +304,10 @@ void TrackView::moveCursor(Cursor which, std::optional<double> time_s) {
 
 void TrackView::pressedAt(const QPointF& at) {
     const PlotPanel& panel = *stack_.panelAt(at);
-    focus_.give(panel.variable());
+    const auto frame = std::ranges::find(focus_, panel.variable(), &PanelFocus::variable);
+    if (frame != focus_.end()) {
+        (*frame)->setFocus(Qt::MouseFocusReason);
+    }
     press_variable_ = panel.variable();
     press_values_ = panel.values();
 }
@@ -370,7 +354,9 @@ bool TrackView::takeKey(QKeyEvent* event) {
     }
     const bool up = event->key() == Qt::Key_Up;
     const bool in = event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal;
-    const SlowVariable variable = focus_.focused().value_or(content_.variables.front());
+    const auto focused = std::ranges::find_if(focus_, &PanelFocus::hasFocus);
+    const SlowVariable variable =
+        focused == focus_.end() ? content_.variables.front() : (*focused)->variable();
     if (up || event->key() == Qt::Key_Down) {
         changeValues(variable, 1, 0.5, up ? ZoomNavigator::arrow : -ZoomNavigator::arrow,
                      Gesture::key_value);

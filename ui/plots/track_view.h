@@ -16,21 +16,6 @@ class PanelFocus;
 class PlotOverlay;
 class PlotStack;
 
-// Frames of keyboard focus about the plots of a view, one per plot in the tab order.
-class PlotFocus {
-public:
-    explicit PlotFocus(QWidget& view) : view_(view) {}
-
-    void match(const PlotContent& content);
-    void place(const PlotStack& stack);
-    void give(SlowVariable variable);
-    std::optional<SlowVariable> focused() const;
-
-private:
-    QWidget& view_;
-    std::vector<PanelFocus*> frames_;  // children of the view
-};
-
 // The stacked plots of the slow variables of all visible analyses over one time axis; owner of the
 // time range, tracker and cursors that other views share.
 //
@@ -118,6 +103,7 @@ private:
                       Gesture gesture);
 
     void rebuild();
+    void matchFocus();
     void redraw();
     void followLayout();
 
@@ -126,7 +112,7 @@ private:
     ZoomNavigator zoom_;
     PlotStack& stack_;
     PlotOverlay* overlay_ = nullptr;
-    PlotFocus focus_{*this};
+    std::vector<PanelFocus*> focus_;  // one per plot in the tab order
     std::optional<double> tracker_;
     std::array<std::optional<double>, 2> cursors_;
     // Of the plot in which a drag began.
