@@ -11,8 +11,6 @@
 #include <QSpinBox>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace vybeg::ui {
 
@@ -28,14 +26,14 @@ const QString baseline_key = QStringLiteral("history/baseline");
 
 HistoryChoices::HistoryChoices(QWidget* parent)
     : QWidget(parent),
-      gyro_label_(new QLabel(this)),
       gyro_(withName(new QComboBox(this), "historyGyro")),
-      parameter_label_(new QLabel(this)),
       parameter_(withName(new QComboBox(this), "historyParameter")),
-      axis_label_(new QLabel(this)),
       axis_(withName(new QComboBox(this), "historyAxis")),
-      baseline_label_(new QLabel(this)),
       baseline_(withName(new QSpinBox(this), "historyBaseline")),
+      choices_{{{new QLabel(this), gyro_},
+                {new QLabel(this), parameter_},
+                {new QLabel(this), axis_},
+                {new QLabel(this), baseline_}}},
       grid_(new QGridLayout(this)) {
     gyro_->addItem(QString());
     parameter_->setItemDelegate(new IndexDelegate(parameter_));
@@ -49,10 +47,9 @@ HistoryChoices::HistoryChoices(QWidget* parent)
     baseline_->setRange(least_results, most_results);
     baseline_->setValue(QSettings().value(baseline_key, usual_results).toInt());
     baseline_->setKeyboardTracking(false);
-    gyro_label_->setBuddy(gyro_);
-    parameter_label_->setBuddy(parameter_);
-    axis_label_->setBuddy(axis_);
-    baseline_label_->setBuddy(baseline_);
+    for (const auto& [label, choice] : choices_) {
+        label->setBuddy(choice);
+    }
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setColumnStretch(1, 1);
     grid_->setColumnStretch(3, 1);
@@ -106,14 +103,9 @@ void HistoryChoices::setGyros(const std::vector<StoredGyro>& gyros) {
 
 // So many choices stand beside each other.
 void HistoryChoices::place(int in_a_row) {
-    const std::array<std::pair<QWidget*, QWidget*>, 4> choices{{{gyro_label_, gyro_},
-                                                                {parameter_label_, parameter_},
-                                                                {axis_label_, axis_},
-                                                                {baseline_label_, baseline_}}};
-    for (int k = 0; const auto& [label, choice] : choices) {
-        for (QWidget* part : {label, choice}) {
-            grid_->removeWidget(part);
-        }
+    for (int k = 0; const auto& [label, choice] : choices_) {
+        grid_->removeWidget(label);
+        grid_->removeWidget(choice);
         grid_->addWidget(label, k / in_a_row, 2 * (k % in_a_row));
         grid_->addWidget(choice, k / in_a_row, 2 * (k % in_a_row) + 1);
         ++k;
@@ -121,7 +113,10 @@ void HistoryChoices::place(int in_a_row) {
 }
 
 void HistoryChoices::retranslate() {
-    gyro_label_->setText(tr("Gyro"));
+    const std::array names{tr("Gyro"), tr("Parameter"), tr("Against"), tr("Baseline")};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        choices_[k].first->setText(names[k]);
+    }
     setWords(*gyro_, tr("Gyro of the history"),
              richTip(tr("Whose results are shown; the number of its results stands behind "
                         "its name")));
@@ -133,7 +128,6 @@ void HistoryChoices::retranslate() {
                                name.isEmpty() ? tr("without a name") : name,
                                QLocale().toString(static_cast<qlonglong>(gyros_[k].results))));
     }
-    parameter_label_->setText(tr("Parameter"));
     setWords(*parameter_, tr("Parameter of the history"),
              richTip(tr("Which of its parameters is shown")));
     const auto& parameters = historyParameters();
@@ -142,11 +136,9 @@ void HistoryChoices::retranslate() {
             static_cast<int>(k),
             indexPlain(shownAs(parameters[k].name, parameters[k].unit, {}).title));
     }
-    axis_label_->setText(tr("Against"));
     setWords(*axis_, tr("Axis of the history"),
              richTip(tr("The mean frequency follows the temperature of the resonator")));
     setTexts(*axis_, {tr("Date"), tr("Frequency"), tr("Order")});
-    baseline_label_->setText(tr("Baseline"));
     setWords(*baseline_, tr("Baseline of the control charts"),
              richTip(tr("So many first results of the gyro set centre and limits of the charts")));
 }

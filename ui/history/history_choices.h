@@ -4,8 +4,10 @@
 
 #include <QWidget>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QComboBox;
@@ -41,14 +43,11 @@ private:
     void retranslate();
 
     std::vector<StoredGyro> gyros_;
-    QLabel* gyro_label_;
     QComboBox* gyro_;
-    QLabel* parameter_label_;
     QComboBox* parameter_;
-    QLabel* axis_label_;
     QComboBox* axis_;
-    QLabel* baseline_label_;
     QSpinBox* baseline_;
+    std::array<std::pair<QLabel*, QWidget*>, 4> choices_;
     QGridLayout* grid_;
 };
 
