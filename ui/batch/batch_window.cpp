@@ -186,6 +186,8 @@ BatchWindow::BatchWindow(QWidget* parent)
             &BatchWindow::helpWanted);
     applyTheme();
     whenChanged(*this, {QEvent::PaletteChange}, [this] { applyTheme(); });
+    // Once it has left and is shown again, it is the window it was.
+    whenChanged(*this, {QEvent::Show}, [this] { leaving_ = false; });
     keepTranslated(*this, [this] { retranslate(); });
     refresh();
 }
@@ -470,12 +472,6 @@ void BatchWindow::closeEvent(QCloseEvent* event) {
 
 void BatchWindow::applyTheme() {
     model_.setTheme(isDark(palette()) ? darkTheme() : lightTheme());
-}
-
-// Once it has left and is shown again, it is the window it was.
-void BatchWindow::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    leaving_ = false;
 }
 
 void BatchWindow::retranslate() {

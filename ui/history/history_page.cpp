@@ -47,6 +47,7 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
     column->addWidget(content_, 1);
     column->addStretch();  // below the sentence where there is nothing to show
     connectWidgets();
+    whenChanged(*this, {QEvent::Show}, [this] { whenShown(); });
     retranslate();
 }
 
@@ -74,8 +75,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
 }
 
 // The database is read when the page is first seen: it may lie on a slow share.
-void HistoryPage::showEvent(QShowEvent* event) {
-    MeasuredPage::showEvent(event);
+void HistoryPage::whenShown() {
     if (!seen_) {
         seen_ = true;
         path_ = QSettings().value(path_key).toString();

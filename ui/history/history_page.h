@@ -40,15 +40,13 @@ signals:
     // Recordings of a result, open as a set.
     void setOpened();
 
-protected:
-    void showEvent(QShowEvent* event) override;
-
 private:
     struct Chart {
         XYPlotView* plot = nullptr;
         HistoryPlot shown;
     };
 
+    void whenShown();
     QLayout* buildHead();
     QWidget* buildContent();
     void placeSmallPlots(bool side_by_side);

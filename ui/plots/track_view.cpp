@@ -120,6 +120,7 @@ TrackView::TrackView(QWidget* parent)
         setAccessibleName(tr("Slow variables over time"));
         rebuild();
     });
+    whenChanged(*this, {QEvent::Resize, QEvent::Show}, [this] { redraw(); });
 }
 
 void TrackView::setAnalyses(std::vector<ShownAnalysis> analyses, int unlike) {
@@ -266,16 +267,6 @@ void TrackView::followLayout() {
         const QRect area = stack_.panels().front()->rect();
         emit timeAxisPlaced(area.left(), width() - 1 - area.right());
     }
-}
-
-void TrackView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    redraw();
-}
-
-void TrackView::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    redraw();
 }
 
 void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,

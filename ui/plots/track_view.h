@@ -85,10 +85,6 @@ signals:
     // Margins of the time axes, pixels from both edges.
     void timeAxisPlaced(int left, int right);
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-
 private:
     bool hasTime() const override { return coveredTime(content_.analyses).has_value(); }
     void pressedAt(const QPointF& at) override;

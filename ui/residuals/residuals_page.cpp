@@ -56,6 +56,8 @@ ResidualsPage::ResidualsPage(Document& document, TrackView& tracks, QWidget* par
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
     connect(&pause_, &QTimer::timeout, this, &ResidualsPage::compute);
+    whenChanged(*this, {QEvent::Show}, [this] { refresh(); });
+    whenChanged(*this, {QEvent::Hide}, [this] { stop(); });
     connect(range_, &QComboBox::currentIndexChanged, this, &ResidualsPage::refresh);
     connect(time_, &NumberField::valueEdited, this,
             [this](std::optional<double> time_s) { setCursor(time_s.value_or(cursor_s_)); });
@@ -305,14 +307,8 @@ void ResidualsPage::putFilter() {
     }
 }
 
-void ResidualsPage::showEvent(QShowEvent* event) {
-    MeasuredPage::showEvent(event);
-    refresh();
-}
-
 // A computation under way is asked for again when the page is shown.
-void ResidualsPage::hideEvent(QHideEvent* event) {
-    MeasuredPage::hideEvent(event);
+void ResidualsPage::stop() {
     pause_.stop();
     job_.forget(job_key);
     if (computing_) {

@@ -44,10 +44,6 @@ public:
 
     FigureSource figures() const override;
 
-protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
-
 private:
     // A residual is that of this analysis in this range.
     struct Request {
@@ -65,6 +61,7 @@ private:
     QString unit() const;
     void refresh();
     void compute();
+    void stop();
     void take(Result<Residuals> result);
     QString stateText() const;
     QString emptyText() const;

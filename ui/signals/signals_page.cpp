@@ -93,6 +93,8 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
     connect(&pause_, &QTimer::timeout, this, &SignalsPage::request);
+    whenChanged(*this, {QEvent::Show}, [this] { refresh(); });
+    whenChanged(*this, {QEvent::Hide}, [this] { stop(); });
     whenChanged(*view_, {QEvent::Resize}, [this] { refresh(); });
     connect(&tracks_, &TrackView::timeRangeChanged, this, &SignalsPage::refresh);
     connect(&tracks_, &TrackView::cursorsChanged, this, &SignalsPage::showCursors);
@@ -292,13 +294,7 @@ FigureSource SignalsPage::figures() const {
     return source;
 }
 
-void SignalsPage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    refresh();
-}
-
-void SignalsPage::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
+void SignalsPage::stop() {
     pause_.stop();
     job_.forget(job_key);
     reading_ = false;

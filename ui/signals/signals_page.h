@@ -78,10 +78,6 @@ public:
 
     FigureSource figures() const override;
 
-protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
-
 private:
     // Samples with their fitted wave, and what the next excerpt of the same is taken from.
     struct Excerpt {
@@ -93,6 +89,7 @@ private:
     const AnalysisEntry* fitted() const;
     void refresh();
     void request();
+    void stop();
     void take(Result<Excerpt> result);
     SignalContent content() const;
     void showState();

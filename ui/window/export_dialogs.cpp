@@ -135,6 +135,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     sides->addWidget(left);
     sides->addWidget(preview_, 1);
     fill(new QVBoxLayout(this), {{sides, 1}, buttons});
+    whenChanged(*this, {QEvent::Resize}, [this] { refresh(); });
     propose();
     refresh();
 }
@@ -214,11 +215,6 @@ void ExportDialog::refresh() {
     QImage image = toImage(figure().draw, {size, scale * pixels_per_inch});
     image.setDevicePixelRatio(devicePixelRatioF());
     preview_->setPixmap(QPixmap::fromImage(image));
-}
-
-void ExportDialog::resizeEvent(QResizeEvent* event) {
-    QDialog::resizeEvent(event);
-    refresh();
 }
 
 namespace {

@@ -89,6 +89,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     connectPanels();
     restoreState();
     keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::Resize}, [this] { showPanels(); });
     whenChanged(*this, {QEvent::ThemeChange}, [this] {
         if (theme_mode_ == ThemeMode::system) {
             applyLook();

@@ -107,11 +107,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QMainWindow::closeEvent(event);
 }
 
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    showPanels();
-}
-
 void MainWindow::setLanguage(const QString& code) {
     language_.use(code);
     QSettings().setValue(language_key, language_.code());
