@@ -289,10 +289,6 @@ namespace {
 
 constexpr qsizetype most_named = 5;
 
-QString counted(const char* text, std::size_t count) {
-    return QCoreApplication::translate("History", text, nullptr, static_cast<int>(count));
-}
-
 QString nameOf(const HistoryPoint& point) {
     QStringList parts;
     for (const std::string& part : {point.gyro, point.date.text, point.set}) {
@@ -320,8 +316,8 @@ QString outsideText(const HistoryCharts& charts, std::size_t point) {
     return where.join(QStringLiteral(", "));
 }
 
-std::size_t valuesIn(const HistoryCharts& charts) {
-    return static_cast<std::size_t>(
+int valuesIn(const HistoryCharts& charts) {
+    return static_cast<int>(
         std::ranges::count_if(charts.values, [](double value) { return std::isfinite(value); }));
 }
 
@@ -331,11 +327,10 @@ QString withoutDate(const HistoryView& view) {
     });
     return count == 0 || view.axis != HistoryAxis::date
                ? QString()
-               : QLatin1Char(' ') +
-                     counted(QT_TRANSLATE_N_NOOP("History",
-                                                 "%n result(s) without a date are not shown; by "
-                                                 "order they are."),
-                             static_cast<std::size_t>(count));
+               : QLatin1Char(' ') + HistoryWords::tr(
+                                        "%n result(s) without a date are not shown; by "
+                                        "order they are.",
+                                        nullptr, static_cast<int>(count));
 }
 
 // What sets the limits, and what is to be known of it.
@@ -347,8 +342,8 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
             .arg(least_baseline)
             .arg(charts.control.used);
     }
-    QString text = counted(QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."),
-                           std::min(valuesIn(charts), baseline));
+    QString text = HistoryWords::tr("The first %n result(s) set the limits.", nullptr,
+                                    std::min(valuesIn(charts), static_cast<int>(baseline)));
     if (charts.control.fault == BaselineFault::trend) {
         text +=
             QLatin1Char(' ') + HistoryWords::tr(
@@ -403,10 +398,9 @@ QString pointText(const HistoryView& view, std::size_t point) {
 }
 
 QString verdictText(const HistoryView& view) {
-    const std::size_t values = valuesIn(view.charts);
+    const int values = valuesIn(view.charts);
     if (!view.charts.one_gyro) {
-        return counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) of all gyros."), values) +
-               QLatin1Char(' ') +
+        return HistoryWords::tr("%n result(s) of all gyros.", nullptr, values) + QLatin1Char(' ') +
                HistoryWords::tr("Limits belong to one gyro: choose one for its control charts.") +
                withoutDate(view);
     }
@@ -414,7 +408,7 @@ QString verdictText(const HistoryView& view) {
         return limitsText(view.charts, view.baseline) + withoutDate(view);
     }
     QStringList named;
-    std::size_t outside = 0;
+    int outside = 0;
     for (std::size_t k = 0; k < view.charts.values.size(); ++k) {
         if (view.charts.control.is_out(k)) {
             ++outside;
@@ -424,17 +418,14 @@ QString verdictText(const HistoryView& view) {
             }
         }
     }
-    QString text =
+    const int more = outside - static_cast<int>(named.size());
+    const QString text =
         outside == 0
-            ? counted(QT_TRANSLATE_N_NOOP("History", "None of %n result(s) is outside the limits."),
-                      values)
-            : counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) outside the limits:"), outside) +
+            ? HistoryWords::tr("None of %n result(s) is outside the limits.", nullptr, values)
+            : HistoryWords::tr("%n result(s) outside the limits:", nullptr, outside) +
                   QLatin1Char(' ') + named.join(QStringLiteral("; ")) +
-                  (outside > static_cast<std::size_t>(named.size())
-                       ? QStringLiteral("; ") +
-                             counted(QT_TRANSLATE_N_NOOP("History", "and %n more"),
-                                     outside - static_cast<std::size_t>(named.size()))
-                       : QString()) +
+                  (more > 0 ? QStringLiteral("; ") + HistoryWords::tr("and %n more", nullptr, more)
+                            : QString()) +
                   QLatin1Char('.');
     return text + QLatin1Char(' ') + limitsText(view.charts, view.baseline) + withoutDate(view);
 }
