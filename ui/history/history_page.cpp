@@ -132,7 +132,7 @@ HistoryView HistoryPage::view() const {
             choices_->baseline(),
             choices_->parameter(),
             shownAxis(*history_, choices_->axis()),
-            units_,
+            units(),
             chosen_,
             passportValue(open ? &open->passport : nullptr, choices_->parameter()),
             limit ? std::optional(*limit) : std::nullopt};
@@ -298,11 +298,6 @@ FigureSource HistoryPage::figures() const {
     return figuresOf(
         {values_.plot, ranges_.plot, average_.plot, distribution_}, QStringLiteral("history"),
         gyro ? QStringLiteral("%1: %2").arg(QString::fromStdString(*gyro), parameter) : parameter);
-}
-
-void HistoryPage::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    showHistory();
 }
 
 namespace {

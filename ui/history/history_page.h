@@ -25,7 +25,6 @@ public:
 
     // Takes another database; `make`: also one that is still to come.
     void openDatabase(const QString& path, bool make);
-    void setUnits(const DisplayUnits& units) override;
     const QString& path() const { return path_; }
     // What is shown; null without a database.
     const StoredHistory* history() const { return history_ ? &*history_ : nullptr; }
@@ -57,6 +56,7 @@ private:
     void take(Result<StoredHistory> history);
     void compute();
     void showHistory();
+    void showAgain() override { showHistory(); }
     void refresh();
     // Precondition: there is a history.
     HistoryView view() const;
@@ -80,7 +80,6 @@ private:
     std::optional<StoredHistory> history_;
     HistoryCharts charts_;
     std::optional<std::size_t> chosen_;
-    DisplayUnits units_;
     QLabel* database_;
     QPushButton* open_;
     QPushButton* new_;

@@ -21,7 +21,7 @@ public:
 
     virtual FigureSource figures() const = 0;
     virtual void setTheme(const Theme& theme);
-    virtual void setUnits(const DisplayUnits& /*units*/) {}
+    virtual void setUnits(const DisplayUnits& units);
 
 signals:
     void exportWanted(const Figure& figure);
@@ -29,6 +29,9 @@ signals:
 
 protected:
     const Theme& theme() const { return theme_; }
+    const DisplayUnits& units() const { return units_; }
+    // Theme or units are others.
+    virtual void showAgain() {}
     // A plot of at least that height, pixels, in the page's theme; its export is exportWanted().
     XYPlotView* addPlot(const char* name, int least_height);
     // The texts of the page in the language of the window.
@@ -36,6 +39,7 @@ protected:
 
 private:
     Theme theme_ = lightTheme();
+    DisplayUnits units_;
     std::vector<XYPlotView*> plots_;
 };
 

@@ -132,11 +132,6 @@ void ResidualsPage::setCursor(double time_s) {
     refresh();
 }
 
-void ResidualsPage::setTheme(const Theme& theme) {
-    MeasuredPage::setTheme(theme);
-    showFound();
-}
-
 std::optional<ResidualsPage::Request> ResidualsPage::wanted() const {
     const AnalysisEntry* chosen = entry();
     if (chosen == nullptr || chosen->partial() || chosen->shown.analysis->track.rows() == 0) {

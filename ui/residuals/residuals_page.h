@@ -37,7 +37,6 @@ public:
     ResidualsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
     void setAnalysis(AnalysisId id);
-    void setTheme(const Theme& theme) override;
     // What is shown; null until it is computed.
     const Residuals* residuals() const { return found_ ? &*found_ : nullptr; }
     bool computing() const { return computing_; }
@@ -70,6 +69,7 @@ private:
     void chooseLine(std::optional<std::size_t> line);
     void showLine();
     void putFilter();
+    void showAgain() override { showFound(); }
     void retranslate() override;
 
     Document& document_;

@@ -119,11 +119,6 @@ void SignalsPage::setAnalysis(AnalysisId id) {
     refresh();
 }
 
-void SignalsPage::setTheme(const Theme& theme) {
-    MeasuredPage::setTheme(theme);
-    refresh();
-}
-
 void SignalsPage::showCursors() {
     view_->refreshOverlay();
 }

@@ -67,7 +67,6 @@ public:
     SignalsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
     void setAnalysis(AnalysisId id);
-    void setTheme(const Theme& theme) override;
     // Whether the wave of the analysis is drawn over the samples.
     void setWave(bool shown);
     // Draws the cursors again.
@@ -94,6 +93,7 @@ private:
     SignalContent content() const;
     void showState();
     QString stateText() const;
+    void showAgain() override { refresh(); }
     void retranslate() override;
 
     Document& document_;

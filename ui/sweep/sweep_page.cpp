@@ -164,7 +164,7 @@ SweepView SweepPage::view() const {
     SweepView view;
     view.variable = static_cast<std::size_t>(variable_->currentIndex());
     view.chosen = chosen_;
-    view.units = units_;
+    view.units = units();
     if (current() && current()->recording) {
         view.channel_unit = channelUnit(*current()->recording);
     }
@@ -347,11 +347,6 @@ void SweepPage::showFound() {
     table_->setContent(sweepHeaders(*shown, view), sweepRows(*shown, view));
 }
 
-void SweepPage::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    retranslate();
-}
-
 QLayout* SweepPage::buildHead() {
     recording_->setTextFormat(Qt::PlainText);
     recording_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -445,7 +440,7 @@ void SweepPage::retranslate() {
     }
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {
         variable_->setItemText(static_cast<int>(v),
-                               indexPlain(displaySymbol(main_slow_variables[v], units_)) +
+                               indexPlain(displaySymbol(main_slow_variables[v], units())) +
                                    QStringLiteral(" – ") + displayMeaning(main_slow_variables[v]));
     }
     algorithm_label_->setText(tr("Algorithm"));
