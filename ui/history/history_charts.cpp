@@ -3,7 +3,6 @@
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <cmath>
-#include <limits>
 
 namespace vybeg::ui {
 
@@ -12,12 +11,19 @@ const std::vector<HistoryParameter>& historyParameters() {
         std::vector<HistoryParameter> parameters;
         parameters.reserve(resonator_parameters.size() + 2 * mode_parameters.size());
         for (const ResonatorParameter& each : resonator_parameters) {
-            parameters.push_back({each.name, each.unit, each.period});
+            parameters.push_back({each.name, each.unit, each.period,
+                                  [member = each.member](const Passport& passport) {
+                                      return &(passport.resonator.*member);
+                                  }});
         }
-        for (int mode = 0; mode < 2; ++mode) {
+        for (std::size_t mode = 0; mode < 2; ++mode) {
             for (const ModeParameter& each : mode_parameters) {
-                parameters.push_back(
-                    {"modes[" + std::to_string(mode) + "]." + each.name, each.unit, 0});
+                parameters.push_back({"modes[" + std::to_string(mode) + "]." + each.name, each.unit,
+                                      0, [mode, member = each.member](const Passport& passport) {
+                                          return mode < passport.modes.size()
+                                                     ? &(passport.modes[mode].*member)
+                                                     : nullptr;
+                                      }});
             }
         }
         return parameters;
@@ -50,21 +56,8 @@ HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
 }
 
 Estimate passportValue(const Passport* passport, const HistoryParameter& parameter) {
-    for (const ResonatorParameter& each : resonator_parameters) {
-        if (passport != nullptr && parameter.name == each.name) {
-            return passport->resonator.*each.member;
-        }
-    }
-    const std::size_t modes = passport != nullptr ? passport->modes.size() : 0;
-    for (std::size_t mode = 0; mode < modes; ++mode) {
-        for (const ModeParameter& each : mode_parameters) {
-            if (parameter.name == "modes[" + std::to_string(mode) + "]." + each.name) {
-                return passport->modes[mode].*each.member;
-            }
-        }
-    }
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return {none, none, {}};
+    const Estimate* found = passport != nullptr ? parameter.in(*passport) : nullptr;
+    return found != nullptr ? *found : Estimate{};
 }
 
 }  // namespace vybeg::ui

@@ -6,6 +6,7 @@
 #include "core/numerics/control_chart.h"
 #include "core/numerics/statistics.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct HistoryParameter {
     std::string name;
     const char* unit = "";
     double period = 0;
+    std::function<const Estimate*(const Passport&)> in;  // null: a passport has none
 };
 
 // Those of the resonator, then those of its two modes.

@@ -90,9 +90,8 @@ FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView
             [this](const QString& path) { openLogs({path}); });
     connect(&session_, &SessionKeeper::fileWanted, this,
             [this](std::size_t absent, const QString& name) {
-                ask_.file(
-                    FileQuestions::tr("Where is %1?").arg(name), {},
-                    [this, absent](const QString& path) { session_.supply(absent, path); });
+                ask_.file(FileQuestions::tr("Where is %1?").arg(name), {},
+                          [this, absent](const QString& path) { session_.supply(absent, path); });
             });
 }
 
@@ -241,12 +240,11 @@ void FileCommands::askForDatabase(bool make) {
 
 void FileCommands::askWhereToPutTrack() {
     if (const AnalysisEntry* entry = document_.analysis(ledger_.currentAnalysis())) {
-        ask_.target(FileQuestions::tr("Export track"),
-                    trackName(entry->shown) + QStringLiteral(".csv"),
-                    {FileQuestions::tr("Track (*.csv)"), FileQuestions::tr("Track for MATLAB (*.mat)"),
-                     FileQuestions::tr("Track, HDF5 (*.h5)"),
-                     FileQuestions::tr("Track for NumPy (*.npz)")},
-                    [this](const QString& path) { exportTrackTo(path); });
+        ask_.target(
+            FileQuestions::tr("Export track"), trackName(entry->shown) + QStringLiteral(".csv"),
+            {FileQuestions::tr("Track (*.csv)"), FileQuestions::tr("Track for MATLAB (*.mat)"),
+             FileQuestions::tr("Track, HDF5 (*.h5)"), FileQuestions::tr("Track for NumPy (*.npz)")},
+            [this](const QString& path) { exportTrackTo(path); });
     }
 }
 
@@ -349,7 +347,7 @@ void FileCommands::exportPlot(const Figure& figure) {
 }
 
 void FileCommands::exportHistory(const HistoryExport& all) {
-    ask_.target(FileQuestions::tr("Export history"), all.name + QStringLiteral(".csv"),
+    ask_.target(FileQuestions::tr("Export history"), QStringLiteral("history.csv"),
                 {FileQuestions::tr("Table (*.csv)"), FileQuestions::tr("PDF document (*.pdf)")},
                 [this, all](const QString& path) {
                     put(path, [&](const Done& done) {
