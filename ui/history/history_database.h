@@ -5,7 +5,7 @@
 #include "core/database/stored_result.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/document.h"
-#include "ui/history/history_charts.h"
+#include "ui/history/history_view.h"
 
 #include <QString>
 #include <QStringList>
