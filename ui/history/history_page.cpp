@@ -134,7 +134,7 @@ HistoryView HistoryPage::view() const {
             shownAxis(*history_, choices_->axis()),
             units(),
             chosen_,
-            passportValue(open ? &open->passport : nullptr, choices_->parameter()),
+            open ? choices_->parameter().in(open->passport) : nullptr,
             limit ? std::optional(*limit) : std::nullopt};
 }
 

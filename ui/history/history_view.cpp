@@ -62,11 +62,6 @@ HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
     return charts;
 }
 
-Estimate passportValue(const Passport* passport, const HistoryParameter& parameter) {
-    const Estimate* found = passport != nullptr ? parameter.in(*passport) : nullptr;
-    return found != nullptr ? *found : Estimate{};
-}
-
 namespace {
 
 // Deviations of the passport's value that its band covers: those of a change of one parameter.
@@ -233,15 +228,15 @@ HistoryPlot sequencePlot(const HistoryView& view, const ControlChart& chart, dou
 
 void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
     const std::vector<double>& x = plot.series.front().x;
-    if (!std::isfinite(view.passport.value) || x.empty()) {
+    if (!view.passport || !std::isfinite(view.passport->value) || x.empty()) {
         return;
     }
-    const double value = factor * view.passport.value;
+    const double value = factor * view.passport->value;
     XYSeries band{.name = HistoryWords::tr("passport ± 3 u"),
                   .ink = Ink::channel_c,
                   .x = acrossAll(x),
                   .y = {value, value}};
-    const double wide = std::abs(factor) * passport_deviations * view.passport.u;
+    const double wide = std::abs(factor) * passport_deviations * view.passport->u;
     if (std::isfinite(wide)) {
         band.sd = {wide, wide};
     }

@@ -52,9 +52,6 @@ struct HistoryCharts {
 HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
                             const HistoryParameter& parameter, bool one_gyro, std::size_t baseline);
 
-// The value of a parameter in a passport; NaN: there is none.
-Estimate passportValue(const Passport* passport, const HistoryParameter& parameter);
-
 // Texts of the page History in the language of the window.
 struct HistoryWords {
     Q_DECLARE_TR_FUNCTIONS(History)
@@ -71,7 +68,7 @@ struct HistoryView {
     HistoryAxis axis = HistoryAxis::date;
     DisplayUnits units;
     std::optional<std::size_t> chosen;    // point
-    Estimate passport;                    // of the parameter; NaN: none is open
+    const Estimate* passport = nullptr;   // of the parameter; null: none
     std::optional<ParameterLimit> limit;  // of the session's dossier
 };
 
