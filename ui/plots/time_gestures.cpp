@@ -23,8 +23,8 @@ constexpr std::size_t longest = 200;
 
 }  // namespace
 
-ZoomNavigator::ZoomNavigator(std::function<ZoomState(ZoomState)> clipped, QObject* parent)
-    : QObject(parent), clipped_(std::move(clipped)) {
+ZoomNavigator::ZoomNavigator(std::function<ZoomState(ZoomState)> clipped)
+    : clipped_(std::move(clipped)) {
     pause_.setSingleShot(true);
     pause_.setInterval(gesture_pause_ms);
 }

@@ -36,7 +36,7 @@ class ZoomNavigator : public QObject {
 
 public:
     // `clipped`: a view limited to what can be shown.
-    explicit ZoomNavigator(std::function<ZoomState(ZoomState)> clipped, QObject* parent = nullptr);
+    explicit ZoomNavigator(std::function<ZoomState(ZoomState)> clipped);
 
     const ZoomState& current() const { return states_[position_]; }
     bool canBack() const { return position_ > 0; }

@@ -76,8 +76,7 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme,
       theme_(theme) {
     QMenu* file = top(QT_TR_NOOP("&File"));
     add(file, {{Command::open}});
-    titles_[recent_] = QT_TR_NOOP("Open rece&nt");
-    file->addMenu(recent_);
+    file->addMenu(named(recent_, QT_TR_NOOP("Open rece&nt")));
     add(file,
         {{Command::import_file, Command::open_logs, Command::open_whole_angle,
           Command::open_database, Command::close_recording},
@@ -98,13 +97,11 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme,
 QMenu* WindowMenus::top(const char* title) {
     QMenu* menu = bar_->addMenu(QString());
     menu->setToolTipsVisible(true);
-    titles_[menu] = title;
-    return menu;
+    return named(menu, title);
 }
 
-QMenu* WindowMenus::sub(QMenu* parent, const char* title) {
-    QMenu* menu = parent->addMenu(QString());
-    titles_[menu] = title;
+QMenu* WindowMenus::named(QMenu* menu, const char* title) {
+    entries_.push_back({menu->menuAction(), title});
     return menu;
 }
 
@@ -122,13 +119,13 @@ void WindowMenus::add(QMenu* menu, std::initializer_list<std::initializer_list<C
 void WindowMenus::addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
                             const std::function<int()>& chosen,
                             const std::function<void(int)>& choose) {
-    QMenu* menu = sub(parent, title);
+    QMenu* menu = named(parent->addMenu(QString()), title);
     auto* group = new QActionGroup(menu);
     for (std::size_t i = 0; i < texts.size(); ++i) {
         QAction* entry = menu->addAction(QString());
         entry->setCheckable(true);
         group->addAction(entry);
-        choices_.push_back({entry, texts[i]});
+        entries_.push_back({entry, texts[i]});
         connect(entry, &QAction::triggered, this, [choose, i] { choose(static_cast<int>(i)); });
     }
     const auto show = [group, chosen] { group->actions().at(chosen())->setChecked(true); };
@@ -161,12 +158,12 @@ void WindowMenus::addView() {
 }
 
 void WindowMenus::addVariables(QMenu* view) {
-    QMenu* variables = sub(view, QT_TR_NOOP("&Plots"));
+    QMenu* variables = named(view->addMenu(QString()), QT_TR_NOOP("&Plots"));
     for (const SlowVariable variable : shown_slow_variables) {
         QAction* shown = variables->addAction(QString());
         shown->setCheckable(true);
         shown->setData(static_cast<int>(variable));
-        choices_.push_back({shown, nullptr});
+        entries_.push_back({shown, nullptr});
         connect(shown, &QAction::triggered, this, [this, variables] {
             std::vector<SlowVariable> wanted;
             for (const QAction* each : variables->actions()) {
@@ -217,7 +214,7 @@ void WindowMenus::addUnits(QMenu* view) {
 }
 
 void WindowMenus::addLanguages(QMenu* view) {
-    QMenu* language = sub(view, QT_TR_NOOP("Lang&uage"));
+    QMenu* language = named(view->addMenu(QString()), QT_TR_NOOP("Lang&uage"));
     for (const auto& [code, name] : {std::pair{"en", "English"}, std::pair{"ru", "Русский"}}) {
         // A language is named in itself, so that its speakers find it.
         QAction* entry = language->addAction(QString::fromUtf8(name));
@@ -236,15 +233,12 @@ void WindowMenus::setLanguage(const QString& code) {
 }
 
 void WindowMenus::retranslate() {
-    for (const auto& [menu, title] : titles_) {
-        menu->setTitle(tr(title));
-    }
-    for (const Choice& choice : choices_) {
-        if (choice.text) {
-            choice.action->setText(tr(choice.text));
+    for (const Entry& entry : entries_) {
+        if (entry.text) {
+            entry.action->setText(tr(entry.text));
         } else {
-            const auto variable = static_cast<SlowVariable>(choice.action->data().toInt());
-            choice.action->setText(displayMeaning(variable));
+            const auto variable = static_cast<SlowVariable>(entry.action->data().toInt());
+            entry.action->setText(displayMeaning(variable));
         }
     }
 }
