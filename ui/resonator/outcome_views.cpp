@@ -41,6 +41,12 @@ QStringList markedNames(const ResonatorOutcome& outcome) {
 
 }  // namespace
 
+void OutcomeView::setTheme(const Theme& theme) {
+    theme_ = theme;
+    std::ranges::for_each(plots_, [&theme](PlotView* plot) { plot->setTheme(theme); });
+    rebuild();
+}
+
 NumbersView::NumbersView(QWidget* parent)
     : OutcomeView(parent),
       findings_(withName(new WarningList(this), "findings")),
@@ -131,10 +137,6 @@ FiguresView::FiguresView(QWidget* parent) : OutcomeView(parent), hint_(sentence(
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMinimumHeight(120);
     fill(new QVBoxLayout(this), {}, 2, {hint_, plots_});
-    connect(rim_, &RoundView::exportWanted, this, &FiguresView::exportWanted);
-    for (XYPlotView* plot : {drift_plot_, balance_plot_}) {
-        connect(plot, &XYPlotView::exportWanted, this, &FiguresView::exportWanted);
-    }
     connect(balance_axis_, &QComboBox::activated, this, &FiguresView::showBalance);
     keepTranslated(*this, [this] { retranslate(); });
 }
@@ -147,11 +149,11 @@ QWidget* FiguresView::buildPlots() {
     for (QLabel** name : {&rim_name_, &drift_name_, &balance_name_}) {
         *name = sentence(plots, "");
     }
-    rim_ = withName(new RoundView(true, plots), "rim");
+    rim_ = withPlot(withName(new RoundView(true, plots), "rim"));
     rim_->setMinimumSize(240, 300);
-    drift_plot_ = withName(new XYPlotView(plots), "drift");
+    drift_plot_ = withPlot(withName(new XYPlotView(plots), "drift"));
     drift_ = withName(new QuantityTable(plots), "harmonics");
-    balance_plot_ = withName(new XYPlotView(plots), "balance");
+    balance_plot_ = withPlot(withName(new XYPlotView(plots), "balance"));
     balance_axis_ = new QComboBox(plots);
     balance_axis_->addItems({QString(), QString()});  // in the order of BalanceAxis
     balance_name_->setBuddy(balance_axis_);
@@ -179,12 +181,6 @@ void FiguresView::place(bool side_by_side) {
     grid_->addWidget(drift_, drift_row + 2, drift_column, 1, span, Qt::AlignTop);
     grid_->setColumnStretch(0, 2);
     grid_->setColumnStretch(1, 3);
-}
-
-void FiguresView::setTheme(const Theme& theme) {
-    rim_->setTheme(theme);
-    drift_plot_->setTheme(theme);
-    balance_plot_->setTheme(theme);
 }
 
 FigureSource FiguresView::figures() const {
@@ -253,7 +249,7 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
       differences_(withName(new QuantityTable(this), "differences")),
       incomparable_(sentence(this, "incomparable")),
       track_choice_(new QComboBox(this)),
-      tracks_(withName(new XYPlotView(this), "tracks")),
+      tracks_(withPlot(withName(new XYPlotView(this), "tracks"))),
       close_(new QPushButton(this)) {
     auto* limit = new QWidget(this);
     limit_label_ = new QLabel(limit);
@@ -271,15 +267,9 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     connect(limit_, &NumberField::valueEdited, this,
             [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
     connect(track_choice_, &QComboBox::activated, this, &ComparisonView::rebuild);
-    connect(tracks_, &XYPlotView::exportWanted, this, &ComparisonView::exportWanted);
     connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
     connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::rebuild);
     keepTranslated(*this, [this] { retranslate(); });
-}
-
-void ComparisonView::setTheme(const Theme& theme) {
-    tracks_->setTheme(theme);
-    OutcomeView::setTheme(theme);
 }
 
 void ComparisonView::open() {
