@@ -79,10 +79,6 @@ OriginText originText(const ResidualLine& line) {
                               "in this range.")};
 }
 
-QString unitName(const char* unit) {
-    return QCoreApplication::translate("DisplayUnits", unit);
-}
-
 XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink ink) {
     XYSeries series = histogramSteps(channel.histogram, QLatin1String(name), ink);
     const double whole = channel.histogram.width * static_cast<double>(channel.moments.count);
@@ -272,11 +268,11 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
                     const QString& empty) {
     XYPlot plot;
     plot.x_name = QStringLiteral("f");
-    plot.x_unit = unitName("Hz");
+    plot.x_unit = unitText("Hz");
     plot.x_logarithmic = true;
     plot.y_name = ResidualWords::tr("Amplitude density");
     plot.y_unit =
-        (unit.isEmpty() ? QStringLiteral("1") : unit) + QStringLiteral("/√") + unitName("Hz");
+        (unit.isEmpty() ? QStringLiteral("1") : unit) + QStringLiteral("/√") + unitText("Hz");
     plot.y_logarithmic = true;
     plot.empty = empty;
     if (found == nullptr || found->c.density.size() < 2) {
