@@ -218,15 +218,15 @@ void MainWindow::connectSession() {
 }
 
 void MainWindow::connectPanels() {
+    const auto open = [this](const QString& path) { files_->open({path}); };
+    const auto show_resonator = [this] { pages_->showPage(Page::resonator); };
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
     connect(pages_, &PageStack::pageShown, this, &MainWindow::showPanels);
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
-    connect(welcome_, &WelcomePage::recentChosen, this,
-            [this](const QString& path) { files_->open({path}); });
+    connect(welcome_, &WelcomePage::recentChosen, this, open);
     connect(welcome_, &WelcomePage::demonstrationWanted, files_, &FileCommands::openDemonstration);
     connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
-    connect(menus_->recentFiles(), &RecentFiles::chosen, this,
-            [this](const QString& path) { files_->open({path}); });
+    connect(menus_->recentFiles(), &RecentFiles::chosen, this, open);
     connect(menus_, &WindowMenus::unitsChosen, this, &MainWindow::setUnits);
     connect(menus_, &WindowMenus::themeChosen, this,
             [this](int theme) { setThemeMode(static_cast<ThemeMode>(theme)); });
@@ -247,9 +247,9 @@ void MainWindow::connectPanels() {
     connect(drift_, &DriftPage::openWanted, files_, &FileCommands::askForWholeAngleLogs);
     connect(history_, &HistoryPage::exportAllWanted, files_, &FileCommands::exportHistory);
     connect(history_, &HistoryPage::databaseWanted, files_, &FileCommands::askForDatabase);
-    connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(history_, &HistoryPage::setOpened, this, show_resonator);
     connect(batch_, &BatchCommands::helpWanted, this, &MainWindow::showHelp);
-    connect(batch_, &BatchCommands::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(batch_, &BatchCommands::setOpened, this, show_resonator);
     connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
         pages_->showPage(Page::history);
         history_->openDatabase(path, make);
