@@ -72,10 +72,9 @@ void BatchCommands::ask(FileQuestions& questions, BatchPath which) {
         case BatchPath::folder: questions.folder(tr("Folder of recordings"), take); break;
         case BatchPath::results: {
             const QString now = batch_->form().path(which);
-            questions.target(FileQuestions::tr("Results"),
-                             now.isEmpty() ? QStringLiteral("results.csv") : now,
-                             {FileQuestions::tr("Table (*.csv)")}, take,
-                             FileQuestions::Existing::stays);
+            questions.target(
+                FileQuestions::tr("Results"), now.isEmpty() ? QStringLiteral("results.csv") : now,
+                {FileQuestions::tr("Table (*.csv)")}, take, FileQuestions::Existing::stays);
             break;
         }
         case BatchPath::passports: questions.folder(tr("Folder of passports"), take); break;
