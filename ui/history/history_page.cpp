@@ -39,13 +39,10 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
       export_(withName(new QPushButton(this), "historyExport")),
       state_(sentence(this, "historyState", QMargins())) {
     setObjectName(QStringLiteral("history"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addLayout(buildHead());
+    auto* head = buildHead();
     content_ = scrolled(buildContent());
-    column->addWidget(content_, 1);
-    column->addStretch();  // below the sentence where there is nothing to show
+    // With room below the sentence where there is nothing to show.
+    fill(new QVBoxLayout(this), {}, 4, {head, {content_, 1}, LayoutPart(0)});
     connectWidgets();
     whenChanged(*this, {QEvent::Show}, [this] { whenShown(); });
     retranslate();
@@ -311,8 +308,7 @@ QLayout* HistoryPage::buildHead() {
     auto* first = fill(new QHBoxLayout, {{database_, 1}, open_, new_, add_, export_});
 
     choices_ = new HistoryChoices(this);
-    auto* rows = fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_, state_});
-    return rows;
+    return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_, state_});
 }
 
 // Side by side where both have room for their titles.

@@ -358,8 +358,7 @@ QLayout* SweepPage::buildHead() {
     auto* first = fill(new QHBoxLayout, {{recording_, 1}, algorithm_label_, algorithm_, snap_});
     auto* second =
         fill(new QHBoxLayout, {lengths_label_, {lengths_, 2}, compute_, {progress_, 1}, cancel_});
-    auto* rows = fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, second, state_});
-    return rows;
+    return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, second, state_});
 }
 
 QWidget* SweepPage::buildContent() {

@@ -128,12 +128,10 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     preview_->setAccessibleName(tr("The figure as it will be"));
     preview_->setAlignment(Qt::AlignCenter);
     preview_->setMinimumSize(420, 300);
-    auto* sides = new QHBoxLayout;
     auto* left = new QWidget(this);
     left->setLayout(form);
     left->setMaximumWidth(340);
-    sides->addWidget(left);
-    sides->addWidget(preview_, 1);
+    auto* sides = fill(new QHBoxLayout, {left, {preview_, 1}});
     fill(new QVBoxLayout(this), {{sides, 1}, buttons});
     whenChanged(*this, {QEvent::Resize}, [this] { refresh(); });
     propose();
