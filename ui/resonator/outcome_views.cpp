@@ -60,10 +60,7 @@ NumbersView::NumbersView(QWidget* parent)
     statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(statistical_, &QLabel::linkActivated, this,
             [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addWidget(warnings_);
+    auto* column = fill(new QVBoxLayout(this), {}, 2, {warnings_});
     resonator_section_ = addSection(*column, {resonator_, statistical_});
     waves_section_ = addSection(*column, {waves_, findings_});
     sensitivities_section_ = addSection(*column, {sensitivities_});
@@ -259,8 +256,7 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     limit_label_->setBuddy(limit_);
     fill(new QHBoxLayout(limit), {6, 0, 6, 0}, {limit_label_, {limit_, 1}});
     track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = fill(new QVBoxLayout(this), {}, {});
     section_ = addSection(*column, {passport_, other_gyro_, limit, differences_, incomparable_,
                                     track_choice_, tracks_, close_});
     connect(close_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
