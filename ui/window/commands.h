@@ -36,11 +36,11 @@ enum class Command {
     redo,
     copy_plot,
     copy_table,
-    page_tracks,
+    page_tracks,  // from here on as Page
     page_signals,
-    page_resonator,
     page_residuals,
     page_windows,
+    page_resonator,
     page_drift,
     page_history,
     zoom_in,

@@ -287,8 +287,7 @@ void FileCommands::openLogs(const QStringList& paths) {
     }
     auto* dialog = new LogDialog(imports_, paths, window_);
     logs_ = dialog;
-    connect(dialog, &LogDialog::filesWanted, this,
-            [this](const TakeFiles& take) { ask_.parts(take); });
+    connect(dialog, &LogDialog::filesWanted, &ask_, &FileQuestions::parts);
     connect(dialog, &LogDialog::chosen, &document_.sets(), &SetStore::openLogs);
     dialog->open();
 }
@@ -297,8 +296,7 @@ void FileCommands::openImport(const QString& path, const OpenOptions& options) {
     delete import_;
     auto* dialog = new ImportDialog(imports_, path, options, window_);
     import_ = dialog;
-    connect(dialog, &ImportDialog::filesWanted, this,
-            [this](const TakeFiles& take) { ask_.parts(take); });
+    connect(dialog, &ImportDialog::filesWanted, &ask_, &FileQuestions::parts);
     connect(dialog, &ImportDialog::chosen, this,
             [this](const QString& file, const OpenOptions& chosen) {
                 const RecordingEntry* entry = document_.currentRecording();

@@ -33,6 +33,18 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
     };
     const auto plots = [&w] { return !w.document_.analyses().empty(); };
     const auto figures = [&w] { return !w.figures().plots.isEmpty(); };
+    // The order of the tabs gives Ctrl+1, Ctrl+2, ...
+    const auto page = [&w](Page shown, const char* text, const char* tip,
+                           std::function<bool()> enabled = {}) {
+        const int place = static_cast<int>(shown);
+        return CommandRow{
+            .id = static_cast<Command>(static_cast<int>(Command::page_tracks) + place),
+            .text = text,
+            .tip = tip,
+            .keys = {QKeyCombination(Qt::CTRL, Qt::Key(Qt::Key_1 + place))},
+            .enabled = std::move(enabled),
+            .act = [&w, shown] { w.pages_->showPage(shown); }};
+    };
     return {
         {.id = Command::open,
          .text = QT_TR_NOOP("&Open…"),
@@ -164,51 +176,27 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_T)},
          .enabled = plots,
          .act = [&w] { QApplication::clipboard()->setText(w.ledger_->tableText()); }},
-        {.id = Command::page_tracks,
-         .text = QT_TR_NOOP("Trac&ks"),
-         .tip = QT_TR_NOOP("The page with the slow variables over time"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_1)},
-         .enabled = any,
-         .act = [&w] { w.pages_->showPage(Page::tracks); }},
-        {.id = Command::page_signals,
-         .text = QT_TR_NOOP("Si&gnals"),
-         .tip = QT_TR_NOOP("The page with the samples, the wave fitted to them and what it "
-                           "leaves"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_2)},
-         .enabled = any,
-         .act = [&w] { w.pages_->showPage(Page::samples); }},
-        {.id = Command::page_resonator,
-         .text = QT_TR_NOOP("Reso&nator"),
-         .tip = QT_TR_NOOP("The page with the resonator of a set: parameters, rim, drift"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_5)},
-         .enabled = anything,
-         .act = [&w] { w.pages_->showPage(Page::resonator); }},
-        {.id = Command::page_residuals,
-         .text = QT_TR_NOOP("Resi&duals"),
-         .tip = QT_TR_NOOP("The page with spectrum, distribution and autocorrelation of "
-                           "what the waves leave of the samples"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_3)},
-         .enabled = any,
-         .act = [&w] { w.pages_->showPage(Page::residuals); }},
-        {.id = Command::page_windows,
-         .text = QT_TR_NOOP("&Windows"),
-         .tip = QT_TR_NOOP("The page with scatter, bound and leakage against the length of "
-                           "the window, and the recommended window"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_4)},
-         .enabled = any,
-         .act = [&w] { w.pages_->showPage(Page::windows); }},
-        {.id = Command::page_drift,
-         .text = QT_TR_NOOP("Drift of the whole angl&e"),
-         .tip = QT_TR_NOOP("The page with the drift of whole-angle logs against the angle, "
-                           "and what it and the efforts say of the resonator"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_6)},
-         .act = [&w] { w.pages_->showPage(Page::drift); }},
-        {.id = Command::page_history,
-         .text = QT_TR_NOOP("&History"),
-         .tip = QT_TR_NOOP("The page with the parameters of each gyro over all results of "
-                           "the laboratory's database"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_7)},
-         .act = [&w] { w.pages_->showPage(Page::history); }},
+        page(Page::tracks, QT_TR_NOOP("Trac&ks"),
+             QT_TR_NOOP("The page with the slow variables over time"), any),
+        page(Page::samples, QT_TR_NOOP("Si&gnals"),
+             QT_TR_NOOP("The page with the samples, the wave fitted to them and what it leaves"),
+             any),
+        page(Page::residuals, QT_TR_NOOP("Resi&duals"),
+             QT_TR_NOOP("The page with spectrum, distribution and autocorrelation of what the "
+                        "waves leave of the samples"),
+             any),
+        page(Page::windows, QT_TR_NOOP("&Windows"),
+             QT_TR_NOOP("The page with scatter, bound and leakage against the length of the "
+                        "window, and the recommended window"),
+             any),
+        page(Page::resonator, QT_TR_NOOP("Reso&nator"),
+             QT_TR_NOOP("The page with the resonator of a set: parameters, rim, drift"), anything),
+        page(Page::drift, QT_TR_NOOP("Drift of the whole angl&e"),
+             QT_TR_NOOP("The page with the drift of whole-angle logs against the angle, and what "
+                        "it and the efforts say of the resonator")),
+        page(Page::history, QT_TR_NOOP("&History"),
+             QT_TR_NOOP("The page with the parameters of each gyro over all results of the "
+                        "laboratory's database")),
         {.id = Command::zoom_in,
          .text = QT_TR_NOOP("Zoom &in"),
          .enabled = plots,
