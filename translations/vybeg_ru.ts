@@ -3407,6 +3407,57 @@
     </message>
 </context>
 <context>
+    <name>Store</name>
+    <message>
+        <source>Add this result</source>
+        <translation>Добавить результат</translation>
+    </message>
+    <message>
+        <source>Gyro</source>
+        <translation>Гироскоп</translation>
+    </message>
+    <message>
+        <source>The name under which the history of this resonator is kept</source>
+        <translation>Имя, под которым хранится история этого резонатора</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Of the recordings, as in 2026-03-31, with or without a time as in T14:05</source>
+        <translation>Дата записей, как 2026-03-31, со временем, как T14:05, или без него</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Добавить</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Прервать</translation>
+    </message>
+    <message>
+        <source>A result without a gyro has no history: name one.</source>
+        <translation>У результата без гироскопа нет истории: назовите его.</translation>
+    </message>
+    <message>
+        <source>A date is written as in 2026-03-31, with or without a time as in T14:05.</source>
+        <translation>Дата пишется как 2026-03-31, со временем, как T14:05, или без него.</translation>
+    </message>
+    <message>
+        <source>Without a date the result stands behind all others.</source>
+        <translation>Без даты результат стоит после всех остальных.</translation>
+    </message>
+    <message>
+        <source>The result of %1 replaces that of %3 (set %4) in %2: the same recordings and settings.</source>
+        <translation>Результат %1 заменяет в %2 результат %3 (набор %4): те же записи и параметры.</translation>
+    </message>
+    <message>
+        <source>The result of %1 is in %2.</source>
+        <translation>Результат %1 записан в %2.</translation>
+    </message>
+</context>
+<context>
     <name>Sweep</name>
     <message>
         <source>recommended</source>
@@ -6872,13 +6923,6 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::Overview</name>
-    <message>
-        <source>Overview of the recording</source>
-        <translation>Обзор записи</translation>
-    </message>
-</context>
-<context>
     <name>vybeg::ui::PageStack</name>
     <message>
         <source>Pages</source>
@@ -7175,17 +7219,6 @@
     <message>
         <source>Being identified…</source>
         <translation>Идентифицируется…</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::ResultAdder</name>
-    <message>
-        <source>The result of %1 replaces that of %3 (set %4) in %2: the same recordings and settings.</source>
-        <translation>Результат %1 заменяет в %2 результат %3 (набор %4): те же записи и параметры.</translation>
-    </message>
-    <message>
-        <source>The result of %1 is in %2.</source>
-        <translation>Результат %1 записан в %2.</translation>
     </message>
 </context>
 <context>
@@ -7579,49 +7612,6 @@
     <message>
         <source>Cancelled</source>
         <translation>Прервано</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::StoreDialog</name>
-    <message>
-        <source>Add this result</source>
-        <translation>Добавить результат</translation>
-    </message>
-    <message>
-        <source>Gyro</source>
-        <translation>Гироскоп</translation>
-    </message>
-    <message>
-        <source>The name under which the history of this resonator is kept</source>
-        <translation>Имя, под которым хранится история этого резонатора</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Дата</translation>
-    </message>
-    <message>
-        <source>Of the recordings, as in 2026-03-31, with or without a time as in T14:05</source>
-        <translation>Дата записей, как 2026-03-31, со временем, как T14:05, или без него</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Добавить</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Прервать</translation>
-    </message>
-    <message>
-        <source>A result without a gyro has no history: name one.</source>
-        <translation>У результата без гироскопа нет истории: назовите его.</translation>
-    </message>
-    <message>
-        <source>A date is written as in 2026-03-31, with or without a time as in T14:05.</source>
-        <translation>Дата пишется как 2026-03-31, со временем, как T14:05, или без него.</translation>
-    </message>
-    <message>
-        <source>Without a date the result stands behind all others.</source>
-        <translation>Без даты результат стоит после всех остальных.</translation>
     </message>
 </context>
 <context>

@@ -157,11 +157,9 @@ void BatchForm::retranslate() {
         const Line& line = lines_[k];
         const QString name = tr(row.name);
         line.label->setText(name);
-        line.edit->setAccessibleName(name);
-        line.edit->setToolTip(tr(row.tip));
+        setWords(*line.edit, name, tr(row.tip));
         line.choose->setText(tr(row.choose));
-        line.choose->setAccessibleName(name + QStringLiteral(": ") + tr(row.choose));
-        line.choose->setToolTip(tr(row.tip));
+        setWords(*line.choose, name + QStringLiteral(": ") + tr(row.choose), tr(row.tip));
     }
     folder_->setText(tr("Folder…"));
     folder_->setToolTip(tr("A folder in which each file is a set of its own"));

@@ -9,11 +9,11 @@
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QCoreApplication>
-#include <QEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
@@ -24,16 +24,65 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <set>
 #include <utility>
 
 namespace vybeg::ui {
+
+namespace {
+
+constexpr double minute_s = 60;
+constexpr double hour_s = 3600;
+constexpr double ms_per_s = 1000;
+
+}  // namespace
+
+void BatchProgress::begin(std::size_t sets) {
+    *this = BatchProgress();
+    sets_ = sets;
+    since_.start();
+}
+
+void BatchProgress::add(bool kept) {
+    ++done_;
+    if (!kept) {
+        ++computed_;
+        last_row_ms_ = since_.elapsed();
+    }
+}
+
+std::optional<double> BatchProgress::secondsLeft() const {
+    if (computed_ == 0 || done_ == sets_) {
+        return std::nullopt;
+    }
+    const double each_ms = static_cast<double>(last_row_ms_) / static_cast<double>(computed_);
+    const double left_ms = each_ms * static_cast<double>(sets_ - done_) -
+                           static_cast<double>(since_.elapsed() - last_row_ms_);
+    return std::max(left_ms, 0.) / ms_per_s;
+}
+
+QString durationText(double seconds) {
+    const QLocale locale;
+    if (seconds < 1.5 * minute_s) {
+        return QCoreApplication::translate("Duration", "%1 s")
+            .arg(locale.toString(std::ceil(seconds), 'f', 0));
+    }
+    if (seconds < 1.5 * hour_s) {
+        return QCoreApplication::translate("Duration", "%1 min")
+            .arg(locale.toString(std::ceil(seconds / minute_s), 'f', 0));
+    }
+    return QCoreApplication::translate("Duration", "%1 h")
+        .arg(locale.toString(seconds / hour_s, 'f', 1));
+}
 
 BatchMessage::BatchMessage(QWidget* parent) : QLabel(parent) {
     setObjectName(QStringLiteral("batchMessage"));
     setWordWrap(true);
     setTextFormat(Qt::PlainText);
     setTextInteractionFlags(Qt::TextSelectableByMouse);
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { color(); });
     hide();
 }
 
@@ -76,13 +125,6 @@ void BatchMessage::color() {
     }
     if (palette() != colors) {
         setPalette(colors);
-    }
-}
-
-void BatchMessage::changeEvent(QEvent* event) {
-    QLabel::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        color();
     }
 }
 
@@ -140,23 +182,18 @@ BatchWindow::BatchWindow(QWidget* parent)
     connect(form_, &BatchForm::changed, this, &BatchWindow::refresh);
     connect(start_, &QPushButton::clicked, this, &BatchWindow::askAndStart);
     connect(stop_, &QPushButton::clicked, this, &BatchWindow::stop);
-    connect(&job_, &BatchJob::begun, this, &BatchWindow::whenBegun);
-    connect(&job_, &BatchJob::ended, this, &BatchWindow::whenEnded);
-    connect(&job_, &BatchJob::warned, this, [this](const Diagnostic& diagnostic) {
-        message_->warn([diagnostic] { return diagnosticText(diagnostic); });
-    });
-    connect(&job_, &BatchJob::rowFinished, this, [this](const FinishedRow& finished) {
-        model_.add(finished);
-        progress_.add(finished.kept);
-        widenFor(static_cast<int>(finished.set));
-        showProgress();
-        showDetails();
-    });
     connect(new QShortcut(QKeySequence::HelpContents, this), &QShortcut::activated, this,
             &BatchWindow::helpWanted);
     applyTheme();
-    retranslate();
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { applyTheme(); });
+    // Once it has left and is shown again, it is the window it was.
+    whenChanged(*this, {QEvent::Show}, [this] { leaving_ = false; });
+    keepTranslated(*this, [this] { retranslate(); });
     refresh();
+}
+
+BatchWindow::~BatchWindow() {
+    batch_stop_.request_stop();
 }
 
 void BatchWindow::buildTable() {
@@ -227,7 +264,7 @@ void BatchWindow::askAndStart() {
 }
 
 void BatchWindow::start() {
-    if (job_.running()) {
+    if (running_) {
         return;
     }
     BatchRequest request = form_->request();
@@ -242,16 +279,41 @@ void BatchWindow::start() {
     message_->begin();
     model_.begin(std::make_shared<const MeasurementList>());  // the table of the batch before goes
     progress_.begin(0);
-    job_.start(request);
+    running_ = true;
+    batch_stop_ = std::stop_source();
+    constexpr int only_one = 0;
+    job_.write(
+        only_one,
+        [this, request, token = batch_stop_.get_token()](const JobControl&) {
+            return compute_batch(request, events(), token);
+        },
+        [this](const Status& status) { whenEnded(status); });
     refresh();
 }
 
 void BatchWindow::stop() {
-    if (job_.running()) {
+    if (running_) {
         stopping_ = true;
-        job_.stop();
+        batch_stop_.request_stop();
         refresh();
     }
+}
+
+BatchEvents BatchWindow::events() {
+    return {
+        [this](const std::vector<Diagnostic>& warnings) {
+            for (const Diagnostic& each : warnings) {
+                post([this, each] { message_->warn([each] { return diagnosticText(each); }); });
+            }
+        },
+        [this](const MeasurementList& list) {
+            post([this, own = std::make_shared<const MeasurementList>(list)] { whenBegun(own); });
+        },
+        [this](const FinishedRow& row) { post([this, row] { whenFinished(row); }); }};
+}
+
+void BatchWindow::post(std::function<void()> act) {
+    QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection);
 }
 
 void BatchWindow::whenBegun(const std::shared_ptr<const MeasurementList>& list) {
@@ -263,7 +325,16 @@ void BatchWindow::whenBegun(const std::shared_ptr<const MeasurementList>& list) 
     showDetails();
 }
 
+void BatchWindow::whenFinished(const FinishedRow& row) {
+    model_.add(row);
+    progress_.add(row.kept);
+    widenFor(static_cast<int>(row.set));
+    showProgress();
+    showDetails();
+}
+
 void BatchWindow::whenEnded(const Status& status) {
+    running_ = false;
     tick_.stop();
     const auto kept = [] { return tr("What is computed is kept: Start goes on from here."); };
     if (status) {
@@ -297,9 +368,9 @@ void BatchWindow::showProgress() {
         parts << tr("%n without a result", nullptr, model_.failed());
     }
     const auto left = progress_.secondsLeft();
-    if (job_.running() && stopping_) {
+    if (running_ && stopping_) {
         parts << tr("stopping…");
-    } else if (job_.running() && left) {
+    } else if (running_ && left) {
         parts << tr("%1 left").arg(durationText(*left));
     }
     told_->setText(parts.join(QStringLiteral("; ")));
@@ -353,7 +424,7 @@ void BatchWindow::showDetails() {
 }
 
 void BatchWindow::refresh() {
-    const bool running = job_.running();
+    const bool running = running_;
     form_->setEnabled(!running);
     start_->setEnabled(!running && form_->isComplete());
     stop_->setEnabled(running && !stopping_);
@@ -388,7 +459,7 @@ void BatchWindow::copyRows() const {
 }
 
 void BatchWindow::closeEvent(QCloseEvent* event) {
-    if (!job_.running() || leaving_) {  // then the batch stops where this object goes
+    if (!running_ || leaving_) {  // then the batch stops where this object goes
         QWidget::closeEvent(event);
         return;
     }
@@ -399,23 +470,8 @@ void BatchWindow::closeEvent(QCloseEvent* event) {
         tr("Stop and close"), tr("Go on"), [this] { leave(); });
 }
 
-void BatchWindow::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        applyTheme();
-    }
-}
-
 void BatchWindow::applyTheme() {
     model_.setTheme(isDark(palette()) ? darkTheme() : lightTheme());
-}
-
-// Once it has left and is shown again, it is the window it was.
-void BatchWindow::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    leaving_ = false;
 }
 
 void BatchWindow::retranslate() {
@@ -427,10 +483,10 @@ void BatchWindow::retranslate() {
     stop_->setText(tr("S&top"));
     stop_->setToolTip(tr("Stop; what is computed is kept"));
     bar_->setAccessibleName(tr("Progress of the batch"));
-    table_->setAccessibleName(tr("Results of the batch"));
-    table_->setToolTip(tr("A double click or Return opens the set in the main window"));
-    details_->setAccessibleName(tr("About the chosen set"));
-    details_->setToolTip(tr("Why the chosen set has no result, and its warnings"));
+    setWords(*table_, tr("Results of the batch"),
+             tr("A double click or Return opens the set in the main window"));
+    setWords(*details_, tr("About the chosen set"),
+             tr("Why the chosen set has no result, and its warnings"));
     open_->setText(tr("Open the set in the main window"));
     copy_->setText(tr("Copy rows"));
     message_->refresh();

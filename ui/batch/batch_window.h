@@ -2,16 +2,21 @@
 
 #include "core/analysis/identify_settings.h"
 #include "core/base/error.h"
+#include "core/batch/batch_request.h"
 #include "ui/batch/batch_form.h"
-#include "ui/batch/batch_job.h"
 #include "ui/batch/batch_table.h"
+#include "ui/document/background_jobs.h"
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QString>
 #include <QTimer>
 #include <QWidget>
 
+#include <cstddef>
 #include <functional>
+#include <optional>
+#include <stop_token>
 #include <vector>
 
 class QAction;
@@ -21,6 +26,28 @@ class QPushButton;
 class QTableView;
 
 namespace vybeg::ui {
+
+// How far a batch is, and how long it still takes: as long for each set as for those of this batch.
+class BatchProgress {
+public:
+    void begin(std::size_t sets);
+    // `kept`: a row of an earlier batch, which took no time.
+    void add(bool kept);
+
+    std::size_t sets() const { return sets_; }
+    // Nothing before the first row of this batch, and at the end.
+    std::optional<double> secondsLeft() const;
+
+private:
+    std::size_t sets_ = 0;
+    std::size_t done_ = 0;
+    std::size_t computed_ = 0;
+    qint64 last_row_ms_ = 0;
+    QElapsedTimer since_;
+};
+
+// "40 s", "12 min", "3.5 h".
+QString durationText(double seconds);
 
 // How a batch ended, below the warnings of its list. Texts are functions, so that a change of
 // language reaches them. Hidden while there is nothing to say.
@@ -37,9 +64,6 @@ public:
     void end(Text text, bool fault);
     void refresh();  // in the present language
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void color();
 
@@ -48,22 +72,22 @@ private:
     bool fault_ = false;
 };
 
-class BatchMessage;
-class BatchOrder;
-
 // A window of its own for many sets: the files of a batch, its progress, and the table of its
-// results, which fills while they are computed. None of their recordings is opened here.
+// results, which fills while they are computed. None of their recordings is opened here. The batch
+// is that of the command line in the background: finished rows stay on the disk when the window
+// goes.
 class BatchWindow : public QWidget {
     Q_OBJECT
 
 public:
     explicit BatchWindow(QWidget* parent = nullptr);
+    ~BatchWindow() override;
 
     BatchForm& form() { return *form_; }
     // Settings for what the list leaves open, asked for when the engineer wants those of the panel.
     void setPanelSource(std::function<IdentifySettings()> source) { panel_ = std::move(source); }
     void setUnits(const DisplayUnits& units);
-    bool running() const { return job_.running(); }
+    bool running() const { return running_; }
     // Of the program: stops what is running, and closes without a question.
     void leave();
 
@@ -73,16 +97,18 @@ signals:
     void helpWanted();
 
 protected:
-    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
-    void showEvent(QShowEvent* event) override;
 
 private:
     void buildTable();
     void start();
     void askAndStart();
     void stop();
+    // What the batch tells, as of its thread.
+    BatchEvents events();
+    void post(std::function<void()> act);
     void whenBegun(const std::shared_ptr<const MeasurementList>& list);
+    void whenFinished(const FinishedRow& row);
     void whenEnded(const Status& status);
     void showProgress();
     void showDetails();
@@ -96,6 +122,8 @@ private:
     void retranslate();
 
     std::function<IdentifySettings()> panel_;
+    bool running_ = false;
+    std::stop_source batch_stop_;
     bool leaving_ = false;
     bool stopping_ = false;
     QString output_;  // of the batch that runs or ran
@@ -114,7 +142,7 @@ private:
     QPlainTextEdit* details_;
     QAction* open_;
     QAction* copy_;
-    BatchJob job_;
+    BackgroundJobs job_;  // the last member: it waits for its threads, which use the others
 };
 
 }  // namespace vybeg::ui

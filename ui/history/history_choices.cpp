@@ -7,13 +7,10 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QResizeEvent>
 #include <QSettings>
 #include <QSpinBox>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace vybeg::ui {
 
@@ -29,20 +26,18 @@ const QString baseline_key = QStringLiteral("history/baseline");
 
 HistoryChoices::HistoryChoices(QWidget* parent)
     : QWidget(parent),
-      gyro_label_(new QLabel(this)),
       gyro_(withName(new QComboBox(this), "historyGyro")),
-      parameter_label_(new QLabel(this)),
       parameter_(withName(new QComboBox(this), "historyParameter")),
-      axis_label_(new QLabel(this)),
       axis_(withName(new QComboBox(this), "historyAxis")),
-      baseline_label_(new QLabel(this)),
       baseline_(withName(new QSpinBox(this), "historyBaseline")),
+      choices_{{{new QLabel(this), gyro_},
+                {new QLabel(this), parameter_},
+                {new QLabel(this), axis_},
+                {new QLabel(this), baseline_}}},
       grid_(new QGridLayout(this)) {
     gyro_->addItem(QString());
     parameter_->setItemDelegate(new IndexDelegate(parameter_));
-    for ([[maybe_unused]] const HistoryParameter& each : historyParameters()) {
-        parameter_->addItem(QString());
-    }
+    parameter_->addItems(QStringList(std::ssize(historyParameters())));
     parameter_->setCurrentIndex(1);
     for (QComboBox* box : {gyro_, parameter_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -52,14 +47,14 @@ HistoryChoices::HistoryChoices(QWidget* parent)
     baseline_->setRange(least_results, most_results);
     baseline_->setValue(QSettings().value(baseline_key, usual_results).toInt());
     baseline_->setKeyboardTracking(false);
-    gyro_label_->setBuddy(gyro_);
-    parameter_label_->setBuddy(parameter_);
-    axis_label_->setBuddy(axis_);
-    baseline_label_->setBuddy(baseline_);
+    for (const auto& [label, choice] : choices_) {
+        label->setBuddy(choice);
+    }
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setColumnStretch(1, 1);
     grid_->setColumnStretch(3, 1);
-    place(2);
+    constexpr int wide = 1000;
+    placeByWidth(*this, wide, false, [this](bool is_wide) { place(is_wide ? 4 : 2); });
     connect(gyro_, &QComboBox::activated, this, &HistoryChoices::dataWanted);
     connect(parameter_, &QComboBox::currentIndexChanged, this, &HistoryChoices::dataWanted);
     connect(axis_, &QComboBox::currentIndexChanged, this, &HistoryChoices::axisChanged);
@@ -108,35 +103,23 @@ void HistoryChoices::setGyros(const std::vector<StoredGyro>& gyros) {
 
 // So many choices stand beside each other.
 void HistoryChoices::place(int in_a_row) {
-    in_a_row_ = in_a_row;
-    const std::array<std::pair<QWidget*, QWidget*>, 4> choices{{{gyro_label_, gyro_},
-                                                                {parameter_label_, parameter_},
-                                                                {axis_label_, axis_},
-                                                                {baseline_label_, baseline_}}};
-    for (int k = 0; const auto& [label, choice] : choices) {
-        for (QWidget* part : {label, choice}) {
-            grid_->removeWidget(part);
-        }
+    for (int k = 0; const auto& [label, choice] : choices_) {
+        grid_->removeWidget(label);
+        grid_->removeWidget(choice);
         grid_->addWidget(label, k / in_a_row, 2 * (k % in_a_row));
         grid_->addWidget(choice, k / in_a_row, 2 * (k % in_a_row) + 1);
         ++k;
     }
 }
 
-void HistoryChoices::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    constexpr int wide = 1000;
-    if (const int in_a_row = event->size().width() >= wide ? 4 : 2; in_a_row != in_a_row_) {
-        place(in_a_row);
-    }
-}
-
 void HistoryChoices::retranslate() {
-    gyro_label_->setText(tr("Gyro"));
-    gyro_->setAccessibleName(tr("Gyro of the history"));
-    gyro_->setToolTip(
-        richTip(tr("Whose results are shown; the number of its results stands behind "
-                   "its name")));
+    const std::array names{tr("Gyro"), tr("Parameter"), tr("Against"), tr("Baseline")};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        choices_[k].first->setText(names[k]);
+    }
+    setWords(*gyro_, tr("Gyro of the history"),
+             richTip(tr("Whose results are shown; the number of its results stands behind "
+                        "its name")));
     gyro_->setItemText(0, tr("All gyros"));
     for (std::size_t k = 0; k < gyros_.size(); ++k) {
         const QString name = QString::fromStdString(gyros_[k].name);
@@ -145,23 +128,19 @@ void HistoryChoices::retranslate() {
                                name.isEmpty() ? tr("without a name") : name,
                                QLocale().toString(static_cast<qlonglong>(gyros_[k].results))));
     }
-    parameter_label_->setText(tr("Parameter"));
-    parameter_->setAccessibleName(tr("Parameter of the history"));
-    parameter_->setToolTip(richTip(tr("Which of its parameters is shown")));
+    setWords(*parameter_, tr("Parameter of the history"),
+             richTip(tr("Which of its parameters is shown")));
     const auto& parameters = historyParameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         parameter_->setItemText(
             static_cast<int>(k),
             indexPlain(shownAs(parameters[k].name, parameters[k].unit, {}).title));
     }
-    axis_label_->setText(tr("Against"));
-    axis_->setAccessibleName(tr("Axis of the history"));
-    axis_->setToolTip(richTip(tr("The mean frequency follows the temperature of the resonator")));
+    setWords(*axis_, tr("Axis of the history"),
+             richTip(tr("The mean frequency follows the temperature of the resonator")));
     setTexts(*axis_, {tr("Date"), tr("Frequency"), tr("Order")});
-    baseline_label_->setText(tr("Baseline"));
-    baseline_->setAccessibleName(tr("Baseline of the control charts"));
-    baseline_->setToolTip(
-        richTip(tr("So many first results of the gyro set centre and limits of the charts")));
+    setWords(*baseline_, tr("Baseline of the control charts"),
+             richTip(tr("So many first results of the gyro set centre and limits of the charts")));
 }
 
 }  // namespace vybeg::ui

@@ -4,8 +4,10 @@
 
 #include <QWidget>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QComboBox;
@@ -36,24 +38,17 @@ signals:
     void limitsChanged();
     void axisChanged();
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     void place(int in_a_row);
     void retranslate();
 
     std::vector<StoredGyro> gyros_;
-    QLabel* gyro_label_;
     QComboBox* gyro_;
-    QLabel* parameter_label_;
     QComboBox* parameter_;
-    QLabel* axis_label_;
     QComboBox* axis_;
-    QLabel* baseline_label_;
     QSpinBox* baseline_;
+    std::array<std::pair<QLabel*, QWidget*>, 4> choices_;
     QGridLayout* grid_;
-    int in_a_row_ = 0;
 };
 
 }  // namespace vybeg::ui

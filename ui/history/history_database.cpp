@@ -9,6 +9,8 @@
 #include "ui/widgets/page_parts.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -93,42 +95,44 @@ Result<ResultsDatabase> opened(Document& document, const QString& path,
     return ResultsDatabase::open(path.toStdU16String(), access, job, patience_s, tell);
 }
 
+template <class Value>
+void inDatabase(const DatabaseJob& job, ResultsDatabase::Access access,
+                std::function<Result<Value>(ResultsDatabase&)> work, Done<Value> done) {
+    job.jobs.run<Value>(
+        job.key,
+        [&document = job.document, path = job.path, access,
+         work = std::move(work)](const JobControl& control) -> Result<Value> {
+            auto database = TRY(opened(document, path, access, control));
+            return work(database);
+        },
+        std::move(done));
+}
+
 }  // namespace
 
-void makeDatabase(BackgroundJobs& job, int key, Document& document, const QString& path,
-                  Done<bool> done) {
-    job.run<bool>(
-        key,
-        [&document, path](const JobControl& control) -> Result<bool> {
-            const auto database = opened(document, path, ResultsDatabase::Access::write, control);
-            return database ? Result<bool>(true) : database.error();
+void makeDatabase(const DatabaseJob& job, Done<bool> done) {
+    inDatabase<bool>(
+        job, ResultsDatabase::Access::write, [](ResultsDatabase&) { return true; },
+        std::move(done));
+}
+
+void readHistory(const DatabaseJob& job, const std::optional<std::string>& gyro,
+                 const std::string& parameter, Done<StoredHistory> done) {
+    inDatabase<StoredHistory>(
+        job, ResultsDatabase::Access::read,
+        [gyro, parameter](ResultsDatabase& database) -> Result<StoredHistory> {
+            auto gyros = TRY(database.gyros());
+            auto points = TRY(database.history(gyro, parameter));
+            return StoredHistory{std::move(gyros), std::move(points)};
         },
         std::move(done));
 }
 
-void readHistory(BackgroundJobs& job, int key, Document& document, const QString& path,
-                 const std::optional<std::string>& gyro, const std::string& parameter,
-                 Done<StoredHistory> done) {
-    job.run<StoredHistory>(
-        key,
-        [&document, path, gyro, parameter](const JobControl& control) -> Result<StoredHistory> {
-            auto database = TRY(opened(document, path, ResultsDatabase::Access::read, control));
-            auto gyros = database.gyros();
-            auto points = TRY(gyros ? database.history(gyro, parameter)
-                                    : Result<std::vector<HistoryPoint>>(gyros.error()));
-            return StoredHistory{std::move(*gyros), std::move(points)};
-        },
-        std::move(done));
-}
-
-void readResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                std::int64_t id, Done<StoredResult> done) {
-    job.run<StoredResult>(
-        key,
-        [&document, path, id](const JobControl& control) -> Result<StoredResult> {
-            auto database = opened(document, path, ResultsDatabase::Access::read, control);
-            auto found = TRY(database ? database->result(id)
-                                      : Result<std::optional<StoredResult>>(database.error()));
+void readResult(const DatabaseJob& job, std::int64_t id, Done<StoredResult> done) {
+    inDatabase<StoredResult>(
+        job, ResultsDatabase::Access::read,
+        [path = job.path, id](ResultsDatabase& database) -> Result<StoredResult> {
+            auto found = TRY(database.result(id));
             if (!found) {  // another file has taken its place
                 return Error{ErrorCode::file_read_failed,
                              path.toStdString(),
@@ -141,13 +145,16 @@ void readResult(BackgroundJobs& job, int key, Document& document, const QString&
 
 namespace {
 
+struct StoreWords {
+    Q_DECLARE_TR_FUNCTIONS(Store)
+};
+
 // As `vybeg-cli batch --database` does. `done` gets the name of the earlier result that it
 // replaces.
-void storeResult(BackgroundJobs& job, int key, Document& document, const QString& path,
-                 SetResult result, Done<std::optional<StoredName>> done) {
-    job.run<std::optional<StoredName>>(
-        key,
-        [&document, path, result = std::move(result)](
+void storeResult(const DatabaseJob& job, SetResult result, Done<std::optional<StoredName>> done) {
+    job.jobs.run<std::optional<StoredName>>(
+        job.key,
+        [&document = job.document, path = job.path, result = std::move(result)](
             const JobControl& control) -> Result<std::optional<StoredName>> {
             const auto stored = TRY(stored_result(result, identify_json(result)));
             auto database = TRY(opened(document, path, ResultsDatabase::Access::write, control));
@@ -158,122 +165,119 @@ void storeResult(BackgroundJobs& job, int key, Document& document, const QString
         std::move(done));
 }
 
-}  // namespace
-
-StoreDialog::StoreDialog(const QStringList& gyros, const QString& gyro, const QString& date,
-                         QWidget* parent)
-    : QDialog(parent),
-      gyro_(withName(new QComboBox(this), "storeGyro")),
-      date_(withName(new QLineEdit(date, this), "storeDate")),
-      fault_(new QLabel(this)),
-      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
-    setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(tr("Add this result"));
-    gyro_->setEditable(true);
-    gyro_->addItems(gyros);
-    gyro_->setCurrentText(gyro);
-    gyro_->setAccessibleName(tr("Gyro"));
-    gyro_->setToolTip(tr("The name under which the history of this resonator is kept"));
-    date_->setAccessibleName(tr("Date"));
-    date_->setToolTip(
-        tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
-    fault_->setWordWrap(true);
-    buttons_->button(QDialogButtonBox::Ok)->setText(tr("Add"));
-    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
-    auto* form = new QFormLayout(this);
-    form->addRow(tr("Gyro"), gyro_);
-    form->addRow(tr("Date"), date_);
-    form->addRow(fault_);
-    form->addRow(buttons_);
-    connect(gyro_, &QComboBox::editTextChanged, this, &StoreDialog::refresh);
-    connect(date_, &QLineEdit::textChanged, this, &StoreDialog::refresh);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
-        emit chosen(gyro_->currentText().trimmed(), date_->text().trimmed());
-        accept();
+// The date is ISO 8601 or empty.
+void askForGyroAndDate(const QStringList& gyros, const QString& gyro, const QString& date,
+                       QWidget* window,
+                       const std::function<void(const QString&, const QString&)>& then) {
+    auto* dialog = new QDialog(window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(StoreWords::tr("Add this result"));
+    dialog->setMinimumWidth(380);
+    auto* named = withName(new QComboBox(dialog), "storeGyro");
+    named->setEditable(true);
+    named->addItems(gyros);
+    named->setCurrentText(gyro);
+    setWords(*named, StoreWords::tr("Gyro"),
+             StoreWords::tr("The name under which the history of this resonator is kept"));
+    auto* dated = withName(new QLineEdit(date, dialog), "storeDate");
+    setWords(
+        *dated, StoreWords::tr("Date"),
+        StoreWords::tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
+    auto* fault = new QLabel(dialog);
+    fault->setWordWrap(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
+    QPushButton* ok = buttons->button(QDialogButtonBox::Ok);
+    ok->setText(StoreWords::tr("Add"));
+    buttons->button(QDialogButtonBox::Cancel)->setText(StoreWords::tr("Cancel"));
+    auto* form = new QFormLayout(dialog);
+    form->addRow(StoreWords::tr("Gyro"), named);
+    form->addRow(StoreWords::tr("Date"), dated);
+    form->addRow(fault);
+    form->addRow(buttons);
+    const auto check = [named, dated, fault, ok] {
+        const QString at = dated->text().trimmed();
+        const bool has_name = !named->currentText().trimmed().isEmpty();
+        const bool has_date = at.isEmpty() || is_iso_date(at.toStdString());
+        fault->setText(
+            !has_name ? StoreWords::tr("A result without a gyro has no history: name one.")
+            : !has_date
+                ? StoreWords::tr("A date is written as in 2026-03-31, with or without a time as in "
+                                 "T14:05.")
+            : at.isEmpty() ? StoreWords::tr("Without a date the result stands behind all others.")
+                           : QString());
+        ok->setEnabled(has_name && has_date);
+    };
+    QObject::connect(named, &QComboBox::editTextChanged, dialog, check);
+    QObject::connect(dated, &QLineEdit::textChanged, dialog, check);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, [dialog, named, dated, then] {
+        then(named->currentText().trimmed(), dated->text().trimmed());
+        dialog->accept();
     });
-    setMinimumWidth(380);
-    refresh();
-}
-
-void StoreDialog::refresh() {
-    const QString date = date_->text().trimmed();
-    const bool dated = date.isEmpty() || is_iso_date(date.toStdString());
-    const bool named = !gyro_->currentText().trimmed().isEmpty();
-    fault_->setText(!named ? tr("A result without a gyro has no history: name one.")
-                    : !dated
-                        ? tr("A date is written as in 2026-03-31, with or without a time as in "
-                             "T14:05.")
-                    : date.isEmpty() ? tr("Without a date the result stands behind all others.")
-                                     : QString());
-    buttons_->button(QDialogButtonBox::Ok)->setEnabled(named && dated);
-}
-
-namespace {
-
-constexpr int storing_job = 1;
-
-// The set under this gyro and date, for the whole of it.
-void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date) {
-    for (RecordingRef& recording : set.recordings) {
-        recording.conditions.gyro = gyro;
-        if (!date.empty()) {
-            recording.conditions.date = date;
-        }
-    }
-}
-
-}  // namespace
-
-std::shared_ptr<const ResonatorOutcome> ResultAdder::addable() const {
-    const RecordingSet* set = document_.sets().current();
-    const auto outcome = set ? document_.sets().outcome(*set) : nullptr;
-    return outcome && !document_.sets().outOfDate(*set, *outcome) ? outcome : nullptr;
-}
-
-void ResultAdder::ask(const QString& path, const QStringList& gyros, QWidget* window) {
-    const RecordingSet* set = document_.sets().current();
-    const auto outcome = addable();
-    if (!set || !outcome) {
-        return;
-    }
-    const MeasurementSet measured = document_.sets().underPresentConditions(*set, *outcome).set;
-    QString gyro = QString::fromStdString(gyro_of(measured));
-    gyro = gyro.isEmpty() ? document_.dossier().dossier().gyro.serial : gyro;
-    gyro = gyro.isEmpty() ? set->name : gyro;
-    auto* dialog =
-        new StoreDialog(gyros, gyro, QString::fromStdString(date_of(measured).text), window);
-    connect(dialog, &StoreDialog::chosen, this,
-            [this, path](const QString& named, const QString& date) { add(path, named, date); });
+    check();
     dialog->open();
 }
 
-void ResultAdder::add(const QString& path, const QString& gyro, const QString& date) {
-    const RecordingSet* set = document_.sets().current();
-    const auto outcome = addable();
+// Under this gyro and date, for the whole of the set.
+void storeUnder(const DatabaseJob& job, const QString& gyro, const QString& date,
+                const std::function<void()>& added) {
+    const SetStore& sets = job.document.sets();
+    const auto outcome = addableResult(job.document);
     if (!outcome) {
         return;
     }
-    SetResult result = document_.sets().underPresentConditions(*set, *outcome);
-    result.set.name = setName(document_, *set).toStdString();
-    tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());
-    storeResult(
-        job_, storing_job, document_, path, std::move(result),
-        [this, path, gyro](const Result<std::optional<StoredName>>& replaced) {
-            if (!replaced) {
-                document_.report(errorMessage(replaced.error()));
-                return;
-            }
-            const auto text = [gyro, name = QFileInfo(path).fileName(), replaced = *replaced] {
-                return replaced ? tr("The result of %1 replaces that of %3 (set %4) in %2: "
-                                     "the same recordings and settings.")
-                                      .arg(gyro, name, QString::fromStdString(replaced->gyro),
-                                           QString::fromStdString(replaced->set))
-                                : tr("The result of %1 is in %2.").arg(gyro, name);
-            };
-            document_.report({MessageLevel::info, text, {}, {}});
-            emit added(path);
-        });
+    SetResult result = sets.underPresentConditions(*sets.current(), *outcome);
+    result.set.name = setName(job.document, *sets.current()).toStdString();
+    for (RecordingRef& recording : result.set.recordings) {
+        recording.conditions.gyro = gyro.toStdString();
+        if (!date.isEmpty()) {
+            recording.conditions.date = date.toStdString();
+        }
+    }
+    storeResult(job, std::move(result),
+                [&document = job.document, name = QFileInfo(job.path).fileName(), gyro,
+                 added](const Result<std::optional<StoredName>>& replaced) {
+                    if (!replaced) {
+                        document.report(errorMessage(replaced.error()));
+                        return;
+                    }
+                    const auto text = [gyro, name, replaced = *replaced] {
+                        return replaced
+                                   ? StoreWords::tr(
+                                         "The result of %1 replaces that of %3 (set %4) in %2: "
+                                         "the same recordings and settings.")
+                                         .arg(gyro, name, QString::fromStdString(replaced->gyro),
+                                              QString::fromStdString(replaced->set))
+                                   : StoreWords::tr("The result of %1 is in %2.").arg(gyro, name);
+                    };
+                    document.report({MessageLevel::info, text, {}, {}});
+                    added();
+                });
+}
+
+}  // namespace
+
+std::shared_ptr<const ResonatorOutcome> addableResult(const Document& document) {
+    const RecordingSet* set = document.sets().current();
+    const auto outcome = set ? document.sets().outcome(*set) : nullptr;
+    return outcome && !document.sets().outOfDate(*set, *outcome) ? outcome : nullptr;
+}
+
+void askToAdd(const DatabaseJob& job, const QStringList& gyros, QWidget* window,
+              const std::function<void()>& added) {
+    const auto outcome = addableResult(job.document);
+    if (!outcome) {
+        return;
+    }
+    const RecordingSet& set = *job.document.sets().current();
+    const MeasurementSet measured = job.document.sets().underPresentConditions(set, *outcome).set;
+    QString gyro = QString::fromStdString(gyro_of(measured));
+    gyro = gyro.isEmpty() ? job.document.dossier().dossier().gyro.serial : gyro;
+    gyro = gyro.isEmpty() ? set.name : gyro;
+    askForGyroAndDate(gyros, gyro, QString::fromStdString(date_of(measured).text), window,
+                      [job, added](const QString& named, const QString& date) {
+                          storeUnder(job, named, date, added);
+                      });
 }
 
 }  // namespace vybeg::ui

@@ -82,7 +82,6 @@ HistoryExport historyExport(const HistoryView& view, const QString& database,
     const QString parameter = shownIn(view).title;
     const QString whose = gyro ? QString::fromStdString(*gyro) : HistoryWords::tr("All gyros");
     HistoryExport all;
-    all.name = QStringLiteral("history");
     all.table =
         tableOf(view, {programName().toStdString(), "database: " + database.toStdString(),
                        "gyro: " + gyro.value_or("all"), "parameter: " + columnOf(view.parameter),

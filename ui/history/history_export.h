@@ -11,7 +11,6 @@ namespace vybeg::ui {
 
 // What the page shows, on its way into a file.
 struct HistoryExport {
-    QString name;       // of the file, as proposed, without its ending
     std::string table;  // CSV: a row a result, in the units of the database
     ReportText report;
     std::vector<ReportFigure> figures;  // of the report

@@ -23,7 +23,7 @@ namespace vybeg::ui {
 
 namespace {
 
-enum JobKey : int { reading_job, result_job };
+enum JobKey : int { reading_job, result_job, storing_job };
 
 const QString path_key = QStringLiteral("history/database");
 
@@ -32,7 +32,6 @@ const QString path_key = QStringLiteral("history/database");
 HistoryPage::HistoryPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
-      adder_(document),
       database_(new QLabel(this)),
       open_(withName(new QPushButton(this), "historyOpen")),
       new_(withName(new QPushButton(this), "historyNew")),
@@ -40,14 +39,12 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
       export_(withName(new QPushButton(this), "historyExport")),
       state_(sentence(this, "historyState", QMargins())) {
     setObjectName(QStringLiteral("history"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addLayout(buildHead());
+    auto* head = buildHead();
     content_ = scrolled(buildContent());
-    column->addWidget(content_, 1);
-    column->addStretch();  // below the sentence where there is nothing to show
+    // With room below the sentence where there is nothing to show.
+    fill(new QVBoxLayout(this), {}, 4, {head, {content_, 1}, LayoutPart(0)});
     connectWidgets();
+    whenChanged(*this, {QEvent::Show}, [this] { whenShown(); });
     retranslate();
 }
 
@@ -62,7 +59,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
     if (make) {
         reading_ = true;
         refresh();
-        makeDatabase(job_, reading_job, document_, path_, [this](const Result<bool>& made) {
+        makeDatabase(job(reading_job), [this](const Result<bool>& made) {
             if (made) {
                 read();
             } else {
@@ -75,8 +72,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
 }
 
 // The database is read when the page is first seen: it may lie on a slow share.
-void HistoryPage::showEvent(QShowEvent* event) {
-    MeasuredPage::showEvent(event);
+void HistoryPage::whenShown() {
     if (!seen_) {
         seen_ = true;
         path_ = QSettings().value(path_key).toString();
@@ -89,7 +85,7 @@ void HistoryPage::showEvent(QShowEvent* event) {
 void HistoryPage::read() {
     reading_ = true;
     failure_.reset();
-    readHistory(job_, reading_job, document_, path_, choices_->gyro(), choices_->parameter().name,
+    readHistory(job(reading_job), choices_->gyro(), choices_->parameter().name,
                 [this](Result<StoredHistory> history) { take(std::move(history)); });
     refresh();
 }
@@ -133,9 +129,9 @@ HistoryView HistoryPage::view() const {
             choices_->baseline(),
             choices_->parameter(),
             shownAxis(*history_, choices_->axis()),
-            units_,
+            units(),
             chosen_,
-            passportValue(open ? &open->passport : nullptr, choices_->parameter()),
+            open ? choices_->parameter().in(open->passport) : nullptr,
             limit ? std::optional(*limit) : std::nullopt};
 }
 
@@ -143,27 +139,26 @@ void HistoryPage::showHistory() {
     refresh();
     content_->setVisible(history_.has_value());
     if (!history_) {
-        for (XYPlotView* plot : {values_, ranges_, average_, distribution_}) {
+        for (XYPlotView* plot : {values_.plot, ranges_.plot, average_.plot, distribution_}) {
             plot->setContent({});
         }
         emit figuresChanged();
         return;
     }
     const HistoryView now = view();
-    shown_values_ = valuesPlot(now);
-    shown_ranges_ = rangesPlot(now);
-    shown_average_ = averagePlot(now);
-    for (const auto& [plot, shown] : chartsOfPoints()) {
-        plot->setContent(shown->plot);
-        plot->setPickable(0);
-        plot->setPointTips([this, shown = shown](std::size_t place) {
-            return place < shown->points.size() ? richTip(pointText(view(), shown->points[place]))
-                                                : QString();
+    values_.shown = valuesPlot(now);
+    ranges_.shown = rangesPlot(now);
+    average_.shown = averagePlot(now);
+    for (const Chart* chart : {&values_, &ranges_, &average_}) {
+        chart->plot->setContent(chart->shown.plot);
+        chart->plot->setPickable(0);
+        chart->plot->setPointTips([this, &points = chart->shown.points](std::size_t place) {
+            return place < points.size() ? richTip(pointText(view(), points[place])) : QString();
         });
     }
     distribution_->setContent(distributionPlot(now));
-    ranges_->setVisible(charts_.one_gyro);
-    average_->setVisible(charts_.one_gyro);
+    ranges_.plot->setVisible(charts_.one_gyro);
+    average_.plot->setVisible(charts_.one_gyro);
     verdict_->setText(richText(verdictText(now)));
     point_->setVisible(chosen_.has_value());
     recordings_->setVisible(chosen_.has_value());
@@ -195,9 +190,10 @@ QString HistoryPage::stateText() const {
 }
 
 QString HistoryPage::addHint() const {
-    return path_.isEmpty()     ? tr("First open a database, or make a new one.")
-           : !adder_.addable() ? tr("First identify the resonator of a set, on the page Resonator.")
-                               : QString();
+    return path_.isEmpty() ? tr("First open a database, or make a new one.")
+           : !addableResult(document_)
+               ? tr("First identify the resonator of a set, on the page Resonator.")
+               : QString();
 }
 
 void HistoryPage::refresh() {
@@ -224,14 +220,14 @@ void HistoryPage::choose(const HistoryPlot& shown, int place) {
 
 // To the neighbour on the axis of the values.
 void HistoryPage::step(int by) {
-    const auto& points = shown_values_.points;
+    const auto& points = values_.shown.points;
     if (points.empty()) {
         return;
     }
     const auto now = chosen_ ? std::ranges::find(points, *chosen_) : points.end();
     const auto place = now == points.end() ? (by > 0 ? 0 : std::ssize(points) - 1)
                                            : std::distance(points.begin(), now) + by;
-    choose(shown_values_,
+    choose(values_.shown,
            static_cast<int>(std::clamp(place, std::ptrdiff_t{0}, std::ssize(points) - 1)));
 }
 
@@ -239,7 +235,7 @@ void HistoryPage::openChosen() {
     if (!history_ || !chosen_) {
         return;
     }
-    readResult(job_, result_job, document_, path_, history_->points[*chosen_].id,
+    readResult(job(result_job), history_->points[*chosen_].id,
                [this](const Result<StoredResult>& result) {
                    if (result) {
                        openStored(*result);
@@ -274,7 +270,7 @@ void HistoryPage::openStored(const StoredResult& result) {
     emit setOpened();
 }
 
-void HistoryPage::askToAdd() {
+void HistoryPage::add() {
     QStringList gyros;
     for (const StoredGyro& each : history_ ? history_->gyros : std::vector<StoredGyro>()) {
         if (!each.name.empty()) {
@@ -282,7 +278,11 @@ void HistoryPage::askToAdd() {
         }
     }
     if (!path_.isEmpty()) {
-        adder_.ask(path_, gyros, this);
+        askToAdd(job(storing_job), gyros, this, [this, path = path_] {
+            if (path == path_) {
+                read();
+            }
+        });
     }
 }
 
@@ -293,13 +293,8 @@ FigureSource HistoryPage::figures() const {
     const QString parameter = indexPlain(shownIn(view()).title);
     const auto gyro = choices_->gyro();
     return figuresOf(
-        {values_, ranges_, average_, distribution_}, QStringLiteral("history"),
+        {values_.plot, ranges_.plot, average_.plot, distribution_}, QStringLiteral("history"),
         gyro ? QStringLiteral("%1: %2").arg(QString::fromStdString(*gyro), parameter) : parameter);
-}
-
-void HistoryPage::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    showHistory();
 }
 
 namespace {
@@ -313,26 +308,17 @@ QLayout* HistoryPage::buildHead() {
     auto* first = fill(new QHBoxLayout, {{database_, 1}, open_, new_, add_, export_});
 
     choices_ = new HistoryChoices(this);
-    auto* rows = fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_, state_});
-    return rows;
+    return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_, state_});
 }
 
 // Side by side where both have room for their titles.
 void HistoryPage::placeSmallPlots(bool side_by_side) {
-    side_by_side_ = side_by_side;
-    for (QWidget* plot : {ranges_, average_}) {
+    for (QWidget* plot : {ranges_.plot, average_.plot}) {
         grid_->removeWidget(plot);
     }
-    grid_->addWidget(ranges_, 3, 0, 1, side_by_side ? 1 : 2);
-    grid_->addWidget(average_, side_by_side ? 3 : 4, side_by_side ? 1 : 0, 1, side_by_side ? 1 : 2);
-}
-
-void HistoryPage::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    constexpr int wide = 760;
-    if (side_by_side_ != (width() >= wide)) {
-        placeSmallPlots(width() >= wide);
-    }
+    grid_->addWidget(ranges_.plot, 3, 0, 1, side_by_side ? 1 : 2);
+    grid_->addWidget(average_.plot, side_by_side ? 3 : 4, side_by_side ? 1 : 0, 1,
+                     side_by_side ? 1 : 2);
 }
 
 QWidget* HistoryPage::buildContent() {
@@ -340,20 +326,21 @@ QWidget* HistoryPage::buildContent() {
     verdict_ = sentence(content, "historyVerdict", QMargins());
     point_ = sentence(content, "historyPoint", QMargins());
     recordings_ = withName(new QPushButton(content), "historyRecordings");
-    values_ = addPlot("historyValues", plot_height + 20);
-    ranges_ = addPlot("historyRanges", plot_height);
-    average_ = addPlot("historyAverage", plot_height);
+    values_.plot = addPlot("historyValues", plot_height + 20);
+    ranges_.plot = addPlot("historyRanges", plot_height);
+    average_.plot = addPlot("historyAverage", plot_height);
     distribution_ = addPlot("historyDistribution", plot_height);
     auto* chosen = fill(new QHBoxLayout, {{point_, 1}, {recordings_, 0, Qt::AlignTop}});
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(6, 0, 6, 0);
     grid->setSpacing(4);
     grid->addWidget(verdict_, 0, 0, 1, 2);
-    grid->addWidget(values_, 1, 0, 1, 2);
+    grid->addWidget(values_.plot, 1, 0, 1, 2);
     grid->addLayout(chosen, 2, 0, 1, 2);
     grid->addWidget(distribution_, 5, 0, 1, 2);
     grid_ = grid;
-    placeSmallPlots(true);
+    constexpr int wide = 760;
+    placeByWidth(*this, wide, true, [this](bool side_by_side) { placeSmallPlots(side_by_side); });
     grid->setRowStretch(1, 3);
     grid->setRowStretch(3, 2);
     grid->setRowStretch(5, 2);
@@ -361,29 +348,22 @@ QWidget* HistoryPage::buildContent() {
 }
 
 void HistoryPage::connectWidgets() {
-    connect(open_, &QPushButton::clicked, this, &HistoryPage::openWanted);
-    connect(new_, &QPushButton::clicked, this, &HistoryPage::newWanted);
-    connect(add_, &QPushButton::clicked, this, &HistoryPage::askToAdd);
+    connect(open_, &QPushButton::clicked, this, [this] { emit databaseWanted(false); });
+    connect(new_, &QPushButton::clicked, this, [this] { emit databaseWanted(true); });
+    connect(add_, &QPushButton::clicked, this, &HistoryPage::add);
     connect(export_, &QPushButton::clicked, this, [this] {
         emit exportAllWanted(historyExport(view(), database_->text(), choices_->gyro()));
-    });
-    connect(&adder_, &ResultAdder::added, this, [this](const QString& path) {
-        if (path == path_) {
-            read();
-        }
     });
     connect(recordings_, &QPushButton::clicked, this, &HistoryPage::openChosen);
     connect(choices_, &HistoryChoices::dataWanted, this, &HistoryPage::read);
     connect(choices_, &HistoryChoices::axisChanged, this, &HistoryPage::showHistory);
     connect(choices_, &HistoryChoices::limitsChanged, this, &HistoryPage::compute);
-    for (XYPlotView* plot : {values_, ranges_, average_, distribution_}) {
-        connect(plot, &XYPlotView::stepWanted, this, &HistoryPage::step);
-    }
-    for (const auto& [plot, shown] : chartsOfPoints()) {
-        connect(plot, &XYPlotView::pointClicked, this,
-                [this, shown = shown](int place) { choose(*shown, place); });
-        connect(plot, &XYPlotView::pointActivated, this, [this, shown = shown](int place) {
-            choose(*shown, place);
+    for (const Chart* chart : {&values_, &ranges_, &average_}) {
+        connect(chart->plot, &XYPlotView::stepWanted, this, &HistoryPage::step);
+        connect(chart->plot, &XYPlotView::pointClicked, this,
+                [this, chart](int place) { choose(chart->shown, place); });
+        connect(chart->plot, &XYPlotView::pointActivated, this, [this, chart](int place) {
+            choose(chart->shown, place);
             openChosen();
         });
     }
@@ -394,29 +374,29 @@ void HistoryPage::connectWidgets() {
 
 void HistoryPage::retranslate() {
     open_->setText(tr("Open…"));
-    open_->setAccessibleName(tr("Open a database"));
-    open_->setToolTip(richTip(tr("A database of results, of this window or of the command line")));
+    setWords(*open_, tr("Open a database"),
+             richTip(tr("A database of results, of this window or of the command line")));
     new_->setText(tr("New…"));
-    new_->setAccessibleName(tr("Make a database"));
-    new_->setToolTip(richTip(tr("An empty database of results in a new file")));
+    setWords(*new_, tr("Make a database"),
+             richTip(tr("An empty database of results in a new file")));
     add_->setText(tr("Add this result…"));
     export_->setText(tr("Export…"));
-    export_->setAccessibleName(tr("Export the results shown"));
-    export_->setToolTip(
+    setWords(
+        *export_, tr("Export the results shown"),
         richTip(tr("The results shown as a table (CSV), or as a report with the charts (PDF)")));
     recordings_->setText(tr("Open its recordings"));
     recordings_->setToolTip(
         richTip(tr("As a set, with the settings and conditions of the result; a double click on "
                    "the point does the same")));
-    values_->setAccessibleName(tr("Values of the parameter"));
-    ranges_->setAccessibleName(tr("Moving range"));
-    average_->setAccessibleName(tr("Weighted average"));
+    values_.plot->setAccessibleName(tr("Values of the parameter"));
+    ranges_.plot->setAccessibleName(tr("Moving range"));
+    average_.plot->setAccessibleName(tr("Weighted average"));
     distribution_->setAccessibleName(tr("Distribution of the parameter"));
     const QString tip =
         richTip(tr("A click chooses a result, a double click opens its recordings; "
                    "Left and Right go to its neighbours"));
-    for (XYPlotView* plot : {values_, ranges_, average_}) {
-        plot->setToolTip(tip);
+    for (const Chart* chart : {&values_, &ranges_, &average_}) {
+        chart->plot->setToolTip(tip);
     }
     distribution_->setToolTip(richTip(tr("How often each value occurs among the results shown")));
     showHistory();

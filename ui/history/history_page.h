@@ -5,9 +5,6 @@
 #include "ui/history/history_export.h"
 #include "ui/plots/measured_page.h"
 
-#include <array>
-#include <utility>
-
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -28,7 +25,6 @@ public:
 
     // Takes another database; `make`: also one that is still to come.
     void openDatabase(const QString& path, bool make);
-    void setUnits(const DisplayUnits& units) override;
     const QString& path() const { return path_; }
     // What is shown; null without a database.
     const StoredHistory* history() const { return history_ ? &*history_ : nullptr; }
@@ -38,16 +34,18 @@ public:
 
 signals:
     void exportAllWanted(const HistoryExport& all);
-    void openWanted();
-    void newWanted();
+    // `make`: a new one.
+    void databaseWanted(bool make);
     // Recordings of a result, open as a set.
     void setOpened();
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-
 private:
+    struct Chart {
+        XYPlotView* plot = nullptr;
+        HistoryPlot shown;
+    };
+
+    void whenShown();
     QLayout* buildHead();
     QWidget* buildContent();
     void placeSmallPlots(bool side_by_side);
@@ -58,13 +56,10 @@ private:
     void take(Result<StoredHistory> history);
     void compute();
     void showHistory();
+    void showAgain() override { showHistory(); }
     void refresh();
     // Precondition: there is a history.
     HistoryView view() const;
-    std::array<std::pair<XYPlotView*, HistoryPlot*>, 3> chartsOfPoints() {
-        return {
-            {{values_, &shown_values_}, {ranges_, &shown_ranges_}, {average_, &shown_average_}}};
-    }
     QString stateText() const;
     QString addHint() const;
     // `place`: of a point in the plot.
@@ -72,13 +67,12 @@ private:
     void step(int by);
     void openChosen();
     void openStored(const StoredResult& result);
-    void askToAdd();
+    void add();
+    DatabaseJob job(int key) { return {job_, key, document_, path_}; }
 
     Document& document_;
     QGridLayout* grid_ = nullptr;
-    bool side_by_side_ = true;
     BackgroundJobs job_;
-    ResultAdder adder_;
     QString path_;
     bool seen_ = false;
     bool reading_ = false;
@@ -86,7 +80,6 @@ private:
     std::optional<StoredHistory> history_;
     HistoryCharts charts_;
     std::optional<std::size_t> chosen_;
-    DisplayUnits units_;
     QLabel* database_;
     QPushButton* open_;
     QPushButton* new_;
@@ -98,13 +91,10 @@ private:
     QLabel* verdict_ = nullptr;
     QLabel* point_ = nullptr;
     QPushButton* recordings_ = nullptr;
-    XYPlotView* values_ = nullptr;
-    XYPlotView* ranges_ = nullptr;
-    XYPlotView* average_ = nullptr;
+    Chart values_;
+    Chart ranges_;
+    Chart average_;
     XYPlotView* distribution_ = nullptr;
-    HistoryPlot shown_values_;
-    HistoryPlot shown_ranges_;
-    HistoryPlot shown_average_;
 };
 
 }  // namespace vybeg::ui

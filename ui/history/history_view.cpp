@@ -1,6 +1,6 @@
 #include "ui/history/history_view.h"
 
-#include "core/numerics/control_chart.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "ui/words/error_text.h"
 
 #include <QLocale>
@@ -8,11 +8,58 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <optional>
 #include <utility>
 
 namespace vybeg::ui {
+
+const std::vector<HistoryParameter>& historyParameters() {
+    static const std::vector<HistoryParameter> all = [] {
+        std::vector<HistoryParameter> parameters;
+        parameters.reserve(resonator_parameters.size() + 2 * mode_parameters.size());
+        for (const ResonatorParameter& each : resonator_parameters) {
+            parameters.push_back({each.name, each.unit, each.period,
+                                  [member = each.member](const Passport& passport) {
+                                      return &(passport.resonator.*member);
+                                  }});
+        }
+        for (std::size_t mode = 0; mode < 2; ++mode) {
+            for (const ModeParameter& each : mode_parameters) {
+                parameters.push_back({"modes[" + std::to_string(mode) + "]." + each.name, each.unit,
+                                      0, [mode, member = each.member](const Passport& passport) {
+                                          return mode < passport.modes.size()
+                                                     ? &(passport.modes[mode].*member)
+                                                     : nullptr;
+                                      }});
+            }
+        }
+        return parameters;
+    }();
+    return all;
+}
+
+HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
+                            const HistoryParameter& parameter, bool one_gyro,
+                            std::size_t baseline) {
+    HistoryCharts charts;
+    charts.one_gyro = one_gyro;
+    std::vector<double> finite;
+    for (const HistoryPoint& point : points) {
+        charts.values.push_back(point.value.value);
+        charts.u.push_back(point.value.uncertainty());
+    }
+    if (one_gyro) {
+        charts.values = beside_first(charts.values, parameter.period);
+    }
+    for (const double value : charts.values) {
+        if (std::isfinite(value)) {
+            finite.push_back(value);
+        }
+    }
+    charts.control = control_charts(charts.values, charts.u, one_gyro ? baseline : 0);
+    charts.moments = moments_of(finite);
+    charts.histogram = histogram_of(finite, charts.moments);
+    return charts;
+}
 
 namespace {
 
@@ -45,10 +92,6 @@ Placed placed(const StoredHistory& history, const std::vector<double>& values, H
     return placed;
 }
 
-HistoryAxis sequenceAxis(HistoryAxis axis) {
-    return axis == HistoryAxis::frequency ? HistoryAxis::order : axis;
-}
-
 XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_name,
                  const QString& y_unit) {
     XYPlot plot;
@@ -66,10 +109,7 @@ XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_nam
 }
 
 XYSeries pointsAt(const Placed& at, const std::vector<double>& values, double factor) {
-    XYSeries series;
-    series.points = true;
-    series.ink = Ink::text;
-    series.x = at.x;
+    XYSeries series{.ink = Ink::text, .points = true, .x = at.x};
     for (const std::size_t k : at.points) {
         series.y.push_back(factor * values[k]);
     }
@@ -90,23 +130,14 @@ void addLevel(XYPlot& plot, const QString& name, double level, Ink ink, bool das
     if (!std::isfinite(level) || x.empty()) {
         return;
     }
-    XYSeries line;
-    line.name = name;
-    line.ink = ink;
-    line.dashed = dashed;
-    line.x = acrossAll(x);
-    line.y = {level, level};
-    plot.series.push_back(std::move(line));
+    plot.series.push_back(dashedLine(name, ink, acrossAll(x), {level, level}));
+    plot.series.back().dashed = dashed;
 }
 
 // Limits that may differ from point to point, about `centre`.
 void addLimits(XYPlot& plot, const Placed& at, const QString& name, double centre,
                const std::vector<double>& limits, double factor, bool both_sides = true) {
-    XYSeries upper;
-    upper.name = name;
-    upper.ink = Ink::muted;
-    upper.dashed = true;
-    upper.x = at.x;
+    XYSeries upper = dashedLine(name, Ink::muted, at.x);
     XYSeries lower = upper;
     lower.name.clear();
     for (const std::size_t k : at.points) {
@@ -148,11 +179,7 @@ QString withBaseline(const QString& name, const HistoryCharts& charts, bool sets
 void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryView& view,
               const QString& outside_name = {}) {
     const XYSeries& points = shown.plot.series.front();
-    XYSeries outside;
-    outside.name = outside_name;
-    outside.points = true;
-    outside.style = 3;
-    outside.ink = Ink::warning;
+    XYSeries outside{.name = outside_name, .style = 3, .ink = Ink::warning, .points = true};
     std::optional<XYSeries> chosen;
     for (std::size_t k = 0; k < shown.points.size(); ++k) {
         if (out[shown.points[k]]) {
@@ -171,17 +198,44 @@ void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryVie
     }
 }
 
+struct SequenceTexts {
+    QString name;  // of the axis
+    QString unit;
+    QString empty;
+    QString points;
+    QString limits;
+};
+
+// A chart about zero of the results of one gyro in their sequence.
+HistoryPlot sequencePlot(const HistoryView& view, const ControlChart& chart, double factor,
+                         bool both_sides, const SequenceTexts& texts) {
+    const HistoryAxis axis = view.axis == HistoryAxis::frequency ? HistoryAxis::order : view.axis;
+    HistoryPlot shown{emptyPlot(view, axis, texts.name, texts.unit), {}};
+    shown.plot.empty = texts.empty;
+    Placed at = placed(view.history, chart.values, axis);
+    if (at.points.empty() || !view.charts.one_gyro) {
+        return shown;
+    }
+    XYSeries points = pointsAt(at, chart.values, factor);
+    points.name = texts.points;
+    shown.plot.series.push_back(std::move(points));
+    addLimits(shown.plot, at, texts.limits, 0, chart.limits, factor, both_sides);
+    shown.points = std::move(at.points);
+    addMarks(shown, chart.out, view);
+    return shown;
+}
+
 void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
     const std::vector<double>& x = plot.series.front().x;
-    if (!std::isfinite(view.passport.value) || x.empty()) {
+    if (!view.passport || !std::isfinite(view.passport->value) || x.empty()) {
         return;
     }
-    XYSeries band;
-    band.name = HistoryWords::tr("passport ± 3 u");
-    band.ink = Ink::channel_c;
-    band.x = acrossAll(x);
-    band.y = {factor * view.passport.value, factor * view.passport.value};
-    const double wide = std::abs(factor) * passport_deviations * view.passport.u;
+    const double value = factor * view.passport->value;
+    XYSeries band{.name = HistoryWords::tr("passport ± 3 u"),
+                  .ink = Ink::channel_c,
+                  .x = acrossAll(x),
+                  .y = {value, value}};
+    const double wide = std::abs(factor) * passport_deviations * view.passport->u;
     if (std::isfinite(wide)) {
         band.sd = {wide, wide};
     }
@@ -241,52 +295,27 @@ HistoryPlot valuesPlot(const HistoryView& view) {
 
 HistoryPlot rangesPlot(const HistoryView& view) {
     const Shown parameter = shownIn(view);
-    const double factor = std::abs(parameter.factor);
-    const HistoryAxis axis = sequenceAxis(view.axis);
-    HistoryPlot shown{
-        emptyPlot(view, axis, HistoryWords::tr("Change from the one before"), parameter.unit), {}};
-    shown.plot.empty = HistoryWords::tr("A change needs two results of one gyro in their order.");
-    Placed at = placed(view.history, view.charts.control.ranges.values, axis);
-    if (at.points.empty() || !view.charts.one_gyro) {
-        return shown;
-    }
-    XYSeries ranges = pointsAt(at, view.charts.control.ranges.values, factor);
-    ranges.name = HistoryWords::tr("moving range");
-    shown.plot.series.push_back(std::move(ranges));
-    addLimits(shown.plot, at, HistoryWords::tr("limit"), 0, view.charts.control.ranges.limits,
-              factor, false);
-    shown.points = std::move(at.points);
-    addMarks(shown, view.charts.control.ranges.out, view);
-    return shown;
+    return sequencePlot(view, view.charts.control.ranges, std::abs(parameter.factor), false,
+                        {HistoryWords::tr("Change from the one before"), parameter.unit,
+                         HistoryWords::tr("A change needs two results of one gyro in their order."),
+                         HistoryWords::tr("moving range"), HistoryWords::tr("limit")});
 }
 
 HistoryPlot averagePlot(const HistoryView& view) {
-    const HistoryAxis axis = sequenceAxis(view.axis);
-    HistoryPlot shown{
-        emptyPlot(view, axis, HistoryWords::tr("Weighted average (EWMA)"), HistoryWords::tr("sd")),
-        {}};
-    Placed at = placed(view.history, view.charts.control.average.values, axis);
-    if (at.points.empty() || !view.charts.one_gyro) {
-        shown.plot.empty =
-            HistoryWords::tr("This chart needs ten results of one gyro to set its limits.");
-        return shown;
-    }
-    XYSeries average = pointsAt(at, view.charts.control.average.values, 1);
-    average.name = HistoryWords::tr("average");
-    shown.plot.series.push_back(std::move(average));
-    addLimits(shown.plot, at, HistoryWords::tr("limits"), 0, view.charts.control.average.limits, 1);
-    shown.points = std::move(at.points);
-    addMarks(shown, view.charts.control.average.out, view);
-    return shown;
+    return sequencePlot(
+        view, view.charts.control.average, 1, true,
+        {HistoryWords::tr("Weighted average (EWMA)"), HistoryWords::tr("sd"),
+         HistoryWords::tr("This chart needs ten results of one gyro to set its limits."),
+         HistoryWords::tr("average"), HistoryWords::tr("limits")});
 }
 
 XYPlot distributionPlot(const HistoryView& view) {
-    XYPlot plot;
     const Shown parameter = shownIn(view);
-    plot.x_name = parameter.title;
-    plot.x_unit = parameter.unit;
-    plot.y_name = HistoryWords::tr("Results in each step");
-    plot.empty = HistoryWords::tr("A distribution needs two results with different values.");
+    XYPlot plot{
+        .x_name = parameter.title,
+        .x_unit = parameter.unit,
+        .y_name = HistoryWords::tr("Results in each step"),
+        .empty = HistoryWords::tr("A distribution needs two results with different values.")};
     const Histogram& found = view.charts.histogram;
     if (found.counts.empty()) {
         return plot;
@@ -296,16 +325,9 @@ XYPlot distributionPlot(const HistoryView& view) {
     };
     XYSeries steps = histogramSteps(found, HistoryWords::tr("results"), Ink::channel_c);
     std::ranges::transform(steps.x, steps.x.begin(), value);
-    XYSeries normal = dashedLine(HistoryWords::tr("normal"), Ink::text);
-    constexpr int points = 121;
-    constexpr double reach = 4;
-    const double scale = found.width * static_cast<double>(view.charts.moments.count) /
-                         std::sqrt(2 * std::numbers::pi);
-    for (int k = 0; k < points; ++k) {
-        const double z = reach * (2.0 * k / (points - 1) - 1);
-        normal.x.push_back(value(z));
-        normal.y.push_back(scale * std::exp(-0.5 * z * z));
-    }
+    const double area = found.width * static_cast<double>(view.charts.moments.count);
+    XYSeries normal = normalCurve(HistoryWords::tr("normal"), area, 121);
+    std::ranges::transform(normal.x, normal.x.begin(), value);
     plot.series = {std::move(steps), std::move(normal)};
     return plot;
 }
@@ -313,10 +335,6 @@ XYPlot distributionPlot(const HistoryView& view) {
 namespace {
 
 constexpr qsizetype most_named = 5;
-
-QString counted(const char* text, std::size_t count) {
-    return QCoreApplication::translate("History", text, nullptr, static_cast<int>(count));
-}
 
 QString nameOf(const HistoryPoint& point) {
     QStringList parts;
@@ -345,8 +363,8 @@ QString outsideText(const HistoryCharts& charts, std::size_t point) {
     return where.join(QStringLiteral(", "));
 }
 
-std::size_t valuesIn(const HistoryCharts& charts) {
-    return static_cast<std::size_t>(
+int valuesIn(const HistoryCharts& charts) {
+    return static_cast<int>(
         std::ranges::count_if(charts.values, [](double value) { return std::isfinite(value); }));
 }
 
@@ -356,11 +374,10 @@ QString withoutDate(const HistoryView& view) {
     });
     return count == 0 || view.axis != HistoryAxis::date
                ? QString()
-               : QLatin1Char(' ') +
-                     counted(QT_TRANSLATE_N_NOOP("History",
-                                                 "%n result(s) without a date are not shown; by "
-                                                 "order they are."),
-                             static_cast<std::size_t>(count));
+               : QLatin1Char(' ') + HistoryWords::tr(
+                                        "%n result(s) without a date are not shown; by "
+                                        "order they are.",
+                                        nullptr, static_cast<int>(count));
 }
 
 // What sets the limits, and what is to be known of it.
@@ -372,8 +389,8 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
             .arg(least_baseline)
             .arg(charts.control.used);
     }
-    QString text = counted(QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."),
-                           std::min(valuesIn(charts), baseline));
+    QString text = HistoryWords::tr("The first %n result(s) set the limits.", nullptr,
+                                    std::min(valuesIn(charts), static_cast<int>(baseline)));
     if (charts.control.fault == BaselineFault::trend) {
         text +=
             QLatin1Char(' ') + HistoryWords::tr(
@@ -428,10 +445,9 @@ QString pointText(const HistoryView& view, std::size_t point) {
 }
 
 QString verdictText(const HistoryView& view) {
-    const std::size_t values = valuesIn(view.charts);
+    const int values = valuesIn(view.charts);
     if (!view.charts.one_gyro) {
-        return counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) of all gyros."), values) +
-               QLatin1Char(' ') +
+        return HistoryWords::tr("%n result(s) of all gyros.", nullptr, values) + QLatin1Char(' ') +
                HistoryWords::tr("Limits belong to one gyro: choose one for its control charts.") +
                withoutDate(view);
     }
@@ -439,7 +455,7 @@ QString verdictText(const HistoryView& view) {
         return limitsText(view.charts, view.baseline) + withoutDate(view);
     }
     QStringList named;
-    std::size_t outside = 0;
+    int outside = 0;
     for (std::size_t k = 0; k < view.charts.values.size(); ++k) {
         if (view.charts.control.is_out(k)) {
             ++outside;
@@ -449,17 +465,14 @@ QString verdictText(const HistoryView& view) {
             }
         }
     }
-    QString text =
+    const int more = outside - static_cast<int>(named.size());
+    const QString text =
         outside == 0
-            ? counted(QT_TRANSLATE_N_NOOP("History", "None of %n result(s) is outside the limits."),
-                      values)
-            : counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) outside the limits:"), outside) +
+            ? HistoryWords::tr("None of %n result(s) is outside the limits.", nullptr, values)
+            : HistoryWords::tr("%n result(s) outside the limits:", nullptr, outside) +
                   QLatin1Char(' ') + named.join(QStringLiteral("; ")) +
-                  (outside > static_cast<std::size_t>(named.size())
-                       ? QStringLiteral("; ") +
-                             counted(QT_TRANSLATE_N_NOOP("History", "and %n more"),
-                                     outside - static_cast<std::size_t>(named.size()))
-                       : QString()) +
+                  (more > 0 ? QStringLiteral("; ") + HistoryWords::tr("and %n more", nullptr, more)
+                            : QString()) +
                   QLatin1Char('.');
     return text + QLatin1Char(' ') + limitsText(view.charts, view.baseline) + withoutDate(view);
 }

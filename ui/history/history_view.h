@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/analysis/passport.h"
+#include "core/database/results_database.h"
+#include "core/numerics/control_chart.h"
+#include "core/numerics/statistics.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "ui/history/history_charts.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/display_units.h"
@@ -9,7 +12,44 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace vybeg::ui {
+
+// What a database tells of one parameter.
+struct StoredHistory {
+    std::vector<StoredGyro> gyros;
+    std::vector<HistoryPoint> points;  // of one gyro or of all, by date; those without one last
+};
+
+// A parameter that has a history, with the period of an axis (resonator_parameters.h).
+struct HistoryParameter {
+    std::string name;
+    const char* unit = "";
+    double period = 0;
+    std::function<const Estimate*(const Passport&)> in;  // null: a passport has none
+};
+
+// Those of the resonator, then those of its two modes.
+const std::vector<HistoryParameter>& historyParameters();
+
+// The history as numbers, a place for each point, in the units of the database.
+struct HistoryCharts {
+    std::vector<double> values;  // NaN: the result has none
+    std::vector<double> u;       // sd, where there is no u
+    bool one_gyro = false;
+    // Of one gyro; otherwise without centre and limits, as different resonators share none.
+    ControlCharts control;
+    Moments moments;
+    Histogram histogram;
+};
+
+// `baseline`: results that set the limits.
+HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
+                            const HistoryParameter& parameter, bool one_gyro, std::size_t baseline);
 
 // Texts of the page History in the language of the window.
 struct HistoryWords {
@@ -27,7 +67,7 @@ struct HistoryView {
     HistoryAxis axis = HistoryAxis::date;
     DisplayUnits units;
     std::optional<std::size_t> chosen;    // point
-    Estimate passport;                    // of the parameter; NaN: none is open
+    const Estimate* passport = nullptr;   // of the parameter; null: none
     std::optional<ParameterLimit> limit;  // of the session's dossier
 };
 

@@ -80,18 +80,13 @@ void drawFigure(const FigureColumns& columns, const FigureOptions& options, QCPP
     for (const auto& stack : stacks) {
         stack->setZoom(zoom);
     }
-    if (options.letters) {
-        setLetters(stacks, options.variables.size());
-    }
+    setLetters(stacks, options.variables.size());
     plot.toPainter(&painter, size.width(), size.height());
 }
 
 }  // namespace
 
 QSize figureSize(std::size_t columns, const FigureOptions& options) {
-    if (!options.size.isEmpty()) {
-        return options.size;
-    }
     constexpr int strips = 66;
     return {420 * std::max(1, static_cast<int>(columns)),
             strips + 150 * static_cast<int>(options.variables.size())};

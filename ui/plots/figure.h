@@ -25,15 +25,14 @@ struct FigureOptions {
     // Common value axis of the columns of a row, for comparison of the scatter. Off: each panel
     // follows its own data.
     bool common_value_axes = true;
-    bool letters = true;  // a, b, c ... row by row, as in the article
-    QSize size;           // device-independent pixels; empty: 420 per column, 150 per row
 };
 
-// The article's figure: a row of panels per variable, a column per window length, one time axis.
+// The article's figure: a row of panels per variable, a column per window length, one time axis,
+// letters a, b, c ... row by row.
 // Needs a QApplication but no window and no display (offscreen platform).
 Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOptions& options = {});
 
-// Size by `options`.
+// 420 device-independent pixels per column, 150 per row.
 QSize figureSize(std::size_t columns, const FigureOptions& options);
 
 // Stacked plots on paper: always in the light theme, with the names of several analyses above.

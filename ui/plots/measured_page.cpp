@@ -14,6 +14,12 @@ void MeasuredPage::setTheme(const Theme& theme) {
     for (XYPlotView* plot : plots_) {
         plot->setTheme(theme);
     }
+    showAgain();
+}
+
+void MeasuredPage::setUnits(const DisplayUnits& units) {
+    units_ = units;
+    showAgain();
 }
 
 XYPlotView* MeasuredPage::addPlot(const char* name, int least_height) {

@@ -12,7 +12,7 @@ namespace vybeg::ui {
 
 class XYPlotView;
 
-// A page of numbers with plots of its own.
+// A page of the window: plots, and numbers beside them.
 class MeasuredPage : public QWidget {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
 
     virtual FigureSource figures() const = 0;
     virtual void setTheme(const Theme& theme);
-    virtual void setUnits(const DisplayUnits& /*units*/) {}
+    virtual void setUnits(const DisplayUnits& units);
 
 signals:
     void exportWanted(const Figure& figure);
@@ -29,13 +29,17 @@ signals:
 
 protected:
     const Theme& theme() const { return theme_; }
+    const DisplayUnits& units() const { return units_; }
+    // Theme or units are others.
+    virtual void showAgain() {}
     // A plot of at least that height, pixels, in the page's theme; its export is exportWanted().
     XYPlotView* addPlot(const char* name, int least_height);
     // The texts of the page in the language of the window.
-    virtual void retranslate() = 0;
+    virtual void retranslate() {}
 
 private:
     Theme theme_ = lightTheme();
+    DisplayUnits units_;
     std::vector<XYPlotView*> plots_;
 };
 

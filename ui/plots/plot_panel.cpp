@@ -121,15 +121,6 @@ constexpr double least_mark_spacing = 4;
 
 }  // namespace
 
-DecimatedGraph::DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis,
-                               std::shared_ptr<const CurveData> data)
-    : TimeGraph(keyAxis, valueAxis), data_(std::move(data)) {}
-
-void DecimatedGraph::setLook(const QColor& color, const QColor& missing) {
-    color_ = color;
-    missing_ = missing;
-}
-
 const std::vector<CurveColumn>& DecimatedGraph::columns(const AxisRange& time, int width) const {
     if (!(time == cached_time_) || width != cached_width_) {
         cached_ = data_->columns(time, std::max(1, width));
@@ -148,7 +139,7 @@ double DecimatedGraph::pixelY(double displayed) const {
     const QRect rect = axis.axisRect()->rect();
     // Limits coordinates to the range of a painter; values without a logarithm get the lower limit.
     const double beyond = 3.0 * rect.height();
-    if (scale_.logarithmic && !(displayed > 0)) {
+    if (look_.scale.logarithmic && !(displayed > 0)) {
         return rect.bottom() + beyond;
     }
     return std::clamp(axis.coordToPixel(displayed), rect.top() - beyond, rect.bottom() + beyond);
@@ -163,8 +154,8 @@ void DecimatedGraph::draw(QCPPainter* painter) {
     if (keyAxis()->axisRect()->width() < 2) {
         return;
     }
-    for (const DecimatedGraph* each : *all_) {
-        if (all_->front() == this) {
+    for (const DecimatedGraph* each : all_) {
+        if (all_.front() == this) {
             each->drawBands(*painter);
         }
     }
@@ -182,14 +173,14 @@ void DecimatedGraph::drawBands(QCPPainter& painter) const {
     noise_ = noiseColumns();
     if (!noise_.empty()) {
         drawBand(painter, noise_, &CurveColumn::min, &CurveColumn::max);
-    } else if (band_) {
+    } else if (look_.band) {
         drawBand(painter, visibleColumns(), &CurveColumn::band_min, &CurveColumn::band_max);
     }
 }
 
 QColor DecimatedGraph::bandColor() const {
-    QColor color = color_;
-    color.setAlphaF(static_cast<float>(0.3 / std::sqrt(static_cast<double>(all_->size()))));
+    QColor color = look_.color;
+    color.setAlphaF(static_cast<float>(0.3 / std::sqrt(static_cast<double>(all_.size()))));
     return color;
 }
 
@@ -207,7 +198,7 @@ void DecimatedGraph::drawBand(QCPPainter& painter, const std::vector<CurveColumn
         if (column.empty() || column.wraps) {
             continue;
         }
-        const AxisRange band = displayedInterval(scale_, column.*low, column.*high);
+        const AxisRange band = displayedInterval(look_.scale, column.*low, column.*high);
         const double x = pixelX(column);
         piece.push_back({x, pixelY(band.upper), pixelY(band.lower)});
     }
@@ -226,12 +217,12 @@ void DecimatedGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn
             continue;
         }
         const double x = pixelX(column);
-        const QPointF first(x, pixelY(scale_.value(column.first)));
+        const QPointF first(x, pixelY(look_.scale.value(column.first)));
         if (column.joined) {
             lines.append({before, first});
         }
         const auto vertical = [&](double low, double high) {
-            const AxisRange shown = displayedInterval(scale_, low, high);
+            const AxisRange shown = displayedInterval(look_.scale, low, high);
             lines.append({x, pixelY(shown.lower), x, pixelY(shown.upper)});
         };
         if (column.wraps) {
@@ -248,9 +239,9 @@ void DecimatedGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn
             dots.append(first);
         }
         last_dot = x;
-        before = {x, pixelY(scale_.value(column.last))};
+        before = {x, pixelY(look_.scale.value(column.last))};
     }
-    stroke(painter, lines, dots, color_);
+    stroke(painter, lines, dots, look_.color);
 }
 
 // The columns, joined where they are so narrow that they hold too few windows. They begin at whole
@@ -290,12 +281,12 @@ std::vector<CurveColumn> DecimatedGraph::noiseColumns() const {
     for (std::size_t k = 0; k < joined.size(); ++k) {
         const CurveColumn& column = joined[k];
         if (column.count > 1) {
-            const AxisRange shown = displayedInterval(scale_, column.min, column.max);
+            const AxisRange shown = displayedInterval(look_.scale, column.min, column.max);
             heights.push_back(pixelY(shown.lower) - pixelY(shown.upper));
         }
         if (k > 0 && column.joined && !joined[k - 1].empty()) {
-            steps.push_back(std::abs(pixelY(scale_.value(mean(column))) -
-                                     pixelY(scale_.value(mean(joined[k - 1])))));
+            steps.push_back(std::abs(pixelY(look_.scale.value(mean(column))) -
+                                     pixelY(look_.scale.value(mean(joined[k - 1])))));
         }
     }
     const double height = median(std::move(heights));
@@ -316,7 +307,7 @@ void DecimatedGraph::drawMean(QCPPainter& painter, const std::vector<CurveColumn
             for (std::size_t i = k - reach; i <= k + reach; ++i) {
                 append(around, columns[i]);
             }
-            const QPointF now(pixelX(columns[k]), pixelY(scale_.value(mean(around))));
+            const QPointF now(pixelX(columns[k]), pixelY(look_.scale.value(mean(around))));
             if (k > begin) {
                 lines.append({before, now});
             } else if (end - begin == 1) {
@@ -325,7 +316,7 @@ void DecimatedGraph::drawMean(QCPPainter& painter, const std::vector<CurveColumn
             before = now;
         }
     });
-    stroke(painter, lines, dots, color_);
+    stroke(painter, lines, dots, look_.color);
 }
 
 void DecimatedGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
@@ -338,19 +329,19 @@ void DecimatedGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColum
     painter.setPen(Qt::NoPen);
     QVector<QPolygonF> pointers;
     // Position of the last one.
-    double above = rect.left() + (pointers_begin_ - 1) * pointer_spacing;
+    double above = rect.left() + (look_.pointers_begin - 1) * pointer_spacing;
     double below = above;
     for (const CurveColumn& column : columns) {
         const double from = keyAxis()->coordToPixel(column.time_first);
         const double to = keyAxis()->coordToPixel(column.time_last);
         const QRectF place(from, 0, std::max(1.0, to - from), 3);
         if (column.missing) {
-            painter.fillRect(QRectF(place.translated(0, rect.bottom() - 3)), missing_);
+            painter.fillRect(QRectF(place.translated(0, rect.bottom() - 3)), look_.missing);
         }
         if (column.empty()) {
             continue;
         }
-        const AxisRange values = displayedInterval(scale_, column.min, column.max);
+        const AxisRange values = displayedInterval(look_.scale, column.min, column.max);
         if (values.upper > shown.upper && from - above >= pointer_spacing) {
             above = from;
             pointers.append(pointer({from, rect.top() + 1.0}, 1));
@@ -361,7 +352,7 @@ void DecimatedGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColum
         }
     }
     painter.setAntialiasing(true);
-    painter.setBrush(color_);
+    painter.setBrush(look_.color);
     for (const QPolygonF& each : pointers) {
         painter.drawPolygon(each);
     }
@@ -382,14 +373,12 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
         if (!shown.visible || !shown.analysis || shown.analysis->track.rows() == 0) {
             continue;
         }
-        auto* graph = new DecimatedGraph(timeAxis(), valueAxis(), shown.curve(variable_));
-        graph->setScale(scale);
-        graph->setBand(units_.sigma_bands && info(variable_).has_sd);
-        graph->setPointers(static_cast<double>(graphs_.size()) /
-                           static_cast<double>(content.analyses.size()));
-        graph->setLook(readable(shown.color, theme(), shown.shade), theme().warning);
-        graph->setTogether(graphs_);
-        graphs_.push_back(graph);
+        const DecimatedGraph::Look look{
+            scale, units_.sigma_bands && info(variable_).has_sd,
+            static_cast<double>(graphs_.size()) / static_cast<double>(content.analyses.size()),
+            readable(shown.color, theme(), shown.shade), theme().warning};
+        graphs_.push_back(
+            new DecimatedGraph(timeAxis(), valueAxis(), shown.curve(variable_), look, graphs_));
     }
     const auto found = std::ranges::find(content.trends, variable_, &TrendCurve::variable);
     if (found != content.trends.end()) {

@@ -6,6 +6,7 @@
 #include "ui/words/display_units.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace vybeg::ui {
@@ -18,22 +19,25 @@ namespace vybeg::ui {
 // the axis leave a mark at the edge that they cross.
 class DecimatedGraph : public TimeGraph {
 public:
-    DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, std::shared_ptr<const CurveData> data);
+    struct Look {
+        DisplayScale scale;
+        bool band = true;
+        // Offset of the pointers to values beyond the frame, 0 to 1 of their distance, so that
+        // those of several curves are side by side.
+        double pointers_begin = 0;
+        QColor color;
+        QColor missing;  // marks of missing windows
+    };
 
-    void setScale(const DisplayScale& scale) { scale_ = scale; }
-    void setBand(bool shown) { band_ = shown; }
-    // All curves of the plot, which outlive this one: the first draws the bands of all of them, the
-    // paler the more there are, so that no band covers a line.
-    void setTogether(const std::vector<DecimatedGraph*>& all) { all_ = &all; }
-    // Offset of the pointers to values beyond the frame, 0 to 1 of their distance, so that those of
-    // several curves are side by side.
-    void setPointers(double begin) { pointers_begin_ = begin; }
-    // Look of the curve, its band and the marks of missing windows.
-    void setLook(const QColor& color, const QColor& missing);
+    // `together`: all curves of the plot, which outlive this one: the first draws the bands of all
+    // of them, the paler the more there are, so that no band covers a line.
+    DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, std::shared_ptr<const CurveData> data,
+                   const Look& look, const std::vector<DecimatedGraph*>& together)
+        : TimeGraph(keyAxis, valueAxis), data_(std::move(data)), look_(look), all_(together) {}
 
     const CurveData& data() const { return *data_; }
-    const DisplayScale& scale() const { return scale_; }
-    const QColor& color() const { return color_; }
+    const DisplayScale& scale() const { return look_.scale; }
+    const QColor& color() const { return look_.color; }
 
     // The columns of a time range over a width in pixels; cached for the last arguments.
     const std::vector<CurveColumn>& columns(const AxisRange& time, int width) const;
@@ -57,12 +61,8 @@ private:
     QColor bandColor() const;
 
     std::shared_ptr<const CurveData> data_;
-    DisplayScale scale_;
-    bool band_ = true;
-    const std::vector<DecimatedGraph*>* all_ = nullptr;
-    double pointers_begin_ = 0;
-    QColor color_;
-    QColor missing_;
+    Look look_;
+    const std::vector<DecimatedGraph*>& all_;
     mutable AxisRange cached_time_;
     mutable int cached_width_ = 0;
     mutable std::vector<CurveColumn> cached_;

@@ -28,6 +28,7 @@ PlotView::PlotView(QWidget* parent)
         retranslate();
         rebuild();
     });
+    whenChanged(*this, {QEvent::Resize}, [this] { rebuild(); });
 }
 
 void PlotView::addDrawing(QWidget* drawing) {
@@ -44,11 +45,6 @@ void PlotView::setTheme(const Theme& theme) {
 void PlotView::setDrawn(bool drawn) {
     copy_->setEnabled(drawn);
     export_->setEnabled(drawn);
-}
-
-void PlotView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    rebuild();
 }
 
 void PlotView::paintEvent(QPaintEvent* event) {

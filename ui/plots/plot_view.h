@@ -34,7 +34,6 @@ protected:
     // Whether there is something to copy and export.
     void setDrawn(bool drawn);
 
-    void resizeEvent(QResizeEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

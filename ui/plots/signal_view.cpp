@@ -1,6 +1,7 @@
 #include "ui/plots/signal_view.h"
 
 #include "ui/plots/envelope_paint.h"
+#include "ui/widgets/page_parts.h"
 
 #include <QEvent>
 #include <QKeyEvent>
@@ -44,10 +45,7 @@ SignalView::SignalView(QWidget* parent) : QWidget(parent), theme_(lightTheme()) 
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Overview of the recording"));
-}
-
-void SignalView::clear() {
-    setReading(0);
+    whenChanged(*this, {QEvent::Resize}, [this] { drawn_ = {}; });
 }
 
 void SignalView::setReading(double seconds) {
@@ -112,11 +110,6 @@ double SignalView::toPixel(double time_s) const {
 double SignalView::toTime(double pixel) const {
     const QRect area = plotArea();
     return (pixel - area.left()) / std::max(1, area.width()) * seconds_;
-}
-
-void SignalView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    drawn_ = {};
 }
 
 void SignalView::changeEvent(QEvent* event) {

@@ -27,9 +27,7 @@ class SignalView : public QWidget {
 public:
     explicit SignalView(QWidget* parent = nullptr);
 
-    // No recording: the strip is empty.
-    void clear();
-    // Shows a recording of that length without data yet.
+    // Shows a recording of that length without data yet; 0: none, the strip is empty.
     void setReading(double seconds);
     // The part read so far; parts that are only sampled are paler, the rest hatched. The time axis
     // is always that of the whole recording.
@@ -57,7 +55,6 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

@@ -23,15 +23,10 @@ constexpr std::size_t longest = 200;
 
 }  // namespace
 
-ZoomNavigator::ZoomNavigator(std::function<ZoomState(ZoomState)> clipped, QObject* parent)
-    : QObject(parent), clipped_(std::move(clipped)) {
+ZoomNavigator::ZoomNavigator(std::function<ZoomState(ZoomState)> clipped)
+    : clipped_(std::move(clipped)) {
     pause_.setSingleShot(true);
     pause_.setInterval(gesture_pause_ms);
-}
-
-void ZoomNavigator::announce() {
-    emit moved();
-    emit historyChanged();
 }
 
 void ZoomNavigator::visit(ZoomState state, Gesture gesture) {
@@ -56,20 +51,20 @@ void ZoomNavigator::goTo(ZoomState state, bool same_entry) {
         states_.push_back(std::move(state));
         position_ = states_.size() - 1;
     }
-    announce();
+    emit moved();
 }
 
 void ZoomNavigator::restart(const ZoomState& state) {
     states_ = {state};
     position_ = 0;
-    announce();
+    emit moved();
 }
 
 void ZoomNavigator::back() {
     if (canBack()) {
         endGesture();
         --position_;
-        announce();
+        emit moved();
     }
 }
 
@@ -77,7 +72,7 @@ void ZoomNavigator::forward() {
     if (canForward()) {
         endGesture();
         ++position_;
-        announce();
+        emit moved();
     }
 }
 
@@ -122,13 +117,14 @@ TimeGestures::TimeGestures(QWidget* parent) : QWidget(parent), plot_(new QCustom
     preparePlot(*plot_, lightTheme());
 }
 
-void TimeGestures::setPlots(const TimeStack& stack, TimeOverlay& overlay) {
-    stack_ = &stack;
-    overlay_ = &overlay;
+// First the plot, because it uses the stack.
+TimeGestures::~TimeGestures() {
+    delete plot_;
 }
 
-void TimeGestures::removePlot() {
-    delete plot_;
+void TimeGestures::setPlots(const TimeStack* stack, TimeOverlay& overlay) {
+    stack_.reset(stack);
+    overlay_ = &overlay;
 }
 
 HairLines TimeGestures::hairs() const {

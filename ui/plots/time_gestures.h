@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -35,7 +36,7 @@ class ZoomNavigator : public QObject {
 
 public:
     // `clipped`: a view limited to what can be shown.
-    explicit ZoomNavigator(std::function<ZoomState(ZoomState)> clipped, QObject* parent = nullptr);
+    explicit ZoomNavigator(std::function<ZoomState(ZoomState)> clipped);
 
     const ZoomState& current() const { return states_[position_]; }
     bool canBack() const { return position_ > 0; }
@@ -62,12 +63,10 @@ public:
     void endGesture() { gesture_ = Gesture::none; }
 
 signals:
+    // Another view, or another history.
     void moved();
-    void historyChanged();
 
 private:
-    void announce();
-
     std::function<ZoomState(ZoomState)> clipped_;
     std::vector<ZoomState> states_{ZoomState()};
     std::size_t position_ = 0;
@@ -94,6 +93,7 @@ class TimeGestures : public QWidget {
 
 public:
     explicit TimeGestures(QWidget* parent = nullptr);
+    ~TimeGestures() override;
 
     virtual ZoomNavigator& zoom() = 0;
     virtual std::optional<double> tracker() const = 0;
@@ -118,10 +118,8 @@ protected:
     QCustomPlot& plot() const { return *plot_; }
     // For the overlay.
     HairLines hairs() const;
-    // Both belong to the derived class; before the view is shown.
-    void setPlots(const TimeStack& stack, TimeOverlay& overlay);
-    // First the plot, because it uses the stack while it is drawn.
-    void removePlot();
+    // Takes the plots over; before the view is shown.
+    void setPlots(const TimeStack* stack, TimeOverlay& overlay);
 
     // Positions from here on are those of the plot.
     // Whether there is a time axis to act on.
@@ -157,7 +155,7 @@ private:
     void showBand(std::optional<QRectF> band);
 
     QCustomPlot* plot_;
-    const TimeStack* stack_ = nullptr;
+    std::unique_ptr<const TimeStack> stack_;
     TimeOverlay* overlay_ = nullptr;
     Drag drag_ = Drag::none;
     QPointF press_;

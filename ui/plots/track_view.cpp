@@ -100,55 +100,14 @@ private:
     bool framed_ = false;
 };
 
-void PlotFocus::match(const PlotContent& content) {
-    const bool same = std::ranges::equal(frames_, content.variables, {}, &PanelFocus::variable);
-    if (!same) {
-        for (PanelFocus* frame : frames_) {
-            delete frame;
-        }
-        frames_.clear();
-        for (const SlowVariable variable : content.variables) {
-            frames_.push_back(new PanelFocus(variable, &view_));
-            frames_.back()->show();
-        }
-    }
-    for (PanelFocus* frame : frames_) {
-        const SlowVariable variable = frame->variable();
-        frame->setColor(content.theme.accent);
-        frame->setAccessibleName(
-            QCoreApplication::translate("PlotFocus", "Plot of %1, %2")
-                .arg(indexPlain(displaySymbol(variable, content.units)), displayMeaning(variable)));
-    }
-}
-
-void PlotFocus::place(const PlotStack& stack) {
-    for (PanelFocus* frame : frames_) {
-        if (const PlotPanel* panel = stack.panel(frame->variable())) {
-            frame->setGeometry(panel->outerRect());
-        }
-    }
-}
-
-void PlotFocus::give(SlowVariable variable) {
-    const auto found = std::ranges::find(frames_, variable, &PanelFocus::variable);
-    if (found != frames_.end()) {
-        (*found)->setFocus(Qt::MouseFocusReason);
-    }
-}
-
-std::optional<SlowVariable> PlotFocus::focused() const {
-    const auto found = std::ranges::find_if(frames_, &PanelFocus::hasFocus);
-    return found == frames_.end() ? std::nullopt : std::optional((*found)->variable());
-}
-
 TrackView::TrackView(QWidget* parent)
     : TimeGestures(parent),
       zoom_([this](ZoomState state) {
           return clipped(std::move(state), content_.analyses, recorded_);
       }),
-      stack_(std::make_unique<PlotStack>(plot(), 0, PlotHead::margin)),
-      overlay_(new PlotOverlay(*stack_, [this] { return hairs(); })) {
-    setPlots(*stack_, *overlay_);
+      stack_(*new PlotStack(plot(), 0, PlotHead::margin)),
+      overlay_(new PlotOverlay(stack_, [this] { return hairs(); })) {
+    setPlots(&stack_, *overlay_);
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));
     connect(&plot(), &QCustomPlot::afterLayout, this, &TrackView::followLayout);
@@ -156,16 +115,12 @@ TrackView::TrackView(QWidget* parent)
         redraw();
         emit timeRangeChanged(timeRange().lower, timeRange().upper);
     });
-    connect(&zoom_, &ZoomNavigator::historyChanged, this, &TrackView::zoomHistoryChanged);
     rebuild();
     whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange}, [this] {
         setAccessibleName(tr("Slow variables over time"));
         rebuild();
     });
-}
-
-TrackView::~TrackView() {
-    removePlot();
+    whenChanged(*this, {QEvent::Resize, QEvent::Show}, [this] { redraw(); });
 }
 
 void TrackView::setAnalyses(std::vector<ShownAnalysis> analyses, int unlike) {
@@ -218,7 +173,7 @@ void TrackView::setTheme(const Theme& theme) {
 void TrackView::setMarks(std::vector<double> times_s) {
     if (times_s != content_.marks_s) {
         content_.marks_s = std::move(times_s);
-        stack_->setMarks(content_.marks_s);
+        stack_.setMarks(content_.marks_s);
         plot().replot(QCustomPlot::rpQueuedReplot);
     }
 }
@@ -260,8 +215,8 @@ QSize TrackView::minimumSizeHint() const {
 }
 
 void TrackView::rebuild() {
-    stack_->prepare(plot().size());
-    stack_->setContent(content());
+    stack_.prepare(plot().size());
+    stack_.setContent(content());
     const bool has_analyses = hasTime();
     overlay_->setHint(has_analyses ? QString()
                                    : tr("No analysis yet.\nOpen a recording and press Analyse."));
@@ -269,15 +224,33 @@ void TrackView::rebuild() {
     for (const char* name : {"background", "grid", "main", "axes"}) {
         plot().layer(QString::fromLatin1(name))->setVisible(has_analyses);
     }
-    focus_.match(content_);
+    matchFocus();
     updateGeometry();
     redraw();
 }
 
+void TrackView::matchFocus() {
+    if (!std::ranges::equal(focus_, content_.variables, {}, &PanelFocus::variable)) {
+        std::ranges::for_each(focus_, [](PanelFocus* frame) { delete frame; });
+        focus_.clear();
+        for (const SlowVariable variable : content_.variables) {
+            focus_.push_back(new PanelFocus(variable, this));
+            focus_.back()->show();
+        }
+    }
+    for (PanelFocus* frame : focus_) {
+        frame->setColor(content_.theme.accent);
+        frame->setAccessibleName(
+            QCoreApplication::translate("PlotFocus", "Plot of %1, %2")
+                .arg(indexPlain(displaySymbol(frame->variable(), content_.units)),
+                     displayMeaning(frame->variable())));
+    }
+}
+
 void TrackView::redraw() {
     // The number of strips may have changed since the last resize.
-    stack_->prepare(plot().size());
-    stack_->setZoom(zoom_.current());
+    stack_.prepare(plot().size());
+    stack_.setZoom(zoom_.current());
     // Other pages zoom, too; what is hidden is drawn when it is shown.
     if (isVisible()) {
         plot().replot(QCustomPlot::rpQueuedReplot);
@@ -285,26 +258,20 @@ void TrackView::redraw() {
 }
 
 void TrackView::followLayout() {
-    focus_.place(*stack_);
-    if (!stack_->panels().empty()) {
-        const QRect area = stack_->panels().front()->rect();
+    for (PanelFocus* frame : focus_) {
+        if (const PlotPanel* panel = stack_.panel(frame->variable())) {
+            frame->setGeometry(panel->outerRect());
+        }
+    }
+    if (!stack_.panels().empty()) {
+        const QRect area = stack_.panels().front()->rect();
         emit timeAxisPlaced(area.left(), width() - 1 - area.right());
     }
 }
 
-void TrackView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    redraw();
-}
-
-void TrackView::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    redraw();
-}
-
 void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,
                              Gesture gesture) {
-    const PlotPanel* panel = stack_->panel(variable);
+    const PlotPanel* panel = stack_.panel(variable);
     if (!panel) {
         return;
     }
@@ -327,15 +294,18 @@ void TrackView::moveCursor(Cursor which, std::optional<double> time_s) {
 }
 
 void TrackView::pressedAt(const QPointF& at) {
-    const PlotPanel& panel = *stack_->panelAt(at);
-    focus_.give(panel.variable());
+    const PlotPanel& panel = *stack_.panelAt(at);
+    const auto frame = std::ranges::find(focus_, panel.variable(), &PanelFocus::variable);
+    if (frame != focus_.end()) {
+        (*frame)->setFocus(Qt::MouseFocusReason);
+    }
     press_variable_ = panel.variable();
     press_values_ = panel.values();
 }
 
 // An automatic axis remains automatic; a fixed one moves along.
 void TrackView::panValues(ZoomState& state, const QPointF& moved) {
-    const PlotPanel* panel = stack_->panel(*press_variable_);
+    const PlotPanel* panel = stack_.panel(*press_variable_);
     if (panel && state.fixed.contains(panel->variable())) {
         state.fixed[panel->variable()] = changed(*panel->valueAxis(), press_values_, 1, 0,
                                                  moved.y() / std::max(1, panel->height()));
@@ -343,12 +313,12 @@ void TrackView::panValues(ZoomState& state, const QPointF& moved) {
 }
 
 QRectF TrackView::bandBetween(const QPointF& from, const QPointF& to) const {
-    const PlotPanel* panel = stack_->panel(*press_variable_);
+    const PlotPanel* panel = stack_.panel(*press_variable_);
     return panel ? QRectF(from, to).normalized().intersected(QRectF(panel->rect())) : QRectF();
 }
 
 void TrackView::zoomValuesTo(ZoomState& state, const QRectF& band) {
-    const PlotPanel* panel = stack_->panel(*press_variable_);
+    const PlotPanel* panel = stack_.panel(*press_variable_);
     if (panel && band.height() >= least_band) {
         state.fixed[panel->variable()] = {panel->valueAxis()->pixelToCoord(band.bottom()),
                                           panel->valueAxis()->pixelToCoord(band.top())};
@@ -356,7 +326,7 @@ void TrackView::zoomValuesTo(ZoomState& state, const QRectF& band) {
 }
 
 bool TrackView::zoomValues(const QPointF& at, double factor) {
-    const PlotPanel& panel = *stack_->panelAt(at);
+    const PlotPanel& panel = *stack_.panelAt(at);
     const double about = (panel.bottom() - at.y()) / std::max(1, panel.height());
     changeValues(panel.variable(), factor, std::clamp(about, 0., 1.), 0, Gesture::wheel_value);
     return true;
@@ -364,7 +334,7 @@ bool TrackView::zoomValues(const QPointF& at, double factor) {
 
 // At the margin, the meaning of the symbol that stands there.
 void TrackView::hoverAt(const QPointF& at) {
-    const PlotPanel* panel = stack_->panelAt(at);
+    const PlotPanel* panel = stack_.panelAt(at);
     const bool margin = panel && at.x() < panel->rect().left();
     setToolTip(margin ? displayMeaning(panel->variable()) : QString());
 }
@@ -375,7 +345,9 @@ bool TrackView::takeKey(QKeyEvent* event) {
     }
     const bool up = event->key() == Qt::Key_Up;
     const bool in = event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal;
-    const SlowVariable variable = focus_.focused().value_or(content_.variables.front());
+    const auto focused = std::ranges::find_if(focus_, &PanelFocus::hasFocus);
+    const SlowVariable variable =
+        focused == focus_.end() ? content_.variables.front() : (*focused)->variable();
     if (up || event->key() == Qt::Key_Down) {
         changeValues(variable, 1, 0.5, up ? ZoomNavigator::arrow : -ZoomNavigator::arrow,
                      Gesture::key_value);

@@ -7,7 +7,6 @@
 #include "ui/words/display_units.h"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,21 +15,6 @@ namespace vybeg::ui {
 class PanelFocus;
 class PlotOverlay;
 class PlotStack;
-
-// Frames of keyboard focus about the plots of a view, one per plot in the tab order.
-class PlotFocus {
-public:
-    explicit PlotFocus(QWidget& view) : view_(view) {}
-
-    void match(const PlotContent& content);
-    void place(const PlotStack& stack);
-    void give(SlowVariable variable);
-    std::optional<SlowVariable> focused() const;
-
-private:
-    QWidget& view_;
-    std::vector<PanelFocus*> frames_;  // children of the view
-};
 
 // The stacked plots of the slow variables of all visible analyses over one time axis; owner of the
 // time range, tracker and cursors that other views share.
@@ -44,7 +28,6 @@ class TrackView : public TimeGestures {
 
 public:
     explicit TrackView(QWidget* parent = nullptr);
-    ~TrackView() override;
 
     // Keeps the visible time range. Shows everything if everything was visible before, if the range
     // lies outside the new analyses or if a new recording joins.
@@ -92,19 +75,15 @@ public slots:
     void fit() override { zoom_.visit({fullTimeRange(), {}}, Gesture::none); }
 
 signals:
+    // Time range, or the history of zooms.
     void timeRangeChanged(double from_s, double to_s);
     void trackerMoved(double time_s);
     void trackerLeft();
     // The user moved, placed or removed a cursor.
     void cursorsChanged();
-    void zoomHistoryChanged();
     void variablesChanged();
     // Margins of the time axes, pixels from both edges.
     void timeAxisPlaced(int left, int right);
-
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
 
 private:
     bool hasTime() const override { return coveredTime(content_.analyses).has_value(); }
@@ -120,15 +99,16 @@ private:
                       Gesture gesture);
 
     void rebuild();
+    void matchFocus();
     void redraw();
     void followLayout();
 
     PlotContent content_;
     RecordedTime recorded_;
     ZoomNavigator zoom_;
-    std::unique_ptr<PlotStack> stack_;
+    PlotStack& stack_;
     PlotOverlay* overlay_ = nullptr;
-    PlotFocus focus_{*this};
+    std::vector<PanelFocus*> focus_;  // one per plot in the tab order
     std::optional<double> tracker_;
     std::array<std::optional<double>, 2> cursors_;
     // Of the plot in which a drag began.

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 namespace vybeg::ui {
 
@@ -28,22 +28,20 @@ constexpr int legend_inset = 8;
 // one of their whole deviations, as their bars would fill the plot from edge to edge.
 AxisRange rangeOf(const XYPlot& content, bool of_y) {
     const bool logarithmic = of_y ? content.y_logarithmic : content.x_logarithmic;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    double left = low;
-    double right = high;
+    Extent values;
+    Extent places;
     for (const XYSeries& series : content.series) {
         for (std::size_t k = 0; k < series.x.size(); ++k) {
             const double sd = of_y && !series.sd.empty() ? series.sd[k] : 0;
             const double value = of_y ? series.y[k] : series.x[k];
             if (std::isfinite(value) && std::isfinite(sd) && (!logarithmic || value - sd > 0)) {
-                low = std::min(low, value - sd);
-                high = std::max(high, value + sd);
-                left = std::min(left, series.x[k]);
-                right = std::max(right, series.x[k]);
+                values.add(value - sd);
+                values.add(value + sd);
+                places.add(series.x[k]);
             }
         }
     }
+    const auto [low, high] = values;
     if (low > high) {
         return logarithmic ? AxisRange{0.1, 10} : AxisRange{0, 1};
     }
@@ -51,7 +49,7 @@ AxisRange rangeOf(const XYPlot& content, bool of_y) {
         const double spare = high > low ? std::pow(high / low, 0.05) : 2;
         return {low / spare, high * spare};
     }
-    const double part = of_y && left == right ? 1 : 0.05;
+    const double part = of_y && places.low == places.high ? 1 : 0.05;
     const double spare = high > low ? part * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
     return {low - spare, high + spare};
 }
@@ -191,20 +189,11 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
 }  // namespace
 
 XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x, std::vector<double> y) {
-    XYSeries line;
-    line.name = name;
-    line.ink = ink;
-    line.dashed = true;
-    line.x = std::move(x);
-    line.y = std::move(y);
-    return line;
+    return {.name = name, .ink = ink, .dashed = true, .x = std::move(x), .y = std::move(y)};
 }
 
 XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink) {
-    XYSeries steps;
-    steps.name = name;
-    steps.ink = ink;
-    steps.steps = true;
+    XYSeries steps{.name = name, .ink = ink, .steps = true};
     const auto add = [&](double bin, double count) {
         steps.x.push_back(histogram.low + (bin + 0.5) * histogram.width);
         steps.y.push_back(count);
@@ -217,14 +206,19 @@ XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink
     return steps;
 }
 
+XYSeries normalCurve(const QString& name, double area, int points) {
+    constexpr double reach = 4;
+    XYSeries curve = dashedLine(name, Ink::text);
+    for (int k = 0; k < points; ++k) {
+        const double z = reach * (2.0 * k / (points - 1) - 1);
+        curve.x.push_back(z);
+        curve.y.push_back(area * std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi));
+    }
+    return curve;
+}
+
 XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink) {
-    XYSeries mark;
-    mark.points = true;
-    mark.style = 1;
-    mark.ink = ink;
-    mark.x = {points.x[point]};
-    mark.y = {points.y[point]};
-    return mark;
+    return {.style = 1, .ink = ink, .points = true, .x = {points.x[point]}, .y = {points.y[point]}};
 }
 
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size) {

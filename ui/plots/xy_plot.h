@@ -17,17 +17,17 @@ namespace vybeg::ui {
 
 // Points with their standard deviations, or a line with its band; as many sd as points, or none.
 struct XYSeries {
-    QString name;    // in the legend; empty: not in it
+    QString name{};  // in the legend; empty: not in it
     int style = 0;   // of curveStyle(): colour, and the shape of points
     int shades = 0;  // beyond that of the style
     Ink ink = Ink::style;
     bool points = false;
     bool steps = false;  // a line of steps centred at the values
     bool thin = false;   // a line of one pixel, quick for thousands of values
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> sd;
     bool dashed = false;
+    std::vector<double> x{};
+    std::vector<double> y{};
+    std::vector<double> sd{};
 };
 
 // A dashed line.
@@ -36,25 +36,28 @@ XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x = {},
 // The counts of a histogram at the middle of their bins, as steps that fall to zero at both ends.
 XYSeries histogramSteps(const Histogram& histogram, const QString& name, Ink ink);
 
+// The normal curve of zero mean and unit deviation, over so much area.
+XYSeries normalCurve(const QString& name, double area, int points);
+
 // A mark on one point of a series.
 XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink);
 
 // A plot of one quantity against another, as a value, for screen and paper. An underscore in a name
 // introduces an index.
 struct XYPlot {
-    QString x_name;
-    QString x_unit;
+    QString x_name{};
+    QString x_unit{};
     bool x_in_degrees = false;
-    bool x_is_date = false;            // seconds since 1970, UTC
-    bool x_logarithmic = false;        // values at and below 0 are not drawn
-    std::optional<AxisRange> x_range;  // otherwise the range of the series
-    QString y_name;
-    QString y_unit;
+    bool x_is_date = false;              // seconds since 1970, UTC
+    bool x_logarithmic = false;          // values at and below 0 are not drawn
+    std::optional<AxisRange> x_range{};  // otherwise the range of the series
+    QString y_name{};
+    QString y_unit{};
     bool y_takes_prefix = false;
     bool y_logarithmic = false;
-    std::optional<AxisRange> y_range;  // as x_range
-    std::vector<XYSeries> series;
-    QString empty;  // text shown without series
+    std::optional<AxisRange> y_range{};  // as x_range
+    std::vector<XYSeries> series{};
+    QString empty{};  // text shown without series
 };
 
 // Replaces the content of a plot of size `size`.

@@ -3,6 +3,7 @@
 #include "core/residuals/find_residuals.h"
 #include "ui/document/document.h"
 #include "ui/panels/measuring.h"
+#include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/shown_residuals.h"
 #include "ui/widgets/number_field.h"
@@ -35,9 +36,10 @@ constexpr QMargins beside{6, 0, 6, 0};  // of a sentence
 
 }  // namespace
 
-ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
+ResidualsPage::ResidualsPage(Document& document, TrackView& tracks, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
+      tracks_(tracks),
       range_(withName(new QComboBox(this), "residualRange")),
       range_label_(new QLabel(this)),
       time_(new NumberField(this)),
@@ -54,11 +56,18 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
     connect(&pause_, &QTimer::timeout, this, &ResidualsPage::compute);
+    whenChanged(*this, {QEvent::Show}, [this] { refresh(); });
+    whenChanged(*this, {QEvent::Hide}, [this] { stop(); });
     connect(range_, &QComboBox::currentIndexChanged, this, &ResidualsPage::refresh);
     connect(time_, &NumberField::valueEdited, this,
             [this](std::optional<double> time_s) { setCursor(time_s.value_or(cursor_s_)); });
     connect(&document_, &Document::analysesChanged, this, &ResidualsPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResidualsPage::refresh);
+    connect(&tracks_, &TrackView::timeRangeChanged, this, &ResidualsPage::refresh);
+    connect(&tracks_, &TrackView::trackerMoved, this,
+            [this](double time_s) { setCursor(tracks_.cursor(Cursor::a).value_or(time_s)); });
+    connect(&tracks_, &TrackView::cursorsChanged, this,
+            [this] { setCursor(tracks_.cursor(Cursor::a).value_or(cursor_s_)); });
     retranslate();
 }
 
@@ -118,19 +127,9 @@ void ResidualsPage::setAnalysis(AnalysisId id) {
     refresh();
 }
 
-void ResidualsPage::setVisibleRange(const AxisRange& visible) {
-    visible_ = visible;
-    refresh();
-}
-
 void ResidualsPage::setCursor(double time_s) {
     cursor_s_ = time_s;
     refresh();
-}
-
-void ResidualsPage::setTheme(const Theme& theme) {
-    MeasuredPage::setTheme(theme);
-    showFound();
 }
 
 std::optional<ResidualsPage::Request> ResidualsPage::wanted() const {
@@ -144,7 +143,9 @@ std::optional<ResidualsPage::Request> ResidualsPage::wanted() const {
             request.range.window =
                 static_cast<std::int64_t>(nearestRow(chosen->shown.analysis->track, cursor_s_));
             break;
-        case Range::visible: request.range.time = {visible_.lower, visible_.upper}; break;
+        case Range::visible:
+            request.range.time = {tracks_.timeRange().lower, tracks_.timeRange().upper};
+            break;
         case Range::whole: break;
     }
     return request;
@@ -301,14 +302,8 @@ void ResidualsPage::putFilter() {
     }
 }
 
-void ResidualsPage::showEvent(QShowEvent* event) {
-    MeasuredPage::showEvent(event);
-    refresh();
-}
-
 // A computation under way is asked for again when the page is shown.
-void ResidualsPage::hideEvent(QHideEvent* event) {
-    MeasuredPage::hideEvent(event);
+void ResidualsPage::stop() {
     pause_.stop();
     job_.forget(job_key);
     if (computing_) {
@@ -320,28 +315,24 @@ void ResidualsPage::retranslate() {
     range_label_->setText(tr("Residual of"));
     setTexts(*range_,
              {tr("the window at the cursor"), tr("the visible part"), tr("the whole analysis")});
-    range_->setAccessibleName(tr("Range of the residual"));
-    range_->setToolTip(
-        tr("Samples less the wave of their window: of one window, of what the plots "
-           "of the tracks show, or of all"));
+    setWords(*range_, tr("Range of the residual"),
+             tr("Samples less the wave of their window: of one window, of what the plots "
+                "of the tracks show, or of all"));
     time_->setUnit(tr("s"));
-    time_->setAccessibleName(tr("Time of the window"));
-    time_->setToolTip(
-        tr("The window nearest to this time, which cursor A or the mouse over the "
-           "tracks sets, too"));
-    lines_->setAccessibleName(tr("Lines above the noise"));
-    lines_->setToolTip(
-        tr("Peaks that rise above the noise around them; white noise shows one in "
-           "one of a hundred spectra"));
+    setWords(*time_, tr("Time of the window"),
+             tr("The window nearest to this time, which cursor A or the mouse over the "
+                "tracks sets, too"));
+    setWords(*lines_, tr("Lines above the noise"),
+             tr("Peaks that rise above the noise around them; white noise shows one in "
+                "one of a hundred spectra"));
     filter_->setToolTip(tr("Puts this band-pass into the panel Analysis; Undo takes it back"));
-    spectrum_->setAccessibleName(tr("Spectrum of the residual"));
-    spectrum_->setToolTip(tr("A click on a line names it; Left and Right go from line to line"));
-    histogram_->setAccessibleName(tr("Distribution of the residual"));
-    histogram_->setToolTip(tr("Against the normal curve of the same standard deviation"));
-    correlation_->setAccessibleName(tr("Autocorrelation of the residual"));
-    correlation_->setToolTip(tr("Of white noise, 95 % of the lags lie between the dashed lines"));
-    numbers_->setAccessibleName(tr("Numbers of the residual"));
-    numbers_->setToolTip(tr("Ctrl+C copies the table"));
+    setWords(*spectrum_, tr("Spectrum of the residual"),
+             tr("A click on a line names it; Left and Right go from line to line"));
+    setWords(*histogram_, tr("Distribution of the residual"),
+             tr("Against the normal curve of the same standard deviation"));
+    setWords(*correlation_, tr("Autocorrelation of the residual"),
+             tr("Of white noise, 95 % of the lags lie between the dashed lines"));
+    setWords(*numbers_, tr("Numbers of the residual"), tr("Ctrl+C copies the table"));
     showFound();
 }
 

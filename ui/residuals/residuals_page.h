@@ -20,6 +20,7 @@ namespace vybeg::ui {
 class Document;
 class NumberField;
 class QuantityTable;
+class TrackView;
 class XYPlotView;
 struct AnalysisEntry;
 
@@ -32,22 +33,15 @@ class ResidualsPage : public MeasuredPage {
 public:
     enum class Range { window, visible, whole };
 
-    explicit ResidualsPage(Document& document, QWidget* parent = nullptr);
+    // `tracks` has the visible part and the cursor.
+    ResidualsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
     void setAnalysis(AnalysisId id);
-    void setVisibleRange(const AxisRange& visible);
-    // Time of the cursor whose window is meant.
-    void setCursor(double time_s);
-    void setTheme(const Theme& theme) override;
     // What is shown; null until it is computed.
     const Residuals* residuals() const { return found_ ? &*found_ : nullptr; }
     bool computing() const { return computing_; }
 
     FigureSource figures() const override;
-
-protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
 private:
     // A residual is that of this analysis in this range.
@@ -59,12 +53,14 @@ private:
     };
 
     QWidget* buildContent();
+    void setCursor(double time_s);
     Range range() const;
     const AnalysisEntry* entry() const;
     std::optional<Request> wanted() const;
     QString unit() const;
     void refresh();
     void compute();
+    void stop();
     void take(Result<Residuals> result);
     QString stateText() const;
     QString emptyText() const;
@@ -73,9 +69,11 @@ private:
     void chooseLine(std::optional<std::size_t> line);
     void showLine();
     void putFilter();
+    void showAgain() override { showFound(); }
     void retranslate() override;
 
     Document& document_;
+    TrackView& tracks_;
     BackgroundJobs job_;
     QTimer pause_;  // between the last change and the computation
     QComboBox* range_;
@@ -90,8 +88,7 @@ private:
     XYPlotView* correlation_ = nullptr;
     QuantityTable* numbers_ = nullptr;
     AnalysisId analysis_id_ = AnalysisId::none;
-    AxisRange visible_;
-    double cursor_s_ = 0;
+    double cursor_s_ = 0;           // in whose window
     std::optional<Request> asked_;  // shown or under way
     bool computing_ = false;
     std::optional<Error> failure_;

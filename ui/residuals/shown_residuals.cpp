@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vybeg::ui {
 
@@ -23,85 +22,59 @@ QString significant(double value, int digits) {
     return std::abs(value) < 10 ? shortNumberText(value, digits) : numberLabel(value, 0);
 }
 
-bool isHarmonic(LineOrigin origin) {
-    return origin == LineOrigin::carrier_harmonic || origin == LineOrigin::folded_harmonic;
-}
+struct OriginText {
+    QString name;  // what a line is, without its frequency
+    QString why;   // it is called so, and what helps
+};
 
-// What a line is, without its frequency.
-QString originText(const ResidualLine& line) {
+OriginText originText(const ResidualLine& line) {
     const QString base = hertz(line.base_hz, 0);
     switch (line.origin) {
-        case LineOrigin::wave: return ResidualWords::tr("the wave itself");
-        case LineOrigin::window_rate:
-            return ResidualWords::tr("the wave, at the rate of the windows");
-        case LineOrigin::window_image:
-            return ResidualWords::tr("image of the line at %1 Hz by the windows")
-                .arg(hertz(line.base_hz));
-        case LineOrigin::mains:
-            return line.order == 1 ? ResidualWords::tr("supply of %1 Hz").arg(base)
-                                   : ResidualWords::tr("supply of %1 Hz, harmonic %2")
-                                         .arg(base)
-                                         .arg(line.order);
-        case LineOrigin::carrier_by_mains:
-            return ResidualWords::tr("carrier modulated at %1 Hz")
-                .arg(hertz(line.order * line.base_hz, 0));
-        case LineOrigin::carrier_harmonic:
-            return ResidualWords::tr("harmonic %1 of the carrier").arg(line.order);
-        case LineOrigin::folded_harmonic:
-            return ResidualWords::tr("harmonic %1 of the carrier, folded").arg(line.order);
-        case LineOrigin::other_mode: return ResidualWords::tr("another mode");
-        case LineOrigin::unknown: return ResidualWords::tr("unknown");
-    }
-    return {};
-}
-
-// Why the line is what it is called, and what helps.
-QString explanation(const ResidualLine& line) {
-    switch (line.origin) {
         case LineOrigin::wave:
-            return ResidualWords::tr(
-                "This is the wave itself: it changes inside the windows, or another mode lies "
-                "beside it. Shorter windows follow a change.");
+            return {ResidualWords::tr("the wave itself"),
+                    ResidualWords::tr(
+                        "This is the wave itself: it changes inside the windows, or another mode "
+                        "lies beside it. Shorter windows follow a change.")};
         case LineOrigin::window_rate:
-            return ResidualWords::tr(
-                "The distance from the carrier is a multiple of the rate of the windows: the wave "
-                "changes inside them. Shorter windows follow it.");
+            return {ResidualWords::tr("the wave, at the rate of the windows"),
+                    ResidualWords::tr(
+                        "The distance from the carrier is a multiple of the rate of the windows: "
+                        "the wave changes inside them. Shorter windows follow it.")};
         case LineOrigin::window_image:
-            return ResidualWords::tr(
-                "Each window takes up a little of that line, which makes images beside the "
-                "carrier. Without the line they are gone, too.");
+            return {ResidualWords::tr("image of the line at %1 Hz by the windows")
+                        .arg(hertz(line.base_hz)),
+                    ResidualWords::tr(
+                        "Each window takes up a little of that line, which makes images beside the "
+                        "carrier. Without the line they are gone, too.")};
         case LineOrigin::mains:
-            return ResidualWords::tr("An electrical supply couples into the pick-offs.");
+            return {
+                line.order == 1
+                    ? ResidualWords::tr("supply of %1 Hz").arg(base)
+                    : ResidualWords::tr("supply of %1 Hz, harmonic %2").arg(base).arg(line.order),
+                ResidualWords::tr("An electrical supply couples into the pick-offs.")};
         case LineOrigin::carrier_by_mains:
-            return ResidualWords::tr(
-                "The distance from the carrier is that of the mains: they modulate the wave or its "
-                "pick-off.");
+            return {ResidualWords::tr("carrier modulated at %1 Hz")
+                        .arg(hertz(line.order * line.base_hz, 0)),
+                    ResidualWords::tr(
+                        "The distance from the carrier is that of the mains: they modulate the "
+                        "wave or its pick-off.")};
         case LineOrigin::carrier_harmonic:
-            return ResidualWords::tr(
-                "A pick-off or the suspension is not linear, or samples are clipped.");
+            return {ResidualWords::tr("harmonic %1 of the carrier").arg(line.order),
+                    ResidualWords::tr(
+                        "A pick-off or the suspension is not linear, or samples are clipped.")};
         case LineOrigin::folded_harmonic:
-            return ResidualWords::tr(
-                "It lies above half the sample rate and appears as an alias. A pick-off is not "
-                "linear, or samples are clipped.");
+            return {ResidualWords::tr("harmonic %1 of the carrier, folded").arg(line.order),
+                    ResidualWords::tr(
+                        "It lies above half the sample rate and appears as an alias. A pick-off is "
+                        "not linear, or samples are clipped.")};
         case LineOrigin::other_mode:
-            return ResidualWords::tr("It decays in this range as a mode of the resonator does.");
-        case LineOrigin::unknown:
-            return ResidualWords::tr(
-                "It is no harmonic of the carrier or the mains, and no decay is seen in this "
-                "range.");
+            return {ResidualWords::tr("another mode"),
+                    ResidualWords::tr("It decays in this range as a mode of the resonator does.")};
+        case LineOrigin::unknown: break;
     }
-    return {};
-}
-
-QString unitName(const char* unit) {
-    return QCoreApplication::translate("DisplayUnits", unit);
-}
-
-XYSeries channelSeries(const char* name, Ink ink) {
-    XYSeries series;
-    series.name = QLatin1String(name);
-    series.ink = ink;
-    return series;
+    return {ResidualWords::tr("unknown"),
+            ResidualWords::tr("It is no harmonic of the carrier or the mains, and no decay is seen "
+                              "in this range.")};
 }
 
 XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink ink) {
@@ -113,22 +86,9 @@ XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink i
     return series;
 }
 
-XYSeries normalCurve() {
-    constexpr int points = 161;
-    constexpr double reach = 4;
-    XYSeries curve = dashedLine(ResidualWords::tr("normal"), Ink::text);
-    for (int k = 0; k < points; ++k) {
-        const double z = reach * (2.0 * k / (points - 1) - 1);
-        curve.x.push_back(z);
-        curve.y.push_back(std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi));
-    }
-    return curve;
-}
-
 XYSeries densitySeries(const Residuals& found, const ResidualChannel& channel, const char* name,
                        Ink ink) {
-    XYSeries series = channelSeries(name, ink);
-    series.thin = true;
+    XYSeries series{.name = QLatin1String(name), .ink = ink, .thin = true};
     // Bin 0 has no place on a logarithmic axis, and no density below rounding.
     for (std::size_t k = 1; k < channel.density.size(); ++k) {
         if (channel.density[k] > 0) {
@@ -163,8 +123,7 @@ AxisRange densityRange(const std::vector<XYSeries>& channels) {
 
 XYSeries correlationSeries(const Residuals& found, const ResidualChannel& channel, const char* name,
                            Ink ink) {
-    XYSeries series = channelSeries(name, ink);
-    series.thin = true;
+    XYSeries series{.name = QLatin1String(name), .ink = ink, .thin = true};
     for (std::size_t lag = 1; lag < channel.autocorrelation.size(); ++lag) {
         series.x.push_back(1e3 * static_cast<double>(lag) / found.rate_hz);
         series.y.push_back(channel.autocorrelation[lag]);
@@ -260,7 +219,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
 }
 
 QString lineName(const ResidualLine& line) {
-    return ResidualWords::tr("%1 Hz: %2").arg(hertz(line.f_hz), originText(line));
+    return ResidualWords::tr("%1 Hz: %2").arg(hertz(line.f_hz), originText(line).name);
 }
 
 QString bandText(const Band& band) {
@@ -278,11 +237,11 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
     sentences << ResidualWords::tr("Amplitude: C %1, D %2.")
                      .arg(amplitude(line.amplitude_c, line.sd_c),
                           amplitude(line.amplitude_d, line.sd_d));
-    if (isHarmonic(line.origin)) {
+    if (line.origin == LineOrigin::carrier_harmonic || line.origin == LineOrigin::folded_harmonic) {
         sentences
             << ResidualWords::tr("It is %1 times %2 Hz.").arg(line.order).arg(hertz(found.f0_hz));
     }
-    sentences << explanation(line);
+    sentences << originText(line).why;
     if (line.filter) {
         sentences << ResidualWords::tr("A band-pass filter takes it out.");
     }
@@ -290,15 +249,15 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
 }
 
 XYPlot histogramPlot(const Residuals* found, const QString& empty) {
-    XYPlot plot;
-    plot.x_name = ResidualWords::tr("Residual");
-    plot.x_unit = ResidualWords::tr("sd");
-    plot.y_name = ResidualWords::tr("Probability density");
-    plot.empty = empty;
+    XYPlot plot{.x_name = ResidualWords::tr("Residual"),
+                .x_unit = ResidualWords::tr("sd"),
+                .y_name = ResidualWords::tr("Probability density"),
+                .empty = empty};
     if (found != nullptr && !found->c.histogram.counts.empty() &&
         !found->d.histogram.counts.empty()) {
         plot.series = {histogramSeries(found->c, "C", Ink::channel_c),
-                       histogramSeries(found->d, "D", Ink::channel_d), normalCurve()};
+                       histogramSeries(found->d, "D", Ink::channel_d),
+                       normalCurve(ResidualWords::tr("normal"), 1, 161)};
     }
     return plot;
 }
@@ -307,19 +266,17 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
                     const QString& empty) {
     XYPlot plot;
     plot.x_name = QStringLiteral("f");
-    plot.x_unit = unitName("Hz");
+    plot.x_unit = unitText("Hz");
     plot.x_logarithmic = true;
     plot.y_name = ResidualWords::tr("Amplitude density");
     plot.y_unit =
-        (unit.isEmpty() ? QStringLiteral("1") : unit) + QStringLiteral("/√") + unitName("Hz");
+        (unit.isEmpty() ? QStringLiteral("1") : unit) + QStringLiteral("/√") + unitText("Hz");
     plot.y_logarithmic = true;
     plot.empty = empty;
     if (found == nullptr || found->c.density.size() < 2) {
         return plot;
     }
-    XYSeries lines;
-    lines.points = true;
-    lines.ink = Ink::text;
+    XYSeries lines{.ink = Ink::text, .points = true};
     for (const ResidualLine& line : found->lines) {
         lines.x.push_back(line.f_hz);
         lines.y.push_back(heightOf(*found, line));
@@ -334,11 +291,10 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
 }
 
 XYPlot correlationPlot(const Residuals* found, const QString& empty) {
-    XYPlot plot;
-    plot.x_name = ResidualWords::tr("Lag");
-    plot.x_unit = ResidualWords::tr("ms");
-    plot.y_name = ResidualWords::tr("Autocorrelation");
-    plot.empty = empty;
+    XYPlot plot{.x_name = ResidualWords::tr("Lag"),
+                .x_unit = ResidualWords::tr("ms"),
+                .y_name = ResidualWords::tr("Autocorrelation"),
+                .empty = empty};
     if (found == nullptr || found->c.autocorrelation.size() < 2 ||
         found->d.autocorrelation.size() < 2) {
         return plot;

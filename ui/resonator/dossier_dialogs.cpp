@@ -29,8 +29,7 @@ GyroDialog::GyroDialog(const GyroData& gyro, QWidget* parent)
     const auto add = [form](const char* object, const QString& name, QWidget* field,
                             const QString& tip) {
         field->setObjectName(QLatin1String(object));
-        field->setAccessibleName(name);
-        field->setToolTip(tip);
+        setWords(*field, name, tip);
         form->addRow(name, field);
     };
     const QString kept = tr("Kept in the session, and proposed for its report");
@@ -99,8 +98,7 @@ LimitsDialog::LimitsDialog(const std::vector<ParameterLimit>& limits, const Disp
             each->setUnit(shown.unit);
             each->setDigits(shown_digits);
             each->setValue(limit ? std::optional(*limit * shown.factor) : std::nullopt);
-            each->setAccessibleName(QStringLiteral("%1: %2").arg(shown.title, what));
-            each->setToolTip(tr("Empty: no limit"));
+            setWords(*each, QStringLiteral("%1: %2").arg(shown.title, what), tr("Empty: no limit"));
             each->setMinimumWidth(150);
             grid->addWidget(each, line, column);
             connect(each, &NumberField::valueEdited, this, &LimitsDialog::check);

@@ -18,7 +18,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QResizeEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -42,6 +41,12 @@ QStringList markedNames(const ResonatorOutcome& outcome) {
 
 }  // namespace
 
+void OutcomeView::setTheme(const Theme& theme) {
+    theme_ = theme;
+    std::ranges::for_each(plots_, [&theme](PlotView* plot) { plot->setTheme(theme); });
+    rebuild();
+}
+
 NumbersView::NumbersView(QWidget* parent)
     : OutcomeView(parent),
       findings_(withName(new WarningList(this), "findings")),
@@ -55,10 +60,7 @@ NumbersView::NumbersView(QWidget* parent)
     statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(statistical_, &QLabel::linkActivated, this,
             [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addWidget(warnings_);
+    auto* column = fill(new QVBoxLayout(this), {}, 2, {warnings_});
     resonator_section_ = addSection(*column, {resonator_, statistical_});
     waves_section_ = addSection(*column, {waves_, findings_});
     sensitivities_section_ = addSection(*column, {sensitivities_});
@@ -132,10 +134,6 @@ FiguresView::FiguresView(QWidget* parent) : OutcomeView(parent), hint_(sentence(
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMinimumHeight(120);
     fill(new QVBoxLayout(this), {}, 2, {hint_, plots_});
-    connect(rim_, &RoundView::exportWanted, this, &FiguresView::exportWanted);
-    for (XYPlotView* plot : {drift_plot_, balance_plot_}) {
-        connect(plot, &XYPlotView::exportWanted, this, &FiguresView::exportWanted);
-    }
     connect(balance_axis_, &QComboBox::activated, this, &FiguresView::showBalance);
     keepTranslated(*this, [this] { retranslate(); });
 }
@@ -148,11 +146,11 @@ QWidget* FiguresView::buildPlots() {
     for (QLabel** name : {&rim_name_, &drift_name_, &balance_name_}) {
         *name = sentence(plots, "");
     }
-    rim_ = withName(new RoundView(true, plots), "rim");
+    rim_ = withPlot(withName(new RoundView(true, plots), "rim"));
     rim_->setMinimumSize(240, 300);
-    drift_plot_ = withName(new XYPlotView(plots), "drift");
+    drift_plot_ = withPlot(withName(new XYPlotView(plots), "drift"));
     drift_ = withName(new QuantityTable(plots), "harmonics");
-    balance_plot_ = withName(new XYPlotView(plots), "balance");
+    balance_plot_ = withPlot(withName(new XYPlotView(plots), "balance"));
     balance_axis_ = new QComboBox(plots);
     balance_axis_->addItems({QString(), QString()});  // in the order of BalanceAxis
     balance_name_->setBuddy(balance_axis_);
@@ -160,12 +158,12 @@ QWidget* FiguresView::buildPlots() {
     grid->addLayout(balance_head, 5, 0, 1, 2);
     grid->addWidget(balance_plot_, 6, 0, 1, 2);
     grid_ = grid;
-    place(true);
+    constexpr int wide = 620;
+    placeByWidth(*this, wide, true, [this](bool side_by_side) { place(side_by_side); });
     return plots;
 }
 
 void FiguresView::place(bool side_by_side) {
-    side_by_side_ = side_by_side;
     const int span = side_by_side ? 1 : 2;
     const int drift_row = side_by_side ? 0 : 2;
     const int drift_column = side_by_side ? 1 : 0;
@@ -180,20 +178,6 @@ void FiguresView::place(bool side_by_side) {
     grid_->addWidget(drift_, drift_row + 2, drift_column, 1, span, Qt::AlignTop);
     grid_->setColumnStretch(0, 2);
     grid_->setColumnStretch(1, 3);
-}
-
-void FiguresView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    constexpr int wide = 620;
-    if (side_by_side_ != (width() >= wide)) {
-        place(width() >= wide);
-    }
-}
-
-void FiguresView::setTheme(const Theme& theme) {
-    rim_->setTheme(theme);
-    drift_plot_->setTheme(theme);
-    balance_plot_->setTheme(theme);
 }
 
 FigureSource FiguresView::figures() const {
@@ -262,7 +246,7 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
       differences_(withName(new QuantityTable(this), "differences")),
       incomparable_(sentence(this, "incomparable")),
       track_choice_(new QComboBox(this)),
-      tracks_(withName(new XYPlotView(this), "tracks")),
+      tracks_(withPlot(withName(new XYPlotView(this), "tracks"))),
       close_(new QPushButton(this)) {
     auto* limit = new QWidget(this);
     limit_label_ = new QLabel(limit);
@@ -272,23 +256,16 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     limit_label_->setBuddy(limit_);
     fill(new QHBoxLayout(limit), {6, 0, 6, 0}, {limit_label_, {limit_, 1}});
     track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    auto* column = fill(new QVBoxLayout(this), {}, {});
     section_ = addSection(*column, {passport_, other_gyro_, limit, differences_, incomparable_,
                                     track_choice_, tracks_, close_});
     connect(close_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
     connect(limit_, &NumberField::valueEdited, this,
             [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
     connect(track_choice_, &QComboBox::activated, this, &ComparisonView::rebuild);
-    connect(tracks_, &XYPlotView::exportWanted, this, &ComparisonView::exportWanted);
     connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
     connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::rebuild);
     keepTranslated(*this, [this] { retranslate(); });
-}
-
-void ComparisonView::setTheme(const Theme& theme) {
-    tracks_->setTheme(theme);
-    OutcomeView::setTheme(theme);
 }
 
 void ComparisonView::open() {
@@ -331,12 +308,12 @@ void ComparisonView::retranslate() {
     section_->setTitle(tr("Comparison with the passport"));
     differences_->setAccessibleName(tr("Comparison with the passport"));
     limit_label_->setText(tr("Frequencies change from"));
-    limit_->setAccessibleName(tr("Frequencies change from"));
-    limit_->setToolTip(
+    setWords(
+        *limit_, tr("Frequencies change from"),
         richTip(tr("Frequencies follow the temperature: smaller changes, in parts per million, are "
                    "none of the gyro")));
-    tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));
-    tracks_->setToolTip(
+    setWords(
+        *tracks_, tr("Tracks of the runs and of the passport"),
         richTip(tr("In the colours of the recordings; further from the background: the passport")));
     track_choice_->setAccessibleName(tr("What to overlay"));
     setTexts(*track_choice_, {tr("Amplitude of the working wave"),

@@ -2,7 +2,7 @@
 
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/document/document.h"
-#include "ui/plots/plot_file.h"
+#include "ui/plots/plot_view.h"
 #include "ui/values/recording_set.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
@@ -29,6 +29,8 @@ class XYPlotView;
 
 // What a part of the page Resonator shows of an identification.
 class OutcomeView : public QWidget {
+    Q_OBJECT
+
 public:
     using QWidget::QWidget;
 
@@ -41,17 +43,27 @@ public:
         units_ = units;
         rebuild();
     }
-    virtual void setTheme(const Theme& theme) {
-        theme_ = theme;
-        rebuild();
-    }
+    void setTheme(const Theme& theme);
+
+signals:
+    void exportWanted(const Figure& figure);
 
 protected:
     virtual void rebuild() = 0;
+    // A plot in the view's theme; its export is exportWanted().
+    template <class Plot>
+    Plot* withPlot(Plot* plot) {
+        plots_.push_back(plot);
+        connect(plot, &PlotView::exportWanted, this, &OutcomeView::exportWanted);
+        return plot;
+    }
 
     std::shared_ptr<const ResonatorOutcome> shown_;
     DisplayUnits units_;
     Theme theme_ = lightTheme();
+
+private:
+    std::vector<PlotView*> plots_;
 };
 
 // An identification as tables, with the sentences that belong to them.
@@ -95,15 +107,7 @@ class FiguresView : public OutcomeView {
 public:
     explicit FiguresView(QWidget* parent = nullptr);
 
-    void setTheme(const Theme& theme) override;
-
     FigureSource figures() const;
-
-signals:
-    void exportWanted(const Figure& figure);
-
-protected:
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* buildPlots();
@@ -116,7 +120,6 @@ private:
     QLabel* hint_;
     QWidget* plots_ = nullptr;
     QGridLayout* grid_ = nullptr;
-    bool side_by_side_ = true;
     QLabel* rim_name_ = nullptr;
     RoundView* rim_ = nullptr;
     QLabel* drift_name_ = nullptr;
@@ -134,11 +137,7 @@ class ComparisonView : public OutcomeView {
 public:
     explicit ComparisonView(Document& document, QWidget* parent = nullptr);
 
-    void setTheme(const Theme& theme) override;
     void open();
-
-signals:
-    void exportWanted(const Figure& figure);
 
 private:
     void rebuild() override;

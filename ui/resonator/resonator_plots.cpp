@@ -96,9 +96,7 @@ double curveAngle(int step) {
 }
 
 XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
-    XYSeries curve;
-    curve.name = ResonatorWords::tr("fitted");
-    curve.ink = Ink::text;
+    XYSeries curve{.name = ResonatorWords::tr("fitted"), .ink = Ink::text};
     for (int k = 0; k <= curve_steps; ++k) {
         const double theta = curveAngle(k);
         curve.x.push_back(angle * theta);
@@ -111,10 +109,7 @@ XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
 // The curve of the fitted resonator, for comparison.
 XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
-    XYSeries curve;
-    curve.name = ResonatorWords::tr("resonator");
-    curve.ink = Ink::text;
-    curve.dashed = true;
+    XYSeries curve = dashedLine(ResonatorWords::tr("resonator"), Ink::text);
     for (int k = 0; k <= curve_steps; ++k) {
         const double theta = curveAngle(k);
         curve.x.push_back(angle * theta);
@@ -124,23 +119,14 @@ XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
 }
 
 XYSeries trackOf(const RunTrack& track, TrackVariable variable, double angle) {
-    XYSeries series;
-    series.x = track.time_s;
-    switch (variable) {
-        case TrackVariable::a_A:
-            series.y = track.a_A;
-            series.sd = track.sd_a;
-            break;
-        case TrackVariable::a_B:
-            series.y = track.a_B;
-            series.sd = track.sd_a;
-            break;
-        case TrackVariable::two_theta_A:
-            series.y = times(angle, track.two_theta_A);
-            series.sd = times(angle, track.sd_two_theta_A);
-            break;
+    if (variable == TrackVariable::two_theta_A) {
+        return {.x = track.time_s,
+                .y = times(angle, track.two_theta_A),
+                .sd = times(angle, track.sd_two_theta_A)};
     }
-    return series;
+    return {.x = track.time_s,
+            .y = variable == TrackVariable::a_A ? track.a_A : track.a_B,
+            .sd = track.sd_a};
 }
 
 }  // namespace
@@ -150,24 +136,22 @@ XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units) {
     const double angle = angleFactor(units);
     const double rate = angleRateFactor(units);
     const double edge = angle * std::numbers::pi / 4;
-    XYPlot plot;
-    plot.x_name = QStringLiteral("θ_A");
-    plot.x_unit = angleUnit(units);
-    plot.x_in_degrees = units.angle == AngleUnit::degrees;
-    plot.x_range = AxisRange{-1.04 * edge, 1.04 * edge};
-    plot.y_name = QStringLiteral("dθ_A/dt");
-    plot.y_unit = angleRateUnit(units);
-    plot.y_takes_prefix = units.angle == AngleUnit::radians;
-    plot.empty = reasonText(no_drift_function(outcome.identification));
+    XYPlot plot{.x_name = QStringLiteral("θ_A"),
+                .x_unit = angleUnit(units),
+                .x_in_degrees = units.angle == AngleUnit::degrees,
+                .x_range = AxisRange{-1.04 * edge, 1.04 * edge},
+                .y_name = QStringLiteral("dθ_A/dt"),
+                .y_unit = angleRateUnit(units),
+                .y_takes_prefix = units.angle == AngleUnit::radians,
+                .empty = reasonText(no_drift_function(outcome.identification))};
     if (drift.order > 0) {
         plot.series.push_back(driftCurve(drift, angle, rate));
         plot.series.push_back(resonatorCurve(outcome.identification.fit, angle, rate));
     }
     for (std::size_t run = 0; run < outcome.set.recordings.size(); ++run) {
-        XYSeries points;
-        points.name = shortName(outcome.set.recordings[run].name());
-        points.style = static_cast<int>(run);
-        points.points = true;
+        XYSeries points{.name = shortName(outcome.set.recordings[run].name()),
+                        .style = static_cast<int>(run),
+                        .points = true};
         for (const DriftPoint& point : drift.points) {
             if (point.run == run) {
                 points.x.push_back(angle * point.theta);
@@ -193,15 +177,14 @@ XYPlot balancePlot(const ResonatorOutcome& outcome, BalanceAxis axis, const Disp
     plot.empty = reasonText({ReasonCode::free_model, {}});
     for (std::size_t run = 0; run < balance.size(); ++run) {
         if (!balance[run].time_s.empty()) {
-            XYSeries series;
-            series.name = shortName(outcome.set.recordings[run].name());
-            series.style = static_cast<int>(run);
-            series.points = !over_time;
-            series.x =
-                over_time ? balance[run].time_s : times(angleFactor(units), balance[run].theta_rad);
-            series.y = balance[run].orthogonality;
-            series.sd = balance[run].sd;
-            plot.series.push_back(std::move(series));
+            plot.series.push_back({.name = shortName(outcome.set.recordings[run].name()),
+                                   .style = static_cast<int>(run),
+                                   .points = !over_time,
+                                   .x = over_time
+                                            ? balance[run].time_s
+                                            : times(angleFactor(units), balance[run].theta_rad),
+                                   .y = balance[run].orthogonality,
+                                   .sd = balance[run].sd});
         }
     }
     return plot;

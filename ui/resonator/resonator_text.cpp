@@ -73,26 +73,30 @@ QString threeDigits(double value) {
     return valueText(std::round(value / unit) * unit, std::numeric_limits<double>::quiet_NaN());
 }
 
-// "✓ ≤ 0.001": a limit and whether the parameter keeps it, by a sign and a colour.
-QuantityCell limitCell(const Estimate& estimate, const ParameterLimit& limit, double factor,
-                       const Theme& theme) {
+// "✓ ≤ 0.001": a limit and whether the parameter keeps it, by a sign and a colour. Nothing without
+// any limits.
+void addLimit(QuantityRow& row, const ResonatorParameter& parameter, const Estimate& estimate,
+              const std::vector<ParameterLimit>& limits, double factor, const Theme& theme) {
+    const ParameterLimit* limit = limit_of(limits, parameter.name);
+    if (!limit) {
+        row.cells.resize(limits.empty() ? 1 : 2, QuantityCell{{}, {QString()}, {}});
+        return;
+    }
     struct Look {
         const char* sign;
         QColor color;
     };
     const std::array looks{Look{"?", {}}, Look{"✓", theme.kept}, Look{"✗", theme.broken}};
     QString text;
-    if (limit.lower) {
-        text += QStringLiteral(" ≥ ") +
-                groupedDigits(shortNumberText(factor * *limit.lower, limit_digits));
+    for (const auto& [sign, value] :
+         {std::pair{" ≥ ", limit->lower}, std::pair{" ≤ ", limit->upper}}) {
+        if (value) {
+            text += sign + groupedDigits(shortNumberText(factor * *value, limit_digits));
+        }
     }
-    if (limit.upper) {
-        text += QStringLiteral(" ≤ ") +
-                groupedDigits(shortNumberText(factor * *limit.upper, limit_digits));
-    }
-    const Look& look = looks.at(static_cast<std::size_t>(conformity(estimate, limit)));
+    const Look& look = looks.at(static_cast<std::size_t>(conformity(estimate, *limit)));
     text.prepend(QString::fromUtf8(look.sign));
-    return {text, {text}, look.color};
+    row.cells.push_back({text, {text}, look.color});
 }
 
 // One row with the reason if the modes are not separated.
@@ -123,13 +127,9 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
     }
     for (const ResonatorParameter& parameter : resonator_parameters) {
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
-        rows.push_back(rowOf(shown, {cellOf(found.fit.resonator.*parameter.member, shown.factor)}));
-        if (!limits.empty()) {
-            const ParameterLimit* limit = limit_of(limits, parameter.name);
-            rows.back().cells.push_back(limit ? limitCell(found.fit.resonator.*parameter.member,
-                                                          *limit, shown.factor, theme)
-                                              : QuantityCell{{}, {QString()}, {}});
-        }
+        const Estimate& estimate = found.fit.resonator.*parameter.member;
+        rows.push_back(rowOf(shown, {cellOf(estimate, shown.factor)}));
+        addLimit(rows.back(), parameter, estimate, limits, shown.factor, theme);
     }
     collapseRepeatedReasons(rows);
     return rows;
@@ -149,16 +149,12 @@ std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUn
     }
     for (const ResonatorParameter& parameter : resonator_parameters) {
         const Estimate& estimate = found.fit.resonator.*parameter.member;
-        const ParameterLimit* limit = limit_of(limits, parameter.name);
-        if (!estimate.given() && !limit) {
+        if (!estimate.given() && !limit_of(limits, parameter.name)) {
             continue;
         }
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
         rows.push_back(rowOf(shown, {expanded(estimate, shown.factor)}));
-        if (!limits.empty()) {
-            rows.back().cells.push_back(
-                limit ? limitCell(estimate, *limit, shown.factor, lightTheme()) : QuantityCell{});
-        }
+        addLimit(rows.back(), parameter, estimate, limits, shown.factor, lightTheme());
     }
     return rows;
 }

@@ -186,18 +186,15 @@ void SetPanel::refreshMembers(const RecordingSet* set) {
 }
 
 void SetPanel::retranslate() {
-    sets_->setAccessibleName(tr("Set of recordings"));
-    sets_->setToolTip(
+    setWords(
+        *sets_, tr("Set of recordings"),
         tr("Recordings of one resonator that are identified together; type here to name them"));
-    add_->setAccessibleName(tr("New set"));
-    add_->setToolTip(tr("New set"));
-    remove_->setAccessibleName(tr("Remove the set"));
-    remove_->setToolTip(tr("Remove the set; its recordings stay open"));
-    members_->setAccessibleName(tr("Recordings of the set"));
-    members_->setToolTip(tr("The open recordings; those of one resonator are checked"));
+    setWords(*add_, tr("New set"), tr("New set"));
+    setWords(*remove_, tr("Remove the set"), tr("Remove the set; its recordings stay open"));
+    setWords(*members_, tr("Recordings of the set"),
+             tr("The open recordings; those of one resonator are checked"));
     model_label_->setText(tr("Model"));
-    model_->setAccessibleName(tr("Model of the resonator"));
-    model_->setToolTip(tr("What the fit assumes of the channels"));
+    setWords(*model_, tr("Model of the resonator"), tr("What the fit assumes of the channels"));
     const QString names[] = {tr("Automatic"), tr("Structured: calibrated pick-offs"),
                              tr("Free: modes alone")};
     const QString tips[] = {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vybeg::ui {
 namespace {
@@ -12,28 +11,15 @@ constexpr double points_in_period = 12;
 constexpr double least_period = 8;  // pixels of a period that is seen
 constexpr double margin = 0.06;
 
-class Extremes {
-public:
-    void add(double value) {
-        if (std::isfinite(value)) {
-            low_ = std::min(low_, value);
-            high_ = std::max(high_, value);
-        }
+AxisRange withMargin(const Extent& extent) {
+    if (extent.low > extent.high) {
+        return {-1, 1};
     }
-
-    AxisRange range() const {
-        if (low_ > high_) {
-            return {-1, 1};
-        }
-        const double span = std::max(high_ - low_, 1e-9 * std::max(std::abs(low_), high_));
-        const double beyond = span > 0 ? margin * span : 1;
-        return {low_ - beyond, high_ + beyond};
-    }
-
-private:
-    double low_ = std::numeric_limits<double>::infinity();
-    double high_ = -std::numeric_limits<double>::infinity();
-};
+    const double span =
+        std::max(extent.high - extent.low, 1e-9 * std::max(std::abs(extent.low), extent.high));
+    const double beyond = span > 0 ? margin * span : 1;
+    return {extent.low - beyond, extent.high + beyond};
+}
 
 // Columns of a whole number of widths from the start of the recording, so that a signal that is
 // panned does not flicker.
@@ -79,33 +65,32 @@ void addWave(const SignalContent& content, int width, SignalPicture& picture) {
     }
 }
 
-void addSignal(const SignalContent& content, const SignalPicture& picture, bool d,
-               Extremes& extremes) {
+void addSignal(const SignalContent& content, const SignalPicture& picture, bool d, Extent& extent) {
     const Calibration& calibration = content.calibration;
     const double gain = d ? calibration.kappa : 1;
     const double offset = d ? calibration.offset_d : calibration.offset_c;
     for (const EnvelopeBucket& column : picture.columns) {
         const ChannelRange& range = d ? column.d : column.c;
-        extremes.add(gain * (static_cast<double>(range.min) - offset));
-        extremes.add(gain * (static_cast<double>(range.max) - offset));
+        extent.add(gain * (static_cast<double>(range.min) - offset));
+        extent.add(gain * (static_cast<double>(range.max) - offset));
     }
     if (picture.samples && content.excerpt) {
         for (const double value : d ? content.excerpt->d : content.excerpt->c) {
-            extremes.add(value);
+            extent.add(value);
         }
     }
     for (const double value : d ? picture.wave.d : picture.wave.c) {
-        extremes.add(value);
+        extent.add(value);
         if (!picture.smooth) {
-            extremes.add(-value);
+            extent.add(-value);
         }
     }
 }
 
-void addResidual(const SignalContent& content, const SignalPicture& picture, Extremes& extremes) {
+void addResidual(const SignalContent& content, const SignalPicture& picture, Extent& extent) {
     const auto both = [&](double value) {
-        extremes.add(value);
-        extremes.add(-value);
+        extent.add(value);
+        extent.add(-value);
     };
     if (picture.samples && content.excerpt) {
         for (std::size_t k = 0; k < content.excerpt->size(); ++k) {
@@ -155,13 +140,13 @@ SignalPicture pictureOf(const SignalContent& content, int width) {
 }
 
 AxisRange valuesOf(const SignalContent& content, const SignalPicture& picture, SignalPart part) {
-    Extremes extremes;
+    Extent extent;
     switch (part) {
-        case SignalPart::c: addSignal(content, picture, false, extremes); break;
-        case SignalPart::d: addSignal(content, picture, true, extremes); break;
-        case SignalPart::residual: addResidual(content, picture, extremes); break;
+        case SignalPart::c: addSignal(content, picture, false, extent); break;
+        case SignalPart::d: addSignal(content, picture, true, extent); break;
+        case SignalPart::residual: addResidual(content, picture, extent); break;
     }
-    return extremes.range();
+    return withMargin(extent);
 }
 
 }  // namespace vybeg::ui

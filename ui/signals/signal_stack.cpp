@@ -70,31 +70,28 @@ int decimalsOf(const SignalPanel& panel) {
 template <class Value>
 QPolygonF SignalGraph::points(Value value) const {
     QPolygonF list;
-    list.reserve(static_cast<qsizetype>(picture_->to - picture_->from));
-    for (std::size_t k = picture_->from; k < picture_->to; ++k) {
-        const double stored = value(*content_->excerpt, k);
+    list.reserve(static_cast<qsizetype>(picture_.to - picture_.from));
+    for (std::size_t k = picture_.from; k < picture_.to; ++k) {
+        const double stored = value(*content_.excerpt, k);
         list.append(
-            {x(content_->excerpt->time_s(k)), std::isfinite(stored) ? y(stored) : std::nan("")});
+            {x(content_.excerpt->time_s(k)), std::isfinite(stored) ? y(stored) : std::nan("")});
     }
     return list;
 }
 
 double SignalGraph::samplesApart() const {
-    return std::abs(x(1 / content_->rate_hz) - x(0));
+    return std::abs(x(1 / content_.rate_hz) - x(0));
 }
 
 void SignalGraph::draw(QCPPainter* painter) {
-    if (!content_ || !picture_) {
-        return;
-    }
-    const bool some = picture_->samples && content_->excerpt && picture_->to > picture_->from;
-    if (!picture_->columns.empty() || !picture_->rms.empty()) {
+    const bool some = picture_.samples && content_.excerpt && picture_.to > picture_.from;
+    if (!picture_.columns.empty() || !picture_.rms.empty()) {
         painter->save();
         if (some) {
             // Beside the samples that are there already.
             const QRectF all(clipRect());
-            const double from = x(content_->excerpt->time_s(picture_->from));
-            const double to = x(content_->excerpt->time_s(picture_->to - 1));
+            const double from = x(content_.excerpt->time_s(picture_.from));
+            const double to = x(content_.excerpt->time_s(picture_.to - 1));
             QRegion beside(clipRect());
             beside -= QRectF(from, all.top(), to - from, all.height()).toAlignedRect();
             painter->setClipRegion(beside, Qt::IntersectClip);
@@ -103,15 +100,15 @@ void SignalGraph::draw(QCPPainter* painter) {
         painter->restore();
     }
     if (part_ == SignalPart::residual) {
-        if (some && content_->analysis) {
+        if (some && content_.analysis) {
             drawDots(*painter, points([](const auto& e, auto k) { return e.residual_c(k); }),
-                     content_->theme.signalC);
+                     content_.theme.signalC);
             drawDots(*painter, points([](const auto& e, auto k) { return e.residual_d(k); }),
-                     content_->theme.signalD);
+                     content_.theme.signalD);
         }
         return;
     }
-    const QColor ink = isD() ? content_->theme.signalD : content_->theme.signalC;
+    const QColor ink = isD() ? content_.theme.signalD : content_.theme.signalC;
     QPolygonF samples;
     if (some) {
         samples = points([d = isD()](const auto& e, auto k) { return d ? e.d[k] : e.c[k]; });
@@ -122,7 +119,7 @@ void SignalGraph::draw(QCPPainter* painter) {
         drawLost(*painter);
     }
     drawCurve(*painter, 1);
-    if (!picture_->smooth) {
+    if (!picture_.smooth) {
         drawCurve(*painter, -1);
     }
     if (some && samplesApart() >= dots_apart) {
@@ -131,25 +128,25 @@ void SignalGraph::draw(QCPPainter* painter) {
 }
 
 void SignalGraph::drawColumns(QCPPainter& painter) const {
-    if (picture_->columns.empty()) {
+    if (picture_.columns.empty()) {
         return;
     }
-    const double from = x(picture_->columns_from_s);
-    const double to = x(picture_->columns_to_s);
+    const double from = x(picture_.columns_from_s);
+    const double to = x(picture_.columns_to_s);
     const QRectF area(from, clipRect().top(), to - from, clipRect().height());
-    const ColumnRow row{area, (to - from) / static_cast<double>(picture_->columns.size())};
-    const Calibration& calibration = content_->calibration;
+    const ColumnRow row{area, (to - from) / static_cast<double>(picture_.columns.size())};
+    const Calibration& calibration = content_.calibration;
     const double gain = isD() ? calibration.kappa : 1;
     const double offset = isD() ? calibration.offset_d : calibration.offset_c;
     const double scale = gain * (y(0) - y(1));
-    const EnvelopeLane lane = isD() ? EnvelopeLane{content_->theme.signalD, y(0) + scale * offset,
+    const EnvelopeLane lane = isD() ? EnvelopeLane{content_.theme.signalD, y(0) + scale * offset,
                                                    scale, &EnvelopeBucket::d}
-                                    : EnvelopeLane{content_->theme.signalC, y(0) + scale * offset,
+                                    : EnvelopeLane{content_.theme.signalC, y(0) + scale * offset,
                                                    scale, &EnvelopeBucket::c};
     painter.setAntialiasing(false);
-    paintUnread(painter, row, picture_->columns, content_->theme);
-    paintLane(painter, row, picture_->columns, lane);
-    paintMissing(painter, row, picture_->columns, content_->theme);
+    paintUnread(painter, row, picture_.columns, content_.theme);
+    paintLane(painter, row, picture_.columns, lane);
+    paintMissing(painter, row, picture_.columns, content_.theme);
 }
 
 // Between minus and plus the rms a pale band, and what lies between the least and the largest rms
@@ -157,13 +154,13 @@ void SignalGraph::drawColumns(QCPPainter& painter) const {
 void SignalGraph::drawRms(QCPPainter& painter) const {
     QVector<QLineF> band;
     QVector<QLineF> rims;
-    if (picture_->rms.empty()) {
+    if (picture_.rms.empty()) {
         return;
     }
     // Windows may be wider than a pixel.
-    const double half = 0.5 * static_cast<double>(content_->analysis->plan.hop) / content_->rate_hz;
+    const double half = 0.5 * static_cast<double>(content_.analysis->plan.hop) / content_.rate_hz;
     double next = clipRect().left();  // the first pixel that is not drawn yet
-    for (const CurveColumn& column : picture_->rms) {
+    for (const CurveColumn& column : picture_.rms) {
         if (column.empty()) {
             continue;
         }
@@ -177,12 +174,12 @@ void SignalGraph::drawRms(QCPPainter& painter) const {
             }
         }
     }
-    QColor pale = content_->theme.text;
+    QColor pale = content_.theme.text;
     pale.setAlphaF(0.16F);
     painter.setAntialiasing(false);
     painter.setPen(QPen(pale, 1, Qt::SolidLine, Qt::FlatCap));
     painter.drawLines(band);
-    painter.setPen(QPen(content_->theme.mutedText, 1, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(content_.theme.mutedText, 1, Qt::SolidLine, Qt::FlatCap));
     painter.drawLines(rims);
 }
 
@@ -195,7 +192,7 @@ void SignalGraph::drawLines(QCPPainter& painter, const QPolygonF& points,
 }
 
 void SignalGraph::drawCurve(QCPPainter& painter, double sign) const {
-    const SignalCurve& curve = picture_->wave;
+    const SignalCurve& curve = picture_.wave;
     const std::vector<double>& values = isD() ? curve.d : curve.c;
     QPolygonF points;
     points.reserve(static_cast<qsizetype>(values.size()));
@@ -203,9 +200,9 @@ void SignalGraph::drawCurve(QCPPainter& painter, double sign) const {
         points.append(
             {x(curve.time_s[k]), std::isfinite(values[k]) ? y(sign * values[k]) : std::nan("")});
     }
-    const bool fine = !picture_->smooth || picture_->period_pixels >= smooth_period;
+    const bool fine = !picture_.smooth || picture_.period_pixels >= smooth_period;
     painter.setAntialiasing(fine);
-    painter.setPen(QPen(content_->theme.text, fine ? 1.4 : 1, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(content_.theme.text, fine ? 1.4 : 1, Qt::SolidLine, Qt::FlatCap));
     painter.drawLines(segmentsOf(points));
 }
 
@@ -236,31 +233,34 @@ void SignalGraph::drawDots(QCPPainter& painter, const QPolygonF& points,
 
 // Missing samples, as in the columns.
 void SignalGraph::drawLost(QCPPainter& painter) const {
-    const std::vector<double>& values = isD() ? content_->excerpt->d : content_->excerpt->c;
-    QColor veil = content_->theme.warning;
+    const std::vector<double>& values = isD() ? content_.excerpt->d : content_.excerpt->c;
+    QColor veil = content_.theme.warning;
     veil.setAlphaF(0.35F);
     const double width = std::max(1., samplesApart());
-    for (std::size_t k = picture_->from; k < picture_->to; ++k) {
+    for (std::size_t k = picture_.from; k < picture_.to; ++k) {
         if (!std::isfinite(values[k])) {
-            painter.fillRect(QRectF(x(content_->excerpt->time_s(k)) - 0.5 * width, clipRect().top(),
+            painter.fillRect(QRectF(x(content_.excerpt->time_s(k)) - 0.5 * width, clipRect().top(),
                                     width, clipRect().height()),
                              veil);
         }
     }
 }
 
-SignalPanel::SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head)
-    : TimePanel(plot, head), part_(part), graph_(new SignalGraph(timeAxis(), valueAxis(), part)) {}
+SignalPanel::SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head,
+                         const SignalContent& content, const SignalPicture& picture)
+    : TimePanel(plot, head), part_(part), content_(content), picture_(picture) {
+    new SignalGraph(timeAxis(), valueAxis(), part, content, picture);  // of the plot
+}
 
-void SignalPanel::setPicture(const SignalContent& content, const SignalPicture& picture,
-                             const QFont& font) {
-    stored_unit_ = content.unit;
-    empty_ = part_ == SignalPart::residual && !content.analysis ? content.no_residual : QString();
-    setLook(content.theme, font);
-    setScaleShown(empty_.isEmpty());
-    setTime(content.time);
-    setValues(valuesOf(content, picture, part_));
-    graph_->setPicture(&content, &picture);
+void SignalPanel::refresh(const QFont& font) {
+    setLook(content_.theme, font);
+    setScaleShown(emptyText().isEmpty());
+    setTime(content_.time);
+    setValues(valuesOf(content_, picture_, part_));
+}
+
+QString SignalPanel::emptyText() const {
+    return part_ == SignalPart::residual && !content_.analysis ? content_.no_residual : QString();
 }
 
 QString SignalPanel::symbol() const {
@@ -273,13 +273,13 @@ QString SignalPanel::symbol() const {
 }
 
 QString SignalPanel::unit(const AxisTicks& ticks) const {
-    return scaledUnit(stored_unit_, !stored_unit_.isEmpty(), ticks.exponent);
+    return scaledUnit(content_.unit, !content_.unit.isEmpty(), ticks.exponent);
 }
 
 SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head)
     : TimeStack(plot, 0, head) {
     for (const SignalPart part : parts) {
-        panels_.push_back(new SignalPanel(&plot, part, head));
+        panels_.push_back(new SignalPanel(&plot, part, head, content_, picture_));
     }
     build({panels_.begin(), panels_.end()});
 }
@@ -289,7 +289,7 @@ void SignalStack::setContent(SignalContent content, QSize size) {
     prepare(size);
     picture_ = pictureOf(content_, frameWidth(size.width()));
     for (SignalPanel* panel : panels_) {
-        panel->setPicture(content_, picture_, plotFont(plot()));
+        panel->refresh(plotFont(plot()));
     }
     setLook(content_.theme);
     if (head() == PlotHead::line) {

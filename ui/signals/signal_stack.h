@@ -14,14 +14,10 @@ namespace vybeg::ui {
 // windows or its samples.
 class SignalGraph : public TimeGraph {
 public:
-    SignalGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, SignalPart part)
-        : TimeGraph(keyAxis, valueAxis), part_(part) {}
-
-    // Both outlive the graph or are replaced before the next drawing.
-    void setPicture(const SignalContent* content, const SignalPicture* picture) {
-        content_ = content;
-        picture_ = picture;
-    }
+    // Content and picture outlive its drawings.
+    SignalGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, SignalPart part, const SignalContent& content,
+                const SignalPicture& picture)
+        : TimeGraph(keyAxis, valueAxis), part_(part), content_(content), picture_(picture) {}
 
 protected:
     void draw(QCPPainter* painter) override;
@@ -42,29 +38,30 @@ private:
     void drawLost(QCPPainter& painter) const;
 
     SignalPart part_;
-    const SignalContent* content_ = nullptr;
-    const SignalPicture* picture_ = nullptr;
+    const SignalContent& content_;
+    const SignalPicture& picture_;
 };
 
 // One plot of the signals.
 class SignalPanel : public TimePanel {
 public:
-    SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head);
+    // Content and picture outlive its drawings.
+    SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head, const SignalContent& content,
+                const SignalPicture& picture);
 
     SignalPart part() const { return part_; }
-    // Both outlive the panel or are replaced before the next drawing.
-    void setPicture(const SignalContent& content, const SignalPicture& picture, const QFont& font);
+    // Content or picture are others.
+    void refresh(const QFont& font);
 
 protected:
     QString symbol() const override;
     QString unit(const AxisTicks& ticks) const override;
-    QString emptyText() const override { return empty_; }
+    QString emptyText() const override;
 
 private:
     SignalPart part_;
-    SignalGraph* graph_;
-    QString stored_unit_;
-    QString empty_;
+    const SignalContent& content_;
+    const SignalPicture& picture_;
 };
 
 // The plots of the signals, on paper with a legend above; on the screen the overlay says what the

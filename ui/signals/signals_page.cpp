@@ -34,47 +34,37 @@ AxisRange beyond(const AxisRange& range, double spans) {
 SignalsView::SignalsView(TrackView& tracks, QWidget* parent)
     : TimeGestures(parent),
       tracks_(tracks),
-      stack_(std::make_unique<SignalStack>(
-          plot(), std::vector(all_signal_parts.begin(), all_signal_parts.end()), PlotHead::margin)),
-      overlay_(new SignalOverlay(*stack_, [this] { return hairs(); })) {
-    setPlots(*stack_, *overlay_);
+      stack_(*new SignalStack(plot(), std::vector(all_signal_parts.begin(), all_signal_parts.end()),
+                              PlotHead::margin)) {
+    setPlots(&stack_, *new SignalOverlay(stack_, [this] { return hairs(); }));
     layout()->setContentsMargins(1, 1, 1, 1);  // the frame of the keyboard focus
     setFocusPolicy(Qt::StrongFocus);
     whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange},
                 [this] { setContent(content()); });
 }
 
-SignalsView::~SignalsView() {
-    removePlot();
-}
-
 void SignalsView::setContent(SignalContent content) {
     content.time = tracks_.timeRange();
     plot().setBackground(QBrush(content.theme.plotBackground));
-    stack_->setContent(std::move(content), plot().size());
+    stack_.setContent(std::move(content), plot().size());
     plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
 const SignalContent& SignalsView::content() const {
-    return stack_->content();
+    return stack_.content();
 }
 
 const SignalPicture& SignalsView::picture() const {
-    return stack_->picture();
+    return stack_.picture();
 }
 
 int SignalsView::timeWidth() const {
-    return stack_->frameWidth(plot().width());
+    return stack_.frameWidth(plot().width());
 }
 
 void SignalsView::moveTracker(std::optional<double> time_s) {
     tracks_.moveTracker(time_s);
     refreshOverlay();
-}
-
-void SignalsView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    emit resized();
 }
 
 // The frame shows the keyboard focus.
@@ -88,12 +78,11 @@ void SignalsView::paintEvent(QPaintEvent* event) {
 }
 
 SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
-    : QWidget(parent),
+    : MeasuredPage(parent),
       document_(document),
       tracks_(tracks),
       state_(withName(new QLabel(this), "signalsState")),
-      view_(new SignalsView(tracks, this)),
-      theme_(lightTheme()) {
+      view_(new SignalsView(tracks, this)) {
     setObjectName(QStringLiteral("signals"));
     state_->setWordWrap(true);
     state_->setContentsMargins(6, 2, 6, 2);
@@ -104,7 +93,9 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     pause_.setSingleShot(true);
     pause_.setInterval(pause_ms);
     connect(&pause_, &QTimer::timeout, this, &SignalsPage::request);
-    connect(view_, &SignalsView::resized, this, &SignalsPage::refresh);
+    whenChanged(*this, {QEvent::Show}, [this] { refresh(); });
+    whenChanged(*this, {QEvent::Hide}, [this] { stop(); });
+    whenChanged(*view_, {QEvent::Resize}, [this] { refresh(); });
     connect(&tracks_, &TrackView::timeRangeChanged, this, &SignalsPage::refresh);
     connect(&tracks_, &TrackView::cursorsChanged, this, &SignalsPage::showCursors);
     connect(&document_, &Document::recordingsChanged, this, &SignalsPage::refresh);
@@ -112,7 +103,7 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     connect(&document_, &Document::currentRecordingChanged, this, &SignalsPage::refresh);
     connect(&document_, &Document::envelopeGrown, this, &SignalsPage::refresh);
     connect(&document_, &Document::analysesChanged, this, &SignalsPage::refresh);
-    keepTranslated(*this, [this] { retranslate(); });
+    retranslate();
 }
 
 const AnalysisEntry* SignalsPage::fitted() const {
@@ -125,11 +116,6 @@ const AnalysisEntry* SignalsPage::fitted() const {
 
 void SignalsPage::setAnalysis(AnalysisId id) {
     analysis_id_ = id;
-    refresh();
-}
-
-void SignalsPage::setTheme(const Theme& theme) {
-    theme_ = theme;
     refresh();
 }
 
@@ -161,7 +147,7 @@ SignalContent SignalsPage::content() const {
     }
     content.wave = wave_;
     content.no_residual = tr("The residual is what an analysis leaves of the samples.");
-    content.theme = theme_;
+    content.theme = theme();
     content.time = tracks_.timeRange();
     return content;
 }
@@ -303,13 +289,7 @@ FigureSource SignalsPage::figures() const {
     return source;
 }
 
-void SignalsPage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    refresh();
-}
-
-void SignalsPage::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
+void SignalsPage::stop() {
     pause_.stop();
     job_.forget(job_key);
     reading_ = false;

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
-#include "ui/plots/plot_file.h"
+#include "ui/plots/measured_page.h"
 #include "ui/plots/track_view.h"
 #include "ui/signals/signal_picture.h"
 #include "ui/values/ids.h"
 
 #include <QTimer>
-#include <QWidget>
 
 #include <memory>
 #include <optional>
@@ -16,7 +15,6 @@ class QLabel;
 
 namespace vybeg::ui {
 
-class SignalOverlay;
 class SignalStack;
 
 // The plots of the signals; time range, zoom history, tracker and cursors are those of the view of
@@ -26,7 +24,6 @@ class SignalsView : public TimeGestures {
 
 public:
     explicit SignalsView(TrackView& tracks, QWidget* parent = nullptr);
-    ~SignalsView() override;
 
     ZoomNavigator& zoom() override { return tracks_.zoom(); }
     std::optional<double> tracker() const override { return tracks_.tracker(); }
@@ -47,28 +44,22 @@ public:
     QSize sizeHint() const override { return {900, 700}; }
     QSize minimumSizeHint() const override { return {320, 320}; }
 
-signals:
-    void resized();
-
 protected:
-    void resizeEvent(QResizeEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
     TrackView& tracks_;
-    std::unique_ptr<SignalStack> stack_;
-    SignalOverlay* overlay_;
+    SignalStack& stack_;
 };
 
 class Document;
-class TrackView;
 struct RecordingEntry;
 struct AnalysisEntry;
 
 // The signals of the current recording as samples, with the wave that the chosen analysis fitted to
 // them and what it leaves. Few samples are read in the background; what was read before is shown
 // until they are there. Time range, zoom history and cursors are those of the tracks.
-class SignalsPage : public QWidget {
+class SignalsPage : public MeasuredPage {
     Q_OBJECT
 
 public:
@@ -76,7 +67,6 @@ public:
     SignalsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
     void setAnalysis(AnalysisId id);
-    void setTheme(const Theme& theme);
     // Whether the wave of the analysis is drawn over the samples.
     void setWave(bool shown);
     // Draws the cursors again.
@@ -85,11 +75,7 @@ public:
     // Whether samples are being read, or are about to be.
     bool reading() const { return reading_ || pause_.isActive(); }
 
-    FigureSource figures() const;
-
-protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
+    FigureSource figures() const override;
 
 private:
     // Samples with their fitted wave, and what the next excerpt of the same is taken from.
@@ -102,11 +88,13 @@ private:
     const AnalysisEntry* fitted() const;
     void refresh();
     void request();
+    void stop();
     void take(Result<Excerpt> result);
     SignalContent content() const;
     void showState();
     QString stateText() const;
-    void retranslate();
+    void showAgain() override { refresh(); }
+    void retranslate() override;
 
     Document& document_;
     TrackView& tracks_;
@@ -115,7 +103,6 @@ private:
     bool wave_ = true;  // of the analysis, over the samples
     QLabel* state_;
     SignalsView* view_;
-    Theme theme_;
     AnalysisId analysis_id_ = AnalysisId::none;
     // Of the excerpt that is shown, and of the next one.
     std::optional<SignalSource> source_;

@@ -35,10 +35,7 @@ QString sweepUnit(const SweepView& view, std::size_t variable) {
 using ValueOf = std::function<double(const SweepLength&)>;
 
 // What is not above zero has no place on a logarithmic axis.
-XYSeries seriesOf(const WindowSweep& sweep, const QString& name, double factor,
-                  const ValueOf& value) {
-    XYSeries series;
-    series.name = name;
+XYSeries seriesOf(const WindowSweep& sweep, XYSeries series, double factor, const ValueOf& value) {
     for (const SweepLength& each : sweep.lengths) {
         const double y = factor * value(each);
         series.x.push_back(static_cast<double>(each.length));
@@ -47,31 +44,9 @@ XYSeries seriesOf(const WindowSweep& sweep, const QString& name, double factor,
     return series;
 }
 
-XYSeries withInk(XYSeries series, Ink ink, bool dashed = false) {
-    series.ink = ink;
-    series.dashed = dashed;
-    return series;
+void extend(Extent& extent, const XYSeries& series) {
+    std::ranges::for_each(series.y, [&extent](double y) { extent.add(y); });
 }
-
-XYSeries asPoints(XYSeries series, int style) {
-    series.points = true;
-    series.style = style;
-    return series;
-}
-
-struct Extent {
-    double low = 1e300;
-    double high = 0;
-
-    void take(const XYSeries& series) {
-        for (const double y : series.y) {
-            if (std::isfinite(y)) {
-                low = std::min(low, y);
-                high = std::max(high, y);
-            }
-        }
-    }
-};
 
 // A vertical line at the recommended length, and a mark on the chosen point.
 void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
@@ -86,12 +61,10 @@ void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
 }
 
 XYPlot emptyPlot() {
-    XYPlot plot;
-    plot.x_name = QStringLiteral("n");
-    plot.x_unit = SweepWords::tr("samples");
-    plot.x_logarithmic = true;
-    plot.y_logarithmic = true;
-    return plot;
+    return {.x_name = QStringLiteral("n"),
+            .x_unit = SweepWords::tr("samples"),
+            .x_logarithmic = true,
+            .y_logarithmic = true};
 }
 
 QString shortText(double value) {
@@ -209,39 +182,36 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view) {
         return plot;
     }
     const double factor = sweepFactor(*sweep, view, view.variable);
-    const auto series = [&](const QString& name, double SweepValue::*member) {
-        return seriesOf(*sweep, name, factor, [&](const SweepLength& each) {
+    const auto add = [&](const XYSeries& look, double SweepValue::*member) {
+        plot.series.push_back(seriesOf(*sweep, look, factor, [&](const SweepLength& each) {
             return each.values[view.variable].*member;
-        });
+        }));
     };
-    XYSeries scatter = asPoints(series(SweepWords::tr("scatter"), &SweepValue::scatter), 0);
-    scatter.ink = Ink::text;
+    add({.name = SweepWords::tr("scatter"), .ink = Ink::text, .points = true},
+        &SweepValue::scatter);
     for (const SweepLength& each : sweep->lengths) {
-        scatter.sd.push_back(factor * each.values[view.variable].sd_scatter);
+        plot.series.back().sd.push_back(factor * each.values[view.variable].sd_scatter);
     }
-    plot.series.push_back(std::move(scatter));
-    plot.series.push_back(
-        withInk(series(SweepWords::tr("stated sd"), &SweepValue::stated), Ink::channel_c));
-    plot.series.push_back(
-        withInk(series(SweepWords::tr("bound"), &SweepValue::bound), Ink::muted, true));
-    XYSeries motion = asPoints(series(SweepWords::tr("motion"), &SweepValue::motion), 2);
-    motion.ink = Ink::channel_d;
-    plot.series.push_back(std::move(motion));
+    add({.name = SweepWords::tr("stated sd"), .ink = Ink::channel_c}, &SweepValue::stated);
+    add({.name = SweepWords::tr("bound"), .ink = Ink::muted, .dashed = true}, &SweepValue::bound);
+    add({.name = SweepWords::tr("motion"), .style = 2, .ink = Ink::channel_d, .points = true},
+        &SweepValue::motion);
     Extent extent;
     for (const std::size_t k : {0, 1, 2}) {
-        extent.take(plot.series[k]);
+        extend(extent, plot.series[k]);
     }
     const double floor = extent.low / 4;
     for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
-        XYSeries leakage = seriesOf(
-            *sweep, SweepWords::tr("leakage %1").arg(k + 1), factor,
-            [&](const SweepLength& each) { return each.values[view.variable].leakage[k]; });
-        leakage.style = static_cast<int>(k) + 2;
-        leakage.thin = true;
-        extent.take(leakage);
-        plot.series.push_back(std::move(leakage));
+        plot.series.push_back(seriesOf(*sweep,
+                                       {.name = SweepWords::tr("leakage %1").arg(k + 1),
+                                        .style = static_cast<int>(k) + 2,
+                                        .thin = true},
+                                       factor, [&](const SweepLength& each) {
+                                           return each.values[view.variable].leakage[k];
+                                       }));
+        extend(extent, plot.series.back());
     }
-    extent.take(plot.series[3]);
+    extend(extent, plot.series[3]);
     // Whole half-periods have a leakage of almost nothing, which needs no room.
     plot.y_range = extent.high > 0 ? AxisRange{floor, 2 * extent.high} : AxisRange{0.1, 10};
     for (XYSeries& each : plot.series) {  // a curve that lies below the plot needs no name
@@ -260,21 +230,16 @@ XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view) {
     if (sweep == nullptr || sweep->lengths.empty()) {
         return plot;
     }
-    XYSeries noise = asPoints(seriesOf(*sweep, SweepWords::tr("noise"), 1,
-                                       [](const SweepLength& each) { return each.noise; }),
-                              0);
-    noise.ink = Ink::text;
-    plot.series.push_back(std::move(noise));
-    plot.series.push_back(withInk(seriesOf(*sweep, SweepWords::tr("rms"), 1,
-                                           [](const SweepLength& each) { return each.rms; }),
-                                  Ink::channel_c));
-    plot.series.push_back(
-        withInk(seriesOf(*sweep, SweepWords::tr("white"), 1,
-                         [sweep](const SweepLength&) { return sweep->white_noise; }),
-                Ink::muted, true));
+    const auto add = [&](const XYSeries& look, const ValueOf& value) {
+        plot.series.push_back(seriesOf(*sweep, look, 1, value));
+    };
+    add({.name = SweepWords::tr("noise"), .ink = Ink::text, .points = true}, &SweepLength::noise);
+    add({.name = SweepWords::tr("rms"), .ink = Ink::channel_c}, &SweepLength::rms);
+    add({.name = SweepWords::tr("white"), .ink = Ink::muted, .dashed = true},
+        [sweep](const SweepLength&) { return sweep->white_noise; });
     Extent extent;
     for (const XYSeries& each : plot.series) {
-        extent.take(each);
+        extend(extent, each);
     }
     plot.y_range =
         extent.high > 0 ? AxisRange{extent.low / 1.5, 1.5 * extent.high} : AxisRange{0.1, 10};

@@ -164,7 +164,7 @@ SweepView SweepPage::view() const {
     SweepView view;
     view.variable = static_cast<std::size_t>(variable_->currentIndex());
     view.chosen = chosen_;
-    view.units = units_;
+    view.units = units();
     if (current() && current()->recording) {
         view.channel_unit = channelUnit(*current()->recording);
     }
@@ -347,17 +347,10 @@ void SweepPage::showFound() {
     table_->setContent(sweepHeaders(*shown, view), sweepRows(*shown, view));
 }
 
-void SweepPage::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    retranslate();
-}
-
 QLayout* SweepPage::buildHead() {
     recording_->setTextFormat(Qt::PlainText);
     recording_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    for ([[maybe_unused]] const Algorithm each : all_algorithms) {
-        algorithm_->addItem(QString());
-    }
+    algorithm_->addItems(QStringList(std::ssize(all_algorithms)));
     algorithm_label_->setBuddy(algorithm_);
     lengths_label_->setBuddy(lengths_);
     progress_->setRange(0, progress_steps);
@@ -365,8 +358,7 @@ QLayout* SweepPage::buildHead() {
     auto* first = fill(new QHBoxLayout, {{recording_, 1}, algorithm_label_, algorithm_, snap_});
     auto* second =
         fill(new QHBoxLayout, {lengths_label_, {lengths_, 2}, compute_, {progress_, 1}, cancel_});
-    auto* rows = fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, second, state_});
-    return rows;
+    return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, second, state_});
 }
 
 QWidget* SweepPage::buildContent() {
@@ -374,9 +366,7 @@ QWidget* SweepPage::buildContent() {
     variable_label_ = new QLabel(content);
     variable_ = withName(new QComboBox(content), "sweepVariable");
     variable_->setItemDelegate(new IndexDelegate(variable_));
-    for ([[maybe_unused]] const SlowVariable each : main_slow_variables) {
-        variable_->addItem(QString());
-    }
+    variable_->addItems(QStringList(std::ssize(main_slow_variables)));
     variable_->setCurrentIndex(2);
     variable_label_->setBuddy(variable_);
     copy_ = withName(new QPushButton(content), "sweepCopy");
@@ -449,15 +439,15 @@ void SweepPage::retranslate() {
     }
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {
         variable_->setItemText(static_cast<int>(v),
-                               indexPlain(displaySymbol(main_slow_variables[v], units_)) +
+                               indexPlain(displaySymbol(main_slow_variables[v], units())) +
                                    QStringLiteral(" – ") + displayMeaning(main_slow_variables[v]));
     }
     algorithm_label_->setText(tr("Algorithm"));
-    algorithm_->setAccessibleName(tr("Algorithm of the sweep"));
-    algorithm_->setToolTip(richTip(tr("Follows the panel Analysis; may be another one here")));
+    setWords(*algorithm_, tr("Algorithm of the sweep"),
+             richTip(tr("Follows the panel Analysis; may be another one here")));
     snap_->setText(tr("Snap"));
-    snap_->setAccessibleName(tr("Snap every length"));
-    snap_->setToolTip(richTip(tr("Moves every length to whole half-periods of the carrier")));
+    setWords(*snap_, tr("Snap every length"),
+             richTip(tr("Moves every length to whole half-periods of the carrier")));
     lengths_label_->setText(tr("Lengths"));
     lengths_->retranslate();
     compute_->setText(tr("Compute"));
@@ -466,8 +456,8 @@ void SweepPage::retranslate() {
     cancel_->setAccessibleName(tr("Cancel the sweep"));
     progress_->setAccessibleName(tr("Progress of the sweep"));
     variable_label_->setText(tr("Variable"));
-    variable_->setAccessibleName(tr("Variable of the sweep"));
-    variable_->setToolTip(richTip(tr("The variable of the left plot and of the table")));
+    setWords(*variable_, tr("Variable of the sweep"),
+             richTip(tr("The variable of the left plot and of the table")));
     copy_->setText(tr("Copy table"));
     copy_->setToolTip(richTip(tr("All variables and lengths to the clipboard, for a spreadsheet")));
     use_->setToolTip(

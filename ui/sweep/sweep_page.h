@@ -60,7 +60,6 @@ class SweepPage : public MeasuredPage {
 public:
     explicit SweepPage(Document& document, QWidget* parent = nullptr);
 
-    void setUnits(const DisplayUnits& units) override;
     // What is shown; null without a result.
     const WindowSweep* sweep() const;
     bool running() const { return running_ != RecordingId::none; }
@@ -96,6 +95,7 @@ private:
     QString missing() const;
     void refresh();
     void showFound();
+    void showAgain() override { retranslate(); }
     void retranslate() override;
 
     Document& document_;
@@ -120,7 +120,6 @@ private:
     QPushButton* use_ = nullptr;
     QLabel* point_ = nullptr;
     QuantityTable* table_ = nullptr;
-    DisplayUnits units_;
     std::optional<Algorithm> followed_;  // of the panel
     bool followed_snap_ = false;
     RecordingId running_ = RecordingId::none;

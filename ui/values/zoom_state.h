@@ -2,6 +2,9 @@
 
 #include "core/track/track.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace vybeg::ui {
@@ -15,6 +18,19 @@ struct AxisRange {
     bool contains(double x) const { return lower <= x && x <= upper; }
 
     friend bool operator==(const AxisRange&, const AxisRange&) = default;
+};
+
+// The least and the greatest of finite numbers; without any, low > high.
+struct Extent {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void add(double value) {
+        if (std::isfinite(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    }
 };
 
 // State of a track view: time range in seconds, and value ranges fixed by the user, in displayed

@@ -64,15 +64,25 @@ void BatchCommands::leave() {
 void BatchCommands::ask(FileQuestions& questions, BatchPath which) {
     const auto take = [this, which](const QString& path) { batch_->form().setPath(which, path); };
     switch (which) {
-        case BatchPath::list: questions.list(take); break;
+        case BatchPath::list:
+            questions.file(FileQuestions::tr("Measurement list"),
+                           {FileQuestions::tr("Measurement list (*.csv *.txt)")}, take,
+                           FileQuestions::Folder::follows);
+            break;
         case BatchPath::folder: questions.folder(tr("Folder of recordings"), take); break;
         case BatchPath::results: {
             const QString now = batch_->form().path(which);
-            questions.tableTarget(now.isEmpty() ? QStringLiteral("results.csv") : now, take);
+            questions.target(
+                FileQuestions::tr("Results"), now.isEmpty() ? QStringLiteral("results.csv") : now,
+                {FileQuestions::tr("Table (*.csv)")}, take, FileQuestions::Existing::stays);
             break;
         }
         case BatchPath::passports: questions.folder(tr("Folder of passports"), take); break;
-        case BatchPath::database: questions.databaseToFill(take); break;
+        case BatchPath::database:
+            questions.target(FileQuestions::tr("Database of results"), QStringLiteral("results.db"),
+                             {FileQuestions::tr("Database of results (*.db *.sqlite)")}, take,
+                             FileQuestions::Existing::stays);
+            break;
         case BatchPath::json: questions.folder(tr("Folder for JSON files"), take); break;
     }
 }

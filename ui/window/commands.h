@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QKeySequence>
 #include <QList>
 #include <QObject>
@@ -35,11 +36,11 @@ enum class Command {
     redo,
     copy_plot,
     copy_table,
-    page_tracks,
+    page_tracks,  // from here on as Page
     page_signals,
-    page_resonator,
     page_residuals,
     page_windows,
+    page_resonator,
     page_drift,
     page_history,
     zoom_in,
@@ -78,6 +79,15 @@ struct CommandRow {
     std::function<QString()> object{};  // words behind the text, as of what is undone
     std::function<void()> act{};
     std::function<void(bool)> switched{};
+};
+
+class MainWindow;
+
+// The table of all commands of a window.
+struct WindowCommands {
+    static std::vector<CommandRow> of(MainWindow& w);
+
+    Q_DECLARE_TR_FUNCTIONS(Command)
 };
 
 // The actions of a table of commands, which has a row for each of Command.

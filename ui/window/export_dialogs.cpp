@@ -78,8 +78,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
                             const QString& unit, double least, double most) {
         field->setLimits(least, most);
         field->setUnit(unit);
-        field->setAccessibleName(name);
-        field->setToolTip(tip);
+        setWords(*field, name, tip);
         form->addRow(name, field);
         connect(field, &NumberField::valueEdited, this, &ExportDialog::refresh);
         connect(field, &NumberField::faultChanged, this, &ExportDialog::refresh);
@@ -97,8 +96,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     }
     title_->setPlaceholderText(tr("No title"));
     title_->setClearButtonEnabled(true);
-    title_->setAccessibleName(tr("Title"));
-    title_->setToolTip(tr("Above the plots; empty: none"));
+    setWords(*title_, tr("Title"), tr("Above the plots; empty: none"));
     form->addRow(tr("Title"), title_);
     settings_->setChecked(kept.value(settings_key, true).toBool() && !source_.settings.isEmpty());
     settings_->setEnabled(!source_.settings.isEmpty());
@@ -130,13 +128,12 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     preview_->setAccessibleName(tr("The figure as it will be"));
     preview_->setAlignment(Qt::AlignCenter);
     preview_->setMinimumSize(420, 300);
-    auto* sides = new QHBoxLayout;
     auto* left = new QWidget(this);
     left->setLayout(form);
     left->setMaximumWidth(340);
-    sides->addWidget(left);
-    sides->addWidget(preview_, 1);
+    auto* sides = fill(new QHBoxLayout, {left, {preview_, 1}});
     fill(new QVBoxLayout(this), {{sides, 1}, buttons});
+    whenChanged(*this, {QEvent::Resize}, [this] { refresh(); });
     propose();
     refresh();
 }
@@ -218,11 +215,6 @@ void ExportDialog::refresh() {
     preview_->setPixmap(QPixmap::fromImage(image));
 }
 
-void ExportDialog::resizeEvent(QResizeEvent* event) {
-    QDialog::resizeEvent(event);
-    refresh();
-}
-
 namespace {
 
 const QString all_plots_key = QStringLiteral("report/all_plots");
@@ -244,8 +236,7 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     auto* form = new QFormLayout(this);
     const auto add = [form](const QString& name, QWidget* field, const QString& tip) {
         form->addRow(name, field);
-        field->setAccessibleName(name);
-        field->setToolTip(tip);
+        setWords(*field, name, tip);
     };
     for (const ReportSubject& each : subjects_) {
         subject_->addItem(each.name);

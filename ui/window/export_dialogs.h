@@ -32,9 +32,6 @@ public:
 signals:
     void saveWanted();
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     std::vector<int> chosen() const;
     QString shownSettings() const;  // below the plots

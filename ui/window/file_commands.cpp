@@ -89,8 +89,8 @@ FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView
             [this](const QString& path) { openLogs({path}); });
     connect(&session_, &SessionKeeper::fileWanted, this,
             [this](std::size_t absent, const QString& name) {
-                ask_.missingRecording(
-                    name, [this, absent](const QString& path) { session_.supply(absent, path); });
+                ask_.file(FileQuestions::tr("Where is %1?").arg(name), {},
+                          [this, absent](const QString& path) { session_.supply(absent, path); });
             });
 }
 
@@ -185,13 +185,14 @@ void FileCommands::saveSessionAs(const std::function<void()>& then) {
                                    : current                  ? current->path
                                                               : QStringLiteral("vybeg"))
                              .completeBaseName();
-    ask_.sessionTarget(name, [this, then](const QString& path) {
-        if (const Status possible = stayAsTheyAre(document_, path); !possible) {
-            reportSaved(possible, path);
-        } else {
-            session_.save(path, then);
-        }
-    });
+    ask_.target(FileQuestions::tr("Save session"), name + QStringLiteral(".vybeg"),
+                {FileQuestions::tr("Session (*.vybeg)")}, [this, then](const QString& path) {
+                    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+                        reportSaved(possible, path);
+                    } else {
+                        session_.save(path, then);
+                    }
+                });
 }
 
 void FileCommands::askToSaveAndThen(const std::function<void()>& then) {
@@ -221,46 +222,57 @@ void FileCommands::askToSaveAndThen(const std::function<void()>& then) {
 }
 
 void FileCommands::askForPassport() {
-    ask_.passport([this](const QString& path) { document_.sets().openPassport(path); });
+    ask_.file(FileQuestions::tr("Compare with passport"), {FileQuestions::tr("Passport (*.json)")},
+              [this](const QString& path) { document_.sets().openPassport(path); });
 }
 
-void FileCommands::askForDatabase() {
-    ask_.database([this](const QString& path) { emit databaseChosen(path, false); });
-}
-
-void FileCommands::askForNewDatabase() {
-    ask_.databaseTarget([this](const QString& path) { emit databaseChosen(path, true); });
+void FileCommands::askForDatabase(bool make) {
+    const auto take = [this, make](const QString& path) { emit databaseChosen(path, make); };
+    if (make) {
+        ask_.target(FileQuestions::tr("New database"), QStringLiteral("results.db"),
+                    {FileQuestions::tr("Database of results (*.db)")}, take);
+    } else {
+        ask_.file(FileQuestions::tr("Open database"),
+                  {FileQuestions::tr("Database of results (*.db *.sqlite)")}, take);
+    }
 }
 
 void FileCommands::askWhereToPutTrack() {
     if (const AnalysisEntry* entry = document_.analysis(ledger_.currentAnalysis())) {
-        ask_.trackTarget(trackName(entry->shown),
-                         [this](const QString& path) { exportTrackTo(path); });
+        ask_.target(
+            FileQuestions::tr("Export track"), trackName(entry->shown) + QStringLiteral(".csv"),
+            {FileQuestions::tr("Track (*.csv)"), FileQuestions::tr("Track for MATLAB (*.mat)"),
+             FileQuestions::tr("Track, HDF5 (*.h5)"), FileQuestions::tr("Track for NumPy (*.npz)")},
+            [this](const QString& path) { exportTrackTo(path); });
     }
 }
 
 void FileCommands::askForWholeAngleLogs() {
-    ask_.wholeAngleLogs([this](const QStringList& files) {
-        document_.drift().open(files);
-        emit wholeAngleLogsOpened();
-    });
+    ask_.wholeAngleLogs([this](const QStringList& files) { document_.drift().open(files); });
 }
 
 void FileCommands::askWhereToPutDrift() {
-    ask_.driftTarget([this](const QString& path) { exportDriftTo(path); });
+    ask_.target(FileQuestions::tr("Export drift"), QStringLiteral("drift.csv"),
+                {FileQuestions::tr("Table (*.csv)"), FileQuestions::tr("Result (*.json)")},
+                [this](const QString& path) { exportDriftTo(path); });
 }
 
 void FileCommands::askWhereToPutPassport() {
-    ask_.passportTarget([this](const QString& path) { savePassportTo(path); });
+    ask_.target(FileQuestions::tr("Save passport"), QStringLiteral("passport.json"),
+                {FileQuestions::tr("Passport (*.json)")},
+                [this](const QString& path) { savePassportTo(path); });
 }
 
 void FileCommands::askForImport() {
     const RecordingEntry* current = document_.currentRecording();
     // The current one, to read it in another way.
-    ask_.import(current ? current->path : QString(), [this](const QString& file) {
-        const RecordingEntry* entry = document_.currentRecording();
-        openImport(file, entry && entry->path == file ? entry->options : OpenOptions{});
-    });
+    ask_.file(
+        FileQuestions::tr("Import a recording"), {},
+        [this](const QString& file) {
+            const RecordingEntry* entry = document_.currentRecording();
+            openImport(file, entry && entry->path == file ? entry->options : OpenOptions{});
+        },
+        FileQuestions::Folder::follows, current ? current->path : QString());
 }
 
 void FileCommands::askForLogs() {
@@ -274,8 +286,7 @@ void FileCommands::openLogs(const QStringList& paths) {
     }
     auto* dialog = new LogDialog(imports_, paths, window_);
     logs_ = dialog;
-    connect(dialog, &LogDialog::filesWanted, this,
-            [this](const TakeFiles& take) { ask_.parts(take); });
+    connect(dialog, &LogDialog::filesWanted, &ask_, &FileQuestions::parts);
     connect(dialog, &LogDialog::chosen, &document_.sets(), &SetStore::openLogs);
     dialog->open();
 }
@@ -284,8 +295,7 @@ void FileCommands::openImport(const QString& path, const OpenOptions& options) {
     delete import_;
     auto* dialog = new ImportDialog(imports_, path, options, window_);
     import_ = dialog;
-    connect(dialog, &ImportDialog::filesWanted, this,
-            [this](const TakeFiles& take) { ask_.parts(take); });
+    connect(dialog, &ImportDialog::filesWanted, &ask_, &FileQuestions::parts);
     connect(dialog, &ImportDialog::chosen, this,
             [this](const QString& file, const OpenOptions& chosen) {
                 const RecordingEntry* entry = document_.currentRecording();
@@ -316,11 +326,15 @@ void FileCommands::put(const QString& path, const std::function<void(const Done&
 void FileCommands::exportPlots(const FigureSource& source) {
     auto* dialog = new ExportDialog(source, window_);
     connect(dialog, &ExportDialog::saveWanted, this, [this, dialog] {
-        ask_.picture(dialog->figure().name, [this, dialog = QPointer(dialog)](const QString& path) {
-            if (dialog && writeFigure(dialog->figure(), dialog->paper(), path)) {
-                dialog->accept();
-            }
-        });
+        ask_.target(
+            FileQuestions::tr("Export plots"), dialog->figure().name + QStringLiteral(".png"),
+            {FileQuestions::tr("PNG image (*.png)"), FileQuestions::tr("SVG drawing (*.svg)"),
+             FileQuestions::tr("PDF document (*.pdf)")},
+            [this, dialog = QPointer(dialog)](const QString& path) {
+                if (dialog && writeFigure(dialog->figure(), dialog->paper(), path)) {
+                    dialog->accept();
+                }
+            });
     });
     dialog->open();
 }
@@ -330,33 +344,36 @@ void FileCommands::exportPlot(const Figure& figure) {
 }
 
 void FileCommands::exportHistory(const HistoryExport& all) {
-    ask_.historyTarget(all.name, [this, all](const QString& path) { exportHistoryTo(path, all); });
-}
-
-void FileCommands::exportHistoryTo(const QString& path, const HistoryExport& all) {
-    put(path, [&](const Done& done) {
-        if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
-            reports_.write(all.report, all.figures, path, done);
-        } else {
-            done(write_file(std::filesystem::path(path.toStdU16String()), all.table, JobControl()));
-        }
-    });
+    ask_.target(FileQuestions::tr("Export history"), QStringLiteral("history.csv"),
+                {FileQuestions::tr("Table (*.csv)"), FileQuestions::tr("PDF document (*.pdf)")},
+                [this, all](const QString& path) {
+                    put(path, [&](const Done& done) {
+                        if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
+                            reports_.write(all.report, all.figures, path, done);
+                        } else {
+                            done(write_file(std::filesystem::path(path.toStdU16String()), all.table,
+                                            JobControl()));
+                        }
+                    });
+                });
 }
 
 void FileCommands::askForReport(bool of_set) {
     auto* dialog = new ReportDialog(document_, of_set, window_);
     connect(dialog, &ReportDialog::saveWanted, this, [this, dialog] {
-        ask_.reportTarget(QFileInfo(dialog->subject().name).completeBaseName(),
-                          [this, dialog = QPointer(dialog)](const QString& path) {
-                              if (dialog) {
-                                  std::vector<ReportContent> contents = dialog->contents();
-                                  for (ReportContent& content : contents) {
-                                      content.units = tracks_.units();
-                                  }
-                                  writeReport(contents, dialog->subject().name, path);
-                                  dialog->accept();
-                              }
-                          });
+        ask_.target(FileQuestions::tr("Save report"),
+                    QFileInfo(dialog->subject().name).completeBaseName() + QStringLiteral(".pdf"),
+                    {FileQuestions::tr("PDF document (*.pdf)")},
+                    [this, dialog = QPointer(dialog)](const QString& path) {
+                        if (dialog) {
+                            std::vector<ReportContent> contents = dialog->contents();
+                            for (ReportContent& content : contents) {
+                                content.units = tracks_.units();
+                            }
+                            writeReport(contents, dialog->subject().name, path);
+                            dialog->accept();
+                        }
+                    });
     });
     dialog->open();
 }

@@ -46,10 +46,8 @@ public:
     void askForImport();
     void askForLogs();
     void askForPassport();
-    // A database of results; both end in databaseChosen().
-    void askForDatabase();
-    void askForNewDatabase();
-    // Ends in wholeAngleLogsOpened().
+    // A database of results, or where to make one; ends in databaseChosen().
+    void askForDatabase(bool make);
     void askForWholeAngleLogs();
     void askWhereToPutTrack();
     void askWhereToPutDrift();
@@ -67,7 +65,6 @@ public:
     void exportPlot(const Figure& figure);
     // The page History, as a table or, where the path ends in .pdf, as a report.
     void exportHistory(const HistoryExport& all);
-    void exportHistoryTo(const QString& path, const HistoryExport& all);
     // By a dialog: subject, title block, plots. Written in the background.
     // Of the current recording, or of the current set.
     void askForReport(bool of_set);
@@ -80,7 +77,6 @@ public:
 signals:
     // `make`: where there is none.
     void databaseChosen(const QString& path, bool make);
-    void wholeAngleLogsOpened();
 
 private:
     // Before the session's file loses what another program wrote into it.

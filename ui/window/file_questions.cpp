@@ -70,8 +70,7 @@ void FileQuestions::recordings(const Files& open) {
                .arg(QStringLiteral("*.vybeg ") + audio + QLatin1Char(' ') + tables +
                     QLatin1Char(' ') + arrays),
            tr("Sessions (%1)").arg(QStringLiteral("*.vybeg")), tr("Audio (%1)").arg(audio),
-           tr("Tables of numbers (%1)").arg(tables), tr("Arrays (%1)").arg(arrays),
-           tr("All files (*)")},
+           tr("Tables of numbers (%1)").arg(tables), tr("Arrays (%1)").arg(arrays)},
           open);
 }
 
@@ -79,49 +78,26 @@ void FileQuestions::logs(const Files& open) {
     files(tr("Open logs"),
           {tr("Logs (%1)")
                .arg(endingsOf(FileFormat::Group::tables) + QLatin1Char(' ') +
-                    endingsOf(FileFormat::Group::arrays) + QStringLiteral(" *.zip")),
-           tr("All files (*)")},
+                    endingsOf(FileFormat::Group::arrays) + QStringLiteral(" *.zip"))},
           open);
 }
 
 void FileQuestions::parts(const Files& take) {
-    files(tr("Files of the recording"), {tr("All files (*)")}, take, Folder::stays);
+    files(tr("Files of the recording"), {}, take, Folder::stays);
 }
 
 void FileQuestions::wholeAngleLogs(const Files& open) {
     files(tr("Open whole-angle logs"),
           {tr("Tables of numbers (%1)").arg(endingsOf(FileFormat::Group::tables)),
-           tr("Arrays (%1)").arg(endingsOf(FileFormat::Group::arrays)), tr("All files (*)")},
+           tr("Arrays (%1)").arg(endingsOf(FileFormat::Group::arrays))},
           open);
-}
-
-void FileQuestions::import(const QString& now, const File& open) {
-    file(tr("Import a recording"), {tr("All files (*)")}, open, Folder::follows, now);
-}
-
-void FileQuestions::missingRecording(const QString& name, const File& open) {
-    file(tr("Where is %1?").arg(name), {tr("All files (*)")}, open);
-}
-
-void FileQuestions::passport(const File& open) {
-    file(tr("Compare with passport"), {tr("Passport (*.json)"), tr("All files (*)")}, open);
-}
-
-void FileQuestions::database(const File& open) {
-    file(tr("Open database"), {tr("Database of results (*.db *.sqlite)"), tr("All files (*)")},
-         open);
-}
-
-void FileQuestions::list(const File& open) {
-    file(tr("Measurement list"), {tr("Measurement list (*.csv *.txt)"), tr("All files (*)")}, open,
-         Folder::follows);
 }
 
 void FileQuestions::file(const QString& title, const QStringList& filters, const File& open,
                          Folder folder, const QString& now) {
     QFileDialog& asked = dialog(title);
     asked.setFileMode(QFileDialog::ExistingFile);
-    asked.setNameFilters(filters);
+    asked.setNameFilters(filters + QStringList{tr("All files (*)")});
     if (!now.isEmpty()) {
         asked.selectFile(now);
     }
@@ -136,7 +112,7 @@ void FileQuestions::files(const QString& title, const QStringList& filters, cons
                           Folder folder) {
     QFileDialog& asked = dialog(title);
     asked.setFileMode(QFileDialog::ExistingFiles);
-    asked.setNameFilters(filters);
+    asked.setNameFilters(filters + QStringList{tr("All files (*)")});
     connect(&asked, &QFileDialog::filesSelected, this, [open, folder](const QStringList& answer) {
         keepFolder(answer.first(), folder);
         open(answer);
@@ -151,54 +127,6 @@ void FileQuestions::folder(const QString& title, const File& open) {
     asked.setOption(QFileDialog::ShowDirsOnly);
     connect(&asked, &QFileDialog::fileSelected, this, open);
     asked.open();
-}
-
-void FileQuestions::sessionTarget(const QString& name, const File& save) {
-    target(tr("Save session"), name + QStringLiteral(".vybeg"), {tr("Session (*.vybeg)")}, save);
-}
-
-void FileQuestions::trackTarget(const QString& name, const File& save) {
-    target(tr("Export track"), name + QStringLiteral(".csv"),
-           {tr("Track (*.csv)"), tr("Track for MATLAB (*.mat)"), tr("Track, HDF5 (*.h5)"),
-            tr("Track for NumPy (*.npz)")},
-           save);
-}
-
-void FileQuestions::passportTarget(const File& save) {
-    target(tr("Save passport"), QStringLiteral("passport.json"), {tr("Passport (*.json)")}, save);
-}
-
-void FileQuestions::databaseTarget(const File& save) {
-    target(tr("New database"), QStringLiteral("results.db"), {tr("Database of results (*.db)")},
-           save);
-}
-
-void FileQuestions::databaseToFill(const File& save) {
-    target(tr("Database of results"), QStringLiteral("results.db"),
-           {tr("Database of results (*.db *.sqlite)")}, save, Existing::stays);
-}
-
-void FileQuestions::tableTarget(const QString& name, const File& save) {
-    target(tr("Results"), name, {tr("Table (*.csv)")}, save, Existing::stays);
-}
-
-void FileQuestions::picture(const QString& name, const File& save) {
-    target(tr("Export plots"), name + QStringLiteral(".png"),
-           {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")}, save);
-}
-
-void FileQuestions::historyTarget(const QString& name, const File& save) {
-    target(tr("Export history"), name + QStringLiteral(".csv"),
-           {tr("Table (*.csv)"), tr("PDF document (*.pdf)")}, save);
-}
-
-void FileQuestions::driftTarget(const File& save) {
-    target(tr("Export drift"), QStringLiteral("drift.csv"),
-           {tr("Table (*.csv)"), tr("Result (*.json)")}, save);
-}
-
-void FileQuestions::reportTarget(const QString& name, const File& save) {
-    target(tr("Save report"), name + QStringLiteral(".pdf"), {tr("PDF document (*.pdf)")}, save);
 }
 
 void FileQuestions::target(const QString& title, const QString& name, const QStringList& filters,

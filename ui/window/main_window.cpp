@@ -77,7 +77,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     statusBar()->addWidget(times_);
     statusBar()->addWidget(status_, 1);
     statusBar()->setSizeGripEnabled(false);
-    commands_ = new Commands(windowCommands(*this), this);
+    commands_ = new Commands(WindowCommands::of(*this), this);
     menus_ = new WindowMenus(*commands_, *tracks_, static_cast<int>(storedThemeMode()), menu_bar_);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
     action(Command::fitted_wave)->setChecked(true);
@@ -88,7 +88,13 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     connectSession();
     connectPanels();
     restoreState();
-    retranslate();
+    keepTranslated(*this, [this] { retranslate(); });
+    whenChanged(*this, {QEvent::Resize}, [this] { showPanels(); });
+    whenChanged(*this, {QEvent::ThemeChange}, [this] {
+        if (theme_mode_ == ThemeMode::system) {
+            applyLook();
+        }
+    });
     showCurrentRecording();
     showAnalyses();
     tracks_->setFocus();
@@ -100,15 +106,13 @@ void MainWindow::buildPages() {
     tracks_ = &tracks_page_->tracks();
     signals_ = new SignalsPage(document_, *tracks_, this);
     resonator_ = new ResonatorPage(document_, this);
-    residuals_ = new ResidualsPage(document_, this);
+    residuals_ = new ResidualsPage(document_, *tracks_, this);
     sweep_ = new SweepPage(document_, this);
     drift_ = new DriftPage(document_, this);
     history_ = new HistoryPage(document_, this);
-    figure_pages_ = {residuals_, sweep_, resonator_, drift_, history_};
+    all_pages_ = {tracks_page_, signals_, residuals_, sweep_, resonator_, drift_, history_};
     pages_ = new PageStack(welcome_, this);
-    pages_->add(tracks_page_);
-    pages_->add(signals_);
-    std::ranges::for_each(figure_pages_, [this](MeasuredPage* page) { pages_->add(page); });
+    std::ranges::for_each(all_pages_, [this](MeasuredPage* page) { pages_->add(page); });
     settings_ = new SettingsPanel(document_, this);
     overview_ = new Overview(document_, *tracks_, this);
     wave_ = new WavePanel(document_, this);
@@ -214,15 +218,15 @@ void MainWindow::connectSession() {
 }
 
 void MainWindow::connectPanels() {
+    const auto open = [this](const QString& path) { files_->open({path}); };
+    const auto show_resonator = [this] { pages_->showPage(Page::resonator); };
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
     connect(pages_, &PageStack::pageShown, this, &MainWindow::showPanels);
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
-    connect(welcome_, &WelcomePage::recentChosen, this,
-            [this](const QString& path) { files_->open({path}); });
+    connect(welcome_, &WelcomePage::recentChosen, this, open);
     connect(welcome_, &WelcomePage::demonstrationWanted, files_, &FileCommands::openDemonstration);
     connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
-    connect(menus_->recentFiles(), &RecentFiles::chosen, this,
-            [this](const QString& path) { files_->open({path}); });
+    connect(menus_->recentFiles(), &RecentFiles::chosen, this, open);
     connect(menus_, &WindowMenus::unitsChosen, this, &MainWindow::setUnits);
     connect(menus_, &WindowMenus::themeChosen, this,
             [this](int theme) { setThemeMode(static_cast<ThemeMode>(theme)); });
@@ -235,37 +239,26 @@ void MainWindow::connectPanels() {
         sidebar_wanted_ = true;
         showPanels();
     });
-    for (const MeasuredPage* page : figure_pages_) {
+    for (const MeasuredPage* page : all_pages_) {
         connect(page, &MeasuredPage::figuresChanged, commands_, &Commands::refresh);
         connect(page, &MeasuredPage::exportWanted, files_, &FileCommands::exportPlot);
     }
     connect(drift_, &DriftPage::exportResultWanted, files_, &FileCommands::askWhereToPutDrift);
     connect(drift_, &DriftPage::openWanted, files_, &FileCommands::askForWholeAngleLogs);
-    connect(files_, &FileCommands::wholeAngleLogsOpened, action(Command::page_drift),
-            &QAction::trigger);
     connect(history_, &HistoryPage::exportAllWanted, files_, &FileCommands::exportHistory);
-    connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
-    connect(history_, &HistoryPage::newWanted, files_, &FileCommands::askForNewDatabase);
-    connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(history_, &HistoryPage::databaseWanted, files_, &FileCommands::askForDatabase);
+    connect(history_, &HistoryPage::setOpened, this, show_resonator);
     connect(batch_, &BatchCommands::helpWanted, this, &MainWindow::showHelp);
-    connect(batch_, &BatchCommands::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(batch_, &BatchCommands::setOpened, this, show_resonator);
     connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
         pages_->showPage(Page::history);
         history_->openDatabase(path, make);
     });
-    connect(tracks_, &TrackView::timeRangeChanged, this,
-            [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
         ledger_->setMouse(time_s);
         wave_->setTime(time_s);
-        residuals_->setCursor(tracks_->cursor(Cursor::a).value_or(time_s));
     });
-    connect(tracks_, &TrackView::cursorsChanged, this, [this] {
-        if (const auto a = tracks_->cursor(Cursor::a)) {
-            residuals_->setCursor(*a);
-        }
-        showCursors();
-    });
+    connect(tracks_, &TrackView::cursorsChanged, this, &MainWindow::showCursors);
     connect(tracks_, &TrackView::variablesChanged, this,
             [this] { ledger_->setVariables(tracks_->shownVariables()); });
     connect(ledger_, &Ledger::trendsChanged, tracks_, &TrackView::setTrends);
@@ -275,7 +268,7 @@ void MainWindow::connectPanels() {
                 tracks_->setCursor(Cursor::b, b_s);
                 showCursors();
             });
-    connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
+    connect(tracks_, &TrackView::timeRangeChanged, commands_, &Commands::refresh);
     connect(ledger_, &Ledger::currentAnalysisChanged, this, &MainWindow::showAnalysis);
     connect(wave_, &WavePanel::exportWanted, files_, &FileCommands::exportPlot);
 }
@@ -334,7 +327,6 @@ void MainWindow::showAnalysis(AnalysisId id) {
     wave_->setAnalysis(id);
     tracks_page_->chooseAnalysis(id);
     signals_->setAnalysis(id);
-    residuals_->setVisibleRange(tracks_->timeRange());
     residuals_->setAnalysis(id);
 }
 
@@ -345,22 +337,15 @@ void MainWindow::goToEvent(double time_s, double seconds) {
 }
 
 void MainWindow::setUnits(const DisplayUnits& units) {
-    tracks_->setUnits(units);
+    std::ranges::for_each(all_pages_, [&units](MeasuredPage* page) { page->setUnits(units); });
     ledger_->setUnits(units);
-    std::ranges::for_each(figure_pages_, [&units](MeasuredPage* page) { page->setUnits(units); });
     batch_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
 
 FigureSource MainWindow::figures() const {
-    const Page page = pages_->page();
-    return page == Page::tracks ? tracks_page_->figures()
-           : page == Page::samples
-               ? signals_->figures()
-               : figure_pages_
-                     .at(static_cast<std::size_t>(page) - static_cast<std::size_t>(Page::residuals))
-                     ->figures();
+    return all_pages_.at(static_cast<std::size_t>(pages_->page()))->figures();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -62,9 +62,7 @@ public:
     QString diagnosticsText() const;
 
 protected:
-    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -90,7 +88,7 @@ private:
     void showHelp();
 
     // main_window_commands.cpp
-    friend std::vector<CommandRow> windowCommands(MainWindow& w);
+    friend struct WindowCommands;
 
     // main_window_state.cpp
     static ThemeMode storedThemeMode();
@@ -124,7 +122,7 @@ private:
     SweepPage* sweep_ = nullptr;
     DriftPage* drift_ = nullptr;
     HistoryPage* history_ = nullptr;
-    std::vector<MeasuredPage*> figure_pages_;  // as Page, from residuals on
+    std::vector<MeasuredPage*> all_pages_;  // as Page
     SettingsPanel* settings_ = nullptr;
     Overview* overview_ = nullptr;
     Ledger* ledger_ = nullptr;

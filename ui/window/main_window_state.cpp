@@ -107,20 +107,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QMainWindow::closeEvent(event);
 }
 
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    showPanels();
-}
-
-void MainWindow::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::ThemeChange && theme_mode_ == ThemeMode::system) {
-        applyLook();
-    }
-}
-
 void MainWindow::setLanguage(const QString& code) {
     language_.use(code);
     QSettings().setValue(language_key, language_.code());
@@ -138,10 +124,8 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
-    tracks_page_->setTheme(theme_);
+    std::ranges::for_each(all_pages_, [this](MeasuredPage* page) { page->setTheme(theme_); });
     overview_->setTheme(theme_);
-    signals_->setTheme(theme_);
-    std::ranges::for_each(figure_pages_, [this](MeasuredPage* page) { page->setTheme(theme_); });
     wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
 }

@@ -52,7 +52,6 @@ Overview::Overview(Document& document, TrackView& tracks, QWidget* parent)
         signal_->setMargins(left, right + signal_->width() - tracks_.width());
         flag_->setFixedWidth(std::max(40, left - 8));
     });
-    keepTranslated(*this, [this] { retranslate(); });
     showRecording();
 }
 
@@ -72,7 +71,7 @@ void Overview::showRecording() {
         tracks_.setRecorded({{0, seconds}, entry->envelope_rate_hz});
         showEnvelope();
     } else {
-        signal_->clear();
+        signal_->setReading(0);
         tracks_.setRecorded({});
     }
 }
@@ -121,10 +120,6 @@ void Overview::editAnalysedRange(double from_s, double to_s) {
 
 void Overview::setTheme(const Theme& theme) {
     signal_->setTheme(theme);
-}
-
-void Overview::retranslate() {
-    signal_->setAccessibleName(tr("Overview of the recording"));
 }
 
 }  // namespace vybeg::ui

@@ -32,7 +32,6 @@ private:
     void showAnalysedRange();
     void showVisibleRange();
     void editAnalysedRange(double from_s, double to_s);
-    void retranslate();
 
     Document& document_;
     TrackView& tracks_;

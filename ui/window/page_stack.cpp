@@ -76,8 +76,7 @@ void WelcomePage::retranslate() {
     demonstration_->setToolTip(
         tr("A simulated free decay: 28 s, 5300 Hz, with a frequency split, a decay and noise"));
     recent_name_->setText(tr("Recent files"));
-    recent_->setAccessibleName(tr("Recent files"));
-    recent_->setToolTip(tr("A click or Return opens a file"));
+    setWords(*recent_, tr("Recent files"), tr("A click or Return opens a file"));
 }
 
 namespace {

@@ -54,7 +54,7 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
 }  // namespace
 
 TracksPage::TracksPage(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), tracks_(new TrackView(this)) {
+    : MeasuredPage(parent), document_(document), tracks_(new TrackView(this)) {
     // Where the page is too low for all plots.
     auto* scroll = scrolled(tracks_, this);
     scroll->setFocusPolicy(Qt::NoFocus);
@@ -158,6 +158,10 @@ FigureSource TracksPage::articleFigure() const {
 
 void TracksPage::setTheme(const Theme& theme) {
     tracks_->setTheme(theme);
+}
+
+void TracksPage::setUnits(const DisplayUnits& units) {
+    tracks_->setUnits(units);
 }
 
 }  // namespace vybeg::ui

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "ui/plots/plot_file.h"
+#include "ui/plots/measured_page.h"
 #include "ui/values/ids.h"
-#include "ui/widgets/theme.h"
-
-#include <QWidget>
 
 namespace vybeg::ui {
 
@@ -12,7 +9,7 @@ class Document;
 class TrackView;
 
 // The plots of all shown analyses, as the document has them.
-class TracksPage : public QWidget {
+class TracksPage : public MeasuredPage {
     Q_OBJECT
 
 public:
@@ -24,8 +21,9 @@ public:
     void chooseAnalysis(AnalysisId id);
     // Centres the present zoom on an event, wide enough to see it from both sides.
     void goToEvent(double time_s, double seconds);
-    void setTheme(const Theme& theme);
-    FigureSource figures() const;
+    void setTheme(const Theme& theme) override;
+    void setUnits(const DisplayUnits& units) override;
+    FigureSource figures() const override;
     // The article's figure, a column for each analysis that is shown.
     FigureSource articleFigure() const;
 

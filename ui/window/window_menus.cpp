@@ -74,52 +74,58 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme,
       recent_(new RecentFiles(bar)),
       languages_(new QActionGroup(this)),
       theme_(theme) {
-    addFile();
-    QMenu* edit = top(QT_TR_NOOP("&Edit"));
-    add(edit, {Command::undo, Command::redo});
-    edit->addSeparator();
-    add(edit, {Command::copy_plot, Command::copy_table});
+    QMenu* file = top(QT_TR_NOOP("&File"));
+    add(file, {{Command::open}});
+    file->addMenu(named(recent_, QT_TR_NOOP("Open rece&nt")));
+    add(file,
+        {{Command::import_file, Command::open_logs, Command::open_whole_angle,
+          Command::open_database, Command::close_recording},
+         {Command::save_session, Command::save_session_as},
+         {Command::export_plots, Command::article_figure, Command::export_track, Command::report},
+         {Command::save_passport, Command::compare_passport},
+         {Command::quit}});
+    add(top(QT_TR_NOOP("&Edit")),
+        {{Command::undo, Command::redo}, {Command::copy_plot, Command::copy_table}});
     addView();
-    QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
-    add(analysis, {Command::analyse, Command::live, Command::cancel});
-    QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
-    add(gyro, {Command::gyro_data, Command::limits});
-    gyro->addSeparator();
-    add(gyro, {Command::identify, Command::new_set});
-    gyro->addSeparator();
-    add(gyro, {Command::batch});
-    add(top(QT_TR_NOOP("&Help")), {Command::help, Command::copy_diagnostics, Command::about});
+    add(top(QT_TR_NOOP("&Analysis")), {{Command::analyse, Command::live, Command::cancel}});
+    add(top(QT_TR_NOOP("&Gyro")), {{Command::gyro_data, Command::limits},
+                                   {Command::identify, Command::new_set},
+                                   {Command::batch}});
+    add(top(QT_TR_NOOP("&Help")), {{Command::help, Command::copy_diagnostics, Command::about}});
 }
 
 QMenu* WindowMenus::top(const char* title) {
     QMenu* menu = bar_->addMenu(QString());
     menu->setToolTipsVisible(true);
-    titles_[menu] = title;
+    return named(menu, title);
+}
+
+QMenu* WindowMenus::named(QMenu* menu, const char* title) {
+    entries_.push_back({menu->menuAction(), title});
     return menu;
 }
 
-QMenu* WindowMenus::sub(QMenu* parent, const char* title) {
-    QMenu* menu = parent->addMenu(QString());
-    titles_[menu] = title;
-    return menu;
-}
-
-void WindowMenus::add(QMenu* menu, std::initializer_list<Command> commands) {
-    for (const Command command : commands) {
-        menu->addAction(commands_.action(command));
+void WindowMenus::add(QMenu* menu, std::initializer_list<std::initializer_list<Command>> groups) {
+    for (const std::initializer_list<Command>& group : groups) {
+        if (&group != groups.begin()) {
+            menu->addSeparator();
+        }
+        for (const Command command : group) {
+            menu->addAction(commands_.action(command));
+        }
     }
 }
 
 void WindowMenus::addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
                             const std::function<int()>& chosen,
                             const std::function<void(int)>& choose) {
-    QMenu* menu = sub(parent, title);
+    QMenu* menu = named(parent->addMenu(QString()), title);
     auto* group = new QActionGroup(menu);
     for (std::size_t i = 0; i < texts.size(); ++i) {
         QAction* entry = menu->addAction(QString());
         entry->setCheckable(true);
         group->addAction(entry);
-        choices_.push_back({entry, texts[i]});
+        entries_.push_back({entry, texts[i]});
         connect(entry, &QAction::triggered, this, [choose, i] { choose(static_cast<int>(i)); });
     }
     const auto show = [group, chosen] { group->actions().at(chosen())->setChecked(true); };
@@ -127,39 +133,19 @@ void WindowMenus::addChoice(QMenu* parent, const char* title, const std::vector<
     connect(menu, &QMenu::aboutToShow, this, show);  // a session may have changed it
 }
 
-void WindowMenus::addFile() {
-    QMenu* file = top(QT_TR_NOOP("&File"));
-    add(file, {Command::open});
-    titles_[recent_] = QT_TR_NOOP("Open rece&nt");
-    file->addMenu(recent_);
-    add(file, {Command::import_file, Command::open_logs, Command::open_whole_angle,
-               Command::open_database, Command::close_recording});
-    file->addSeparator();
-    add(file, {Command::save_session, Command::save_session_as});
-    file->addSeparator();
-    add(file,
-        {Command::export_plots, Command::article_figure, Command::export_track, Command::report});
-    file->addSeparator();
-    add(file, {Command::save_passport, Command::compare_passport});
-    file->addSeparator();
-    add(file, {Command::quit});
-}
-
 void WindowMenus::addView() {
     QMenu* view = top(QT_TR_NOOP("&View"));
-    add(view, {Command::page_tracks, Command::page_signals, Command::page_residuals,
-               Command::page_windows, Command::page_resonator, Command::page_drift,
-               Command::page_history});
-    view->addSeparator();
-    add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
-               Command::zoom_forward});
-    view->addSeparator();
+    add(view, {{Command::page_tracks, Command::page_signals, Command::page_residuals,
+                Command::page_windows, Command::page_resonator, Command::page_drift,
+                Command::page_history},
+               {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
+                Command::zoom_forward},
+               {}});
     addVariables(view);
     addUnits(view);
-    add(view, {Command::log_a_A, Command::sigma_bands});
-    view->addSeparator();
-    add(view, {Command::sidebar, Command::wave, Command::fitted_wave});
-    view->addSeparator();
+    add(view, {{Command::log_a_A, Command::sigma_bands},
+               {Command::sidebar, Command::wave, Command::fitted_wave},
+               {}});
     addChoice(
         view, QT_TR_NOOP("&Theme"),
         {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},
@@ -172,12 +158,12 @@ void WindowMenus::addView() {
 }
 
 void WindowMenus::addVariables(QMenu* view) {
-    QMenu* variables = sub(view, QT_TR_NOOP("&Plots"));
+    QMenu* variables = named(view->addMenu(QString()), QT_TR_NOOP("&Plots"));
     for (const SlowVariable variable : shown_slow_variables) {
         QAction* shown = variables->addAction(QString());
         shown->setCheckable(true);
         shown->setData(static_cast<int>(variable));
-        choices_.push_back({shown, nullptr});
+        entries_.push_back({shown, nullptr});
         connect(shown, &QAction::triggered, this, [this, variables] {
             std::vector<SlowVariable> wanted;
             for (const QAction* each : variables->actions()) {
@@ -228,7 +214,7 @@ void WindowMenus::addUnits(QMenu* view) {
 }
 
 void WindowMenus::addLanguages(QMenu* view) {
-    QMenu* language = sub(view, QT_TR_NOOP("Lang&uage"));
+    QMenu* language = named(view->addMenu(QString()), QT_TR_NOOP("Lang&uage"));
     for (const auto& [code, name] : {std::pair{"en", "English"}, std::pair{"ru", "Русский"}}) {
         // A language is named in itself, so that its speakers find it.
         QAction* entry = language->addAction(QString::fromUtf8(name));
@@ -247,15 +233,12 @@ void WindowMenus::setLanguage(const QString& code) {
 }
 
 void WindowMenus::retranslate() {
-    for (const auto& [menu, title] : titles_) {
-        menu->setTitle(tr(title));
-    }
-    for (const Choice& choice : choices_) {
-        if (choice.text) {
-            choice.action->setText(tr(choice.text));
+    for (const Entry& entry : entries_) {
+        if (entry.text) {
+            entry.action->setText(tr(entry.text));
         } else {
-            const auto variable = static_cast<SlowVariable>(choice.action->data().toInt());
-            choice.action->setText(displayMeaning(variable));
+            const auto variable = static_cast<SlowVariable>(entry.action->data().toInt());
+            entry.action->setText(displayMeaning(variable));
         }
     }
 }

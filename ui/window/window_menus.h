@@ -7,7 +7,6 @@
 #include <QObject>
 
 #include <functional>
-#include <map>
 #include <vector>
 
 class QActionGroup;
@@ -53,17 +52,17 @@ signals:
     void languageChosen(const QString& code);
 
 private:
-    struct Choice {
-        QAction* action;
+    struct Entry {
+        QAction* action;   // or that of a menu
         const char* text;  // of a slow variable: none
     };
 
     QMenu* top(const char* title);
-    QMenu* sub(QMenu* parent, const char* title);
-    void add(QMenu* menu, std::initializer_list<Command> commands);
+    QMenu* named(QMenu* menu, const char* title);
+    // Groups of commands, a line between each two.
+    void add(QMenu* menu, std::initializer_list<std::initializer_list<Command>> groups);
     void addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
                    const std::function<int()>& chosen, const std::function<void(int)>& choose);
-    void addFile();
     void addView();
     void addVariables(QMenu* view);
     void addUnits(QMenu* view);
@@ -75,8 +74,7 @@ private:
     RecentFiles* recent_;
     QActionGroup* languages_;
     int theme_;
-    std::map<QMenu*, const char*> titles_;
-    std::vector<Choice> choices_;
+    std::vector<Entry> entries_;  // but for the commands
 };
 
 }  // namespace vybeg::ui

@@ -2,7 +2,6 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/pages/batch_journey.h"
-#include "ui/batch/batch_job.h"
 
 #include <QCheckBox>
 #include <QClipboard>
