@@ -103,7 +103,7 @@ MessageRow message_row(DiagnosticKind kind) {
          VYBEG_MESSAGE(
              "Message",
              "In %1 of %2 windows the wave moves inside the window, or turns too far from one "
-             "window to the next; they are flagged. Choose a shorter window or a smaller hop.")},
+             "window to the next; they are flagged. Choose a shorter window or a smaller step.")},
         {text_lines_ignored, "text-lines-ignored", note,
          VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.")},
         {words_passed_over, "words-passed-over", note,
@@ -132,17 +132,17 @@ MessageRow message_row(DiagnosticKind kind) {
         {offset, "offset", warning,
          VYBEG_MESSAGE("Message",
                        "Channel %1 has an offset of %2, %3 % of the amplitude. The calibration "
-                       "takes it out (--offset auto)."),
+                       "removes it (--offset auto)."),
          VYBEG_MESSAGE("Message",
                        "Channel %1 has an offset of %2, %3 % of the amplitude. The calibration "
-                       "takes it out.")},
+                       "removes it.")},
         {mains, "mains", warning,
          VYBEG_MESSAGE("Message",
-                       "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it "
-                       "out (--filter)."),
+                       "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass removes "
+                       "it (--filter)."),
          VYBEG_MESSAGE(
              "Message",
-             "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out.")},
+             "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass removes it.")},
         {start_transient, "start-transient", warning,
          VYBEG_MESSAGE(
              "Message",
@@ -316,12 +316,12 @@ MessageRow message_row(DiagnosticKind kind) {
                        "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, "
                        "or a disturbance that folds there, which the model does not hold. Split, "
                        "axes, rotation and the wave's own numbers may be off by more than their "
-                       "deviations. Take it out with a narrower band-pass (--filter)."),
+                       "deviations. Remove it with a narrower band-pass (--filter)."),
          VYBEG_MESSAGE("Message",
                        "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, "
                        "or a disturbance that folds there, which the model does not hold. Split, "
                        "axes, rotation and the wave's own numbers may be off by more than their "
-                       "deviations. Take it out with a narrower band-pass.")},
+                       "deviations. Remove it with a narrower band-pass.")},
         {misfit_channel, "misfit-channel", serious,
          VYBEG_MESSAGE("Message",
                        "The residual is that of an error of the channels that is taken as zero: "

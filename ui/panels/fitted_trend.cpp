@@ -85,7 +85,7 @@ QStringList lineSentences(const std::vector<FittedTrend>& trends, const DisplayU
                   << windowCount(line.windows);
     }
     if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
-        sentences << Words::tr("No line within the noise: %1. The deviations are enlarged.")
+        sentences << Words::tr("Bent: %1; sd enlarged.")
                          .arg(names.join(QStringLiteral(", ")));
     }
     return sentences;

@@ -330,7 +330,7 @@ QString settingsSection(const ReportContent& content) {
         return {};
     }
     HtmlTable table{{ReportWords::tr("Recording"), ReportWords::tr("Algorithm"),
-                     ReportWords::tr("Window, hop (samples)"), ReportWords::tr("Windows"),
+                     ReportWords::tr("Window, step (samples)"), ReportWords::tr("Windows"),
                      withUnit(ReportWords::tr("Mean frequency"), unitText("Hz")),
                      withUnit(ReportWords::tr("Instant of the mean"), unitText("s")),
                      ReportWords::tr("Noise σ")},

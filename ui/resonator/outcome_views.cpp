@@ -335,7 +335,7 @@ void ComparisonView::retranslate() {
     limit_->setToolTip(
         richTip(tr("Frequencies follow the temperature: smaller changes, in parts per million, are "
                    "none of the gyro")));
-    tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));
+    tracks_->setAccessibleName(tr("Tracks of the recordings and of the passport"));
     tracks_->setToolTip(
         richTip(tr("In the colours of the recordings; further from the background: the passport")));
     track_choice_->setAccessibleName(tr("What to overlay"));

@@ -29,7 +29,7 @@ struct Texts {
 // The last word of a title is the symbol.
 constexpr std::array<Texts, 12> parameter_texts{{
     {"f_mean_hz", QT_TRANSLATE_NOOP("Resonator", "Mean frequency f"),
-     QT_TRANSLATE_NOOP("Resonator", "Of both modes, mean of the runs")},
+     QT_TRANSLATE_NOOP("Resonator", "Of both modes, mean of the recordings")},
     {"split_hz", QT_TRANSLATE_NOOP("Resonator", "Frequency split Δf"),
      QT_TRANSLATE_NOOP("Resonator", "f_p − f_q of the two modes, never negative")},
     {"theta_w_rad", QT_TRANSLATE_NOOP("Resonator", "Stiffness axis θ_w"),
@@ -62,11 +62,11 @@ QString symbolOf(const std::string& parameter) {
                                   : QStringLiteral("Q");
 }
 
-// "Mode 1: f" of "modes[0].f_hz", "Run 11: f of its direction" of "runs[10].direction.f_hz".
+// "Mode 1: f" of "modes[0].f_hz", "Recording 11: f of its direction" of "runs[10].direction.f_hz".
 QString numberedTitle(const std::string& name) {
     const int place = std::stoi(name.substr(name.find('[') + 1));
     return (name.starts_with("modes[") ? ResonatorWords::tr("Mode %1: %2")
-                                       : ResonatorWords::tr("Run %1: %2 of its direction"))
+                                       : ResonatorWords::tr("Recording %1: %2 of its direction"))
         .arg(place + 1)
         .arg(symbolOf(name.substr(name.rfind('.') + 1)));
 }

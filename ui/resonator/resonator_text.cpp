@@ -59,7 +59,7 @@ void collapseRepeatedReasons(std::vector<QuantityRow>& rows) {
             if (is_sentence && cell.text == rows[first].cells.front().text) {
                 const QString other = rows[first].name.section(QLatin1Char(','), 0, 0);
                 cell.text =
-                    ResonatorWords::tr("As above: %1").arg(other.section(QLatin1Char(' '), -1));
+                    ResonatorWords::tr("The same as for %1").arg(other.section(QLatin1Char(' '), -1));
                 break;
             }
         }
@@ -272,7 +272,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
         };
     };
     add(ResonatorWords::tr("Frequency offset"), hertz,
-        ResonatorWords::tr("From the mean frequency of the runs"),
+        ResonatorWords::tr("From the mean frequency of the recordings"),
         estimate(&RunEstimate::f_offset_hz, 1));
     add(ResonatorWords::tr("Start angle θ_A"), angleUnit(units),
         ResonatorWords::tr("Angle of the working wave at the start"),
@@ -284,7 +284,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
         ResonatorWords::tr("Amplitude of the quadrature wave at the start"),
         estimate(&RunEstimate::a_B, 1));
     add(QStringLiteral("Δf sin 4(θ_A − θ_w)"), hertz,
-        ResonatorWords::tr("What of the frequency split makes the quadrature of this run grow"),
+        ResonatorWords::tr("What of the frequency split makes the quadrature of this recording grow"),
         estimate(&RunEstimate::split_sin_hz, 1));
     add(ResonatorWords::tr("f of this direction"), hertz,
         ResonatorWords::tr("Of a wave that stays in the direction in which this one starts"),
@@ -318,11 +318,11 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
     }
     if (found.fit.model == ResonatorModel::structured) {
         add(ResonatorWords::tr("Q coherent"), {},
-            ResonatorWords::tr("Quality factor from the coherent fit of all runs"),
+            ResonatorWords::tr("Quality factor from the coherent fit of all recordings"),
             [&found](std::size_t) { return cellOf(found.fit.resonator.q); });
     }
     add(ResonatorWords::tr("Frequency drift"), unitText("Hz") + "/" + unitText("s"),
-        ResonatorWords::tr("Of this run, over time"), estimate(&RunEstimate::drift_hz_per_s, 1));
+        ResonatorWords::tr("Of this recording, over time"), estimate(&RunEstimate::drift_hz_per_s, 1));
     add(ResonatorWords::tr("Noise σ"), amplitude,
         ResonatorWords::tr("Standard deviation per sample and channel"), [&found](std::size_t k) {
             const double sd = found.runs[k].noise_sd;

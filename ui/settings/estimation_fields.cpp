@@ -69,7 +69,7 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
                         "below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 "
                         "are exact for every window.")});
 
-    hop_ = addField({QT_TR_NOOP("Hop"), QT_TR_NOOP("samples"),
+    hop_ = addField({QT_TR_NOOP("Step"), QT_TR_NOOP("samples"),
                      QT_TR_NOOP("Samples between the starts of windows. Empty: windows one after "
                                 "the other (discrete identification); less than the window: "
                                 "sliding.")},
@@ -136,7 +136,7 @@ void WindowFields::retranslate() {
     snap_->setText(tr("Snap"));
     snap_->setToolTip(
         richTip(tr("Moves the window to whole half-periods of the carrier: the n nearest to the "
-                   "wish that leaves the smallest residual.")));
+                   "wish that leaks least.")));
     hop_->setPlaceholderText(tr("= window"));
     SettingsFields::retranslate();
 }

@@ -292,7 +292,7 @@ std::vector<CommandRow> windowCommands(MainWindow& w) {
                  w.setUnits(units);
              }},
         {.id = Command::log_a_A,
-         .text = QT_TRANSLATE_NOOP("Command", "&Logarithmic working amplitude"),
+         .text = QT_TRANSLATE_NOOP("Command", "&Log axis for a_A"),
          .switched =
              [&w](bool on_now) {
                  DisplayUnits units = w.tracks_->units();

@@ -42,9 +42,8 @@ ReasonRow reason_row(ReasonCode code) {
             return {
                 "few-angles",
                 VYBEG_MESSAGE("Reason",
-                              "The waves stand at too few angles for the drift as a function of "
-                              "the angle: it needs three starts 22.5 degrees apart or more, or "
-                              "a wave that turns.")};
+                              "The drift function needs starts at three angles, 22.5 degrees "
+                              "apart or more, or a wave that turns.")};
         case ReasonCode::kappa_like_damping:
             return {
                 "kappa-like-damping",
