@@ -689,28 +689,28 @@
         <translation>2θ_A проходит %1, убывая</translation>
     </message>
     <message>
-        <source>Samples are missing, %1 s</source>
-        <translation>Нет отсчётов, %1 с</translation>
+        <source>Samples are missing</source>
+        <translation>Нет отсчётов</translation>
     </message>
     <message>
-        <source>Not converged, %1 s</source>
-        <translation>Нет сходимости, %1 с</translation>
+        <source>Not converged</source>
+        <translation>Нет сходимости</translation>
     </message>
     <message>
-        <source>Transient of the band-pass, %1 s</source>
-        <translation>Переходный процесс фильтра, %1 с</translation>
+        <source>Transient of the band-pass</source>
+        <translation>Переходный процесс фильтра</translation>
     </message>
     <message>
-        <source>The delay reaches beyond the samples, %1 s</source>
-        <translation>Задержка выходит за край записи, %1 с</translation>
+        <source>The delay reaches beyond the samples</source>
+        <translation>Задержка выходит за край записи</translation>
     </message>
     <message>
-        <source>The wave moves inside its windows, %1 s</source>
-        <translation>Волна меняется внутри окон, %1 с</translation>
+        <source>The wave moves inside its windows</source>
+        <translation>Волна меняется внутри окон</translation>
     </message>
     <message>
-        <source>Clipped, %1 s</source>
-        <translation>Ограничение, %1 с</translation>
+        <source>Clipped</source>
+        <translation>Ограничение</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/panels/reading.h"
 #include "ui/words/error_text.h"
+#include "ui/words/number_label.h"
 #include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
@@ -106,6 +107,9 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
     } else if (QLatin1String(unit) == QLatin1String("rad/s")) {
         shown.unit = angleRateUnit(units);
         shown.factor = angleRateFactor(units);
+    } else if (name == "split_hz") {
+        shown.unit = siPrefix(-3) + unitText("Hz");
+        shown.factor = 1e3;
     } else {
         shown.unit = unitText(unit);
     }
@@ -154,8 +158,9 @@ QuantityCell relativeCell(double relative) {
     if (relative != 0) {
         text.prepend(relative < 0 ? QChar(0x2212) : QLatin1Char('+'));
     }
-    return {
-        text + (small ? QStringLiteral(" ppm") : QStringLiteral(" %")), {exactText(relative)}, {}};
+    return {text + QLatin1Char(' ') + (small ? unitText("ppm") : QStringLiteral("%")),
+            {exactText(relative)},
+            {}};
 }
 
 // Reasons are below the table, because its columns are too narrow.

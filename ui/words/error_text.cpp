@@ -11,6 +11,8 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace vybeg::ui {
@@ -168,8 +170,23 @@ QString flagsText(Flags flags) {
     return reasons.join(QStringLiteral("; "));
 }
 
+namespace {
+
+// Three digits: "2.72 ms".
+QString secondsText(double seconds) {
+    const bool short_time = seconds < 1;
+    const double shown = short_time ? 1e3 * seconds : seconds;
+    const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(shown))));
+    return numberLabel(shown, decimals) + QLatin1Char(' ') +
+           (short_time ? siPrefix(-3) : QString()) + unitText("s");
+}
+
+}  // namespace
+
 QString eventText(const Event& event) {
-    const auto seconds = [&] { return QLocale().toString(event.seconds, 'g', 4); };
+    const auto lasting = [&event](const QString& what) {
+        return event.seconds > 0 ? what + QStringLiteral(", ") + secondsText(event.seconds) : what;
+    };
     switch (event.kind) {
         case EventKind::axis_crossing: {
             const int k = event.multiple_of_half_pi;
@@ -186,15 +203,14 @@ QString eventText(const Event& event) {
             return event.direction > 0 ? EventWords::tr("2θ_A passes %1, rising").arg(angle)
                                        : EventWords::tr("2θ_A passes %1, falling").arg(angle);
         }
-        case EventKind::gap: return EventWords::tr("Samples are missing, %1 s").arg(seconds());
-        case EventKind::clipped: return EventWords::tr("Clipped, %1 s").arg(seconds());
-        case EventKind::not_converged: return EventWords::tr("Not converged, %1 s").arg(seconds());
+        case EventKind::gap: return lasting(EventWords::tr("Samples are missing"));
+        case EventKind::clipped: return lasting(EventWords::tr("Clipped"));
+        case EventKind::not_converged: return lasting(EventWords::tr("Not converged"));
         case EventKind::filter_transient:
-            return EventWords::tr("Transient of the band-pass, %1 s").arg(seconds());
+            return lasting(EventWords::tr("Transient of the band-pass"));
         case EventKind::delay_reach:
-            return EventWords::tr("The delay reaches beyond the samples, %1 s").arg(seconds());
-        case EventKind::moving:
-            return EventWords::tr("The wave moves inside its windows, %1 s").arg(seconds());
+            return lasting(EventWords::tr("The delay reaches beyond the samples"));
+        case EventKind::moving: return lasting(EventWords::tr("The wave moves inside its windows"));
     }
     return {};
 }

@@ -39,11 +39,10 @@ ReasonRow reason_row(ReasonCode code) {
         case ReasonCode::circular_wave:
             return {"circular-wave", VYBEG_MESSAGE("Reason", "A circular wave has no angle.")};
         case ReasonCode::few_angles:
-            return {
-                "few-angles",
-                VYBEG_MESSAGE("Reason",
-                              "The drift function needs starts at three angles, 22.5 degrees "
-                              "apart or more, or a wave that turns.")};
+            return {"few-angles",
+                    VYBEG_MESSAGE("Reason",
+                                  "The drift function needs starts at three angles, 22.5 degrees "
+                                  "apart or more, or a wave that turns.")};
         case ReasonCode::kappa_like_damping:
             return {
                 "kappa-like-damping",

@@ -131,8 +131,8 @@ private slots:
         QVERIFY(!text("historyVerdict").contains("without a date"));
         const auto& plot = childOf<QCustomPlot>(values);
         const QCPRange shown = plot.axisRect()->axis(QCPAxis::atLeft)->range();
-        VYBEG_AT_LEAST(shown.upper, 0.01 + 2 * 2e-5);
-        VYBEG_AT_MOST(shown.lower, 0.01 - 2 * 2e-5);
+        VYBEG_AT_LEAST(shown.upper, 10 + 2 * 0.02);  // mHz
+        VYBEG_AT_MOST(shown.lower, 10 - 2 * 0.02);
     }
 
     // Ctrl+7 without any recording: a sentence and buttons. Tracks then is the welcome again.
@@ -219,7 +219,7 @@ private slots:
                  qPrintable(text("historyVerdict")));
         QVERIFY2(names().contains("limits (the baseline has a trend)"), qPrintable(names()));
         // u of each result, not sd, is its bar.
-        QCOMPARE(the<XYPlotView>("historyValues").content().series.front().sd.front(), 2e-5);
+        QCOMPARE(the<XYPlotView>("historyValues").content().series.front().sd.front(), 0.02);
     }
 
     // Limits of the session's dossier stand in the plot of their parameter, in the unit shown.
@@ -235,7 +235,7 @@ private slots:
         window_->document().dossier().setLimits({{"tau_s", 20.0, std::nullopt}});
         QVERIFY(limits().empty());  // of another parameter
         window_->document().dossier().setLimits({{"split_hz", std::nullopt, 0.0125}});
-        QCOMPARE(limits(), (std::vector<double>{0.0125, 0.0125}));
+        QCOMPARE(limits(), (std::vector<double>{12.5, 12.5}));
     }
 
     // The same values against the frequency, and in order; the parameter and its unit.
