@@ -3660,8 +3660,8 @@
         <translation>%1/с³</translation>
     </message>
     <message>
-        <source>no beat</source>
-        <translation>биений нет</translation>
+        <source>no sinusoid fits</source>
+        <translation>не синусоида</translation>
     </message>
     <message>
         <source>too few windows</source>
@@ -7368,9 +7368,13 @@
         <source>%1 is another file than that of the session: its SHA-256 differs. The analyses are computed from the present file.</source>
         <translation>%1 — не тот файл, что был в сеансе: SHA-256 отличается. Расчёты выполнены по нынешнему файлу.</translation>
     </message>
-    <message>
-        <source>Vybeg did not end as it should. Its session of %1 can be recovered.</source>
-        <translation>Работа Vybeg была прервана. Сеанс от %1 можно восстановить.</translation>
+    <message numerus="yes">
+        <source>A session was not closed, and can be recovered: %1, %n recording(s), %2.</source>
+        <translation>
+            <numerusform>Сеанс не был закрыт, его можно восстановить: %1, %n запись, %2.</numerusform>
+            <numerusform>Сеанс не был закрыт, его можно восстановить: %1, %n записи, %2.</numerusform>
+            <numerusform>Сеанс не был закрыт, его можно восстановить: %1, %n записей, %2.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Recover</source>

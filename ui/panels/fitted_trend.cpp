@@ -208,7 +208,7 @@ TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double fr
 QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
                      const DisplayUnits& units) {
     if (trends.empty()) {
-        return kind == TrendKind::beat ? Words::tr("no beat") : Words::tr("too few windows");
+        return kind == TrendKind::beat ? Words::tr("no sinusoid fits") : Words::tr("too few windows");
     }
     QStringList words;
     if (kind == TrendKind::line) {
