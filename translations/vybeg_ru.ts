@@ -5345,8 +5345,8 @@
         <translation>с</translation>
     </message>
     <message>
-        <source>Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the plots set the cursors at the mouse, 0 removes both.</source>
-        <translation>Секунды от начала записи; пусто — курсора нет. Клавиши 1 и 2 на графиках ставят курсоры под мышью, 0 убирает оба.</translation>
+        <source>Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the plots set the cursors at the mouse, Shift and an arrow key move the last one, 0 removes both.</source>
+        <translation>Секунды от начала записи; пусто — курсора нет. Клавиши 1 и 2 на графиках ставят курсоры под мышью, Shift со стрелкой сдвигает последний, 0 убирает оба.</translation>
     </message>
 </context>
 <context>
