@@ -7273,8 +7273,8 @@
         <translation>Ctrl+C копирует таблицу</translation>
     </message>
     <message>
-        <source>No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the table below chooses one.</source>
-        <translation>Расчёт не выбран. «Рассчитать» (F5) добавит расчёт текущей записи; строка таблицы внизу выбирает его.</translation>
+        <source>No analysis is chosen. Keep (F5) adds one of the current recording; a row of the table below chooses one.</source>
+        <translation>Расчёт не выбран. «Закрепить» (F5) добавит расчёт текущей записи; строка таблицы внизу выбирает его.</translation>
     </message>
 </context>
 <context>
@@ -7556,8 +7556,8 @@
         <translation>Автопересчёт</translation>
     </message>
     <message>
-        <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same analysis. What is to stay for comparison is kept by Analyse (Ctrl+L)</source>
-        <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет кнопка «Рассчитать» (Ctrl+L)</translation>
+        <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same analysis. What is to stay for comparison is kept by Keep, F5 (Ctrl+L)</source>
+        <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет «Закрепить», F5 (Ctrl+L)</translation>
     </message>
     <message>
         <source>The plots are older than these settings. Changed since: %1.</source>
@@ -7606,7 +7606,7 @@
         <translation>Запись %1 открывается…</translation>
     </message>
     <message>
-        <source>%1, samples as recorded. Analyse (F5) fits the wave.</source>
+        <source>%1, samples as recorded. Keep (F5) fits the wave.</source>
         <translation>%1, отсчёты как записаны. Расчёт (F5) вписывает волну.</translation>
     </message>
     <message>
@@ -7898,9 +7898,9 @@
     </message>
     <message>
         <source>No analysis yet.
-Open a recording and press Analyse.</source>
+Open a recording and press Keep (F5).</source>
         <translation>Расчётов пока нет.
-Откройте запись и нажмите «Рассчитать».</translation>
+Откройте запись и нажмите «Закрепить» (F5).</translation>
     </message>
 </context>
 <context>
