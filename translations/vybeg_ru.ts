@@ -3165,7 +3165,7 @@
     </message>
     <message>
         <source>ppm</source>
-        <translation>ppm</translation>
+        <translation>млн⁻¹</translation>
     </message>
     <message>
         <source>10⁻⁶ rad/s of the 8th harmonic of drift</source>
@@ -5062,7 +5062,7 @@
     </message>
     <message>
         <source>ppm</source>
-        <translation>ppm</translation>
+        <translation>млн⁻¹</translation>
     </message>
     <message>
         <source>Tolerance of the sample rate</source>
@@ -7607,7 +7607,7 @@
     </message>
     <message>
         <source>%1, samples as recorded. Keep (F5) fits the wave.</source>
-        <translation>%1, отсчёты как записаны. Расчёт (F5) вписывает волну.</translation>
+        <translation>%1, отсчёты как записаны. «Закрепить» (F5) подгоняет волну.</translation>
     </message>
     <message>
         <source>%1: the wave appears when all windows of the analysis are there.</source>

@@ -9,6 +9,7 @@
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/error_text.h"
+#include "ui/words/number_label.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
 #include "ui/words/unit_text.h"
@@ -264,7 +265,7 @@ QString seconds(double value, int decimals) {
 
 // A rate in Hz with its own digits.
 QString rateText(double rate_hz) {
-    return QLocale().toString(rate_hz, 'g', 12);
+    return richText(groupedDigits(QLocale().toString(rate_hz, 'g', 12)));
 }
 
 // The findings as sentences, beyond `most` their number.
@@ -338,13 +339,11 @@ QString settingsSection(const ReportContent& content) {
                     {16, 18, 13, 9, 21, 13, 10}};
     for (const ReportAnalysis& each : content.analyses) {
         const Analysis& analysis = *each.shown.analysis;
-        const QLocale locale;
         table.rows.push_back({content.recordings[each.recording].name.toHtmlEscaped(),
                               algorithmText(analysis.settings.algorithm).toHtmlEscaped(),
-                              QStringLiteral("%1, %2").arg(
-                                  locale.toString(static_cast<qint64>(analysis.plan.length)),
-                                  locale.toString(static_cast<qint64>(analysis.plan.hop))),
-                              locale.toString(static_cast<qint64>(analysis.plan.count)),
+                              richText(QStringLiteral("%1, %2").arg(
+                                  countLabel(analysis.plan.length), countLabel(analysis.plan.hop))),
+                              richText(countLabel(analysis.plan.count)),
                               valueText(each.means.mean_f_hz, each.means.sd_mean_f_hz),
                               shortNumberText(each.means.mean_at_s, 4),
                               noiseText(each.means.noise)});

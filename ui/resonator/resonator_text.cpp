@@ -58,8 +58,8 @@ void collapseRepeatedReasons(std::vector<QuantityRow>& rows) {
             const bool is_sentence = cell.exact.front() == cell.text;
             if (is_sentence && cell.text == rows[first].cells.front().text) {
                 const QString other = rows[first].name.section(QLatin1Char(','), 0, 0);
-                cell.text =
-                    ResonatorWords::tr("The same as for %1").arg(other.section(QLatin1Char(' '), -1));
+                cell.text = ResonatorWords::tr("The same as for %1")
+                                .arg(other.section(QLatin1Char(' '), -1));
                 break;
             }
         }
@@ -284,7 +284,8 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
         ResonatorWords::tr("Amplitude of the quadrature wave at the start"),
         estimate(&RunEstimate::a_B, 1));
     add(QStringLiteral("Δf sin 4(θ_A − θ_w)"), hertz,
-        ResonatorWords::tr("What of the frequency split makes the quadrature of this recording grow"),
+        ResonatorWords::tr(
+            "What of the frequency split makes the quadrature of this recording grow"),
         estimate(&RunEstimate::split_sin_hz, 1));
     add(ResonatorWords::tr("f of this direction"), hertz,
         ResonatorWords::tr("Of a wave that stays in the direction in which this one starts"),
@@ -322,7 +323,8 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
             [&found](std::size_t) { return cellOf(found.fit.resonator.q); });
     }
     add(ResonatorWords::tr("Frequency drift"), unitText("Hz") + "/" + unitText("s"),
-        ResonatorWords::tr("Of this recording, over time"), estimate(&RunEstimate::drift_hz_per_s, 1));
+        ResonatorWords::tr("Of this recording, over time"),
+        estimate(&RunEstimate::drift_hz_per_s, 1));
     add(ResonatorWords::tr("Noise σ"), amplitude,
         ResonatorWords::tr("Standard deviation per sample and channel"), [&found](std::size_t k) {
             const double sd = found.runs[k].noise_sd;
@@ -331,13 +333,10 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
     add(ResonatorWords::tr("Windows used"), {},
         ResonatorWords::tr("Without gaps and faults, of all; samples in each"),
         [&found](std::size_t k) {
-            const QLocale locale;
             const IdentifiedRun& run = found.runs[k];
-            const QString text = ResonatorWords::tr("%1 of %2, n = %3")
-                                     .arg(locale.toString(static_cast<qint64>(run.windows_used)),
-                                          locale.toString(static_cast<qint64>(run.windows)),
-                                          locale.toString(static_cast<qint64>(run.window)));
-            return sentenceCell(text);
+            return sentenceCell(ResonatorWords::tr("%1 of %2, n = %3")
+                                    .arg(countLabel(run.windows_used), countLabel(run.windows),
+                                         countLabel(run.window)));
         });
     return rows;
 }
