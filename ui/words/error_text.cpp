@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace vybeg::ui {
 
@@ -189,17 +188,8 @@ QString eventText(const Event& event) {
     };
     switch (event.kind) {
         case EventKind::axis_crossing: {
-            const int k = event.multiple_of_half_pi;
-            const QString sign = k < 0 ? QStringLiteral("−") : QString();
-            const int halves = std::abs(k);
-            QString angle = QStringLiteral("0");
-            if (halves % 2 == 1) {
-                angle = halves == 1 ? sign + QStringLiteral("π/2")
-                                    : sign + QStringLiteral("%1π/2").arg(halves);
-            } else if (halves > 0) {
-                angle = halves == 2 ? sign + QStringLiteral("π")
-                                    : sign + QStringLiteral("%1π").arg(halves / 2);
-            }
+            const QString angle =
+                numberLabel(90. * event.multiple_of_half_pi, 0) + QStringLiteral("°");
             return event.direction > 0 ? EventWords::tr("2θ_A passes %1, rising").arg(angle)
                                        : EventWords::tr("2θ_A passes %1, falling").arg(angle);
         }

@@ -183,7 +183,7 @@ private slots:
         QCOMPARE(valueText(0.25, NAN), QStringLiteral("0.25"));
     }
 
-    void an_event_lasts_three_digits() {
+    void an_event_has_three_digits_and_degrees() {
         const auto gap = [](double seconds) {
             return eventText({EventKind::gap, 1, seconds, 0, 0});
         };
@@ -191,6 +191,8 @@ private slots:
         QCOMPARE(gap(1.8), QStringLiteral("Samples are missing, 1.80 s"));
         QCOMPARE(gap(1234.5), QStringLiteral("Samples are missing, 1235 s"));
         QCOMPARE(gap(0), QStringLiteral("Samples are missing"));  // of one window
+        QCOMPARE(eventText({EventKind::axis_crossing, 1, 0, -1, 1}),
+                 QStringLiteral("2θ_A passes −90°, rising"));
     }
 
     void an_underscore_makes_an_index() {
