@@ -101,7 +101,7 @@ namespace {
 // Columns of values that a page has room for.
 constexpr qsizetype most_recordings = 2;
 constexpr qsizetype most_sources = 5;
-constexpr qsizetype most_errors = 4;
+constexpr qsizetype most_changed = 5;
 
 QString part(const QString& title, const QString& tables) {
     return tables.isEmpty() ? tables : smallHeading(title) + tables;
@@ -139,7 +139,7 @@ QString sensitivities(const Identification& found, const DisplayUnits& units) {
     const auto rows = sensitivityRows(found, units);
     return part(
         rows.empty() ? QString() : ReportWords::tr("Errors that no residual shows would add"),
-        quantityTables(sensitivityHeaders(), rows, most_errors, true));
+        quantityTables(sensitivityHeaders(found, units), rows, most_changed, true));
 }
 
 // Whether the limits are kept.

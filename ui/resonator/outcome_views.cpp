@@ -99,7 +99,11 @@ void NumbersView::rebuild() {
                               ? uncertaintyText(found)
                               : offer + QStringLiteral("<br>") + uncertaintyText(found));
     const auto sensitivities = sensitivityRows(found, units_);
-    sensitivities_->setContent(sensitivityHeaders(), sensitivities);
+    QStringList changed;
+    for (const QString& header : sensitivityHeaders(found, units_)) {
+        changed << indexPlain(header);
+    }
+    sensitivities_->setContent(changed, sensitivities);
     sensitivities_section_->setVisible(!sensitivities.empty());
     modes_section_->setTitle(modesTitle(found.fit));
     modes_->setContent({}, modeRows(found.fit));

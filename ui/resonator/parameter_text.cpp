@@ -75,7 +75,10 @@ QString numberedTitle(const std::string& name) {
 }  // namespace
 
 QuantityCell valueCell(double value, double sd, double u) {
-    return {valueText(value, sd, u), {exactText(value), exactText(sd), exactText(u)}, {}};
+    return {valueText(value, sd, u),
+            {exactText(value), exactText(sd), exactText(u)},
+            {},
+            conciseText(value, sd)};
 }
 
 QuantityCell sentenceCell(const QString& text) {

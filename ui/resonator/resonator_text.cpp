@@ -3,6 +3,7 @@
 #include "core/output/identify_json.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/panels/reading.h"
+#include "ui/plots/axis_ticks.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 #include "ui/words/number_label.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace vybeg::ui {
@@ -66,14 +66,49 @@ void collapseRepeatedReasons(std::vector<QuantityRow>& rows) {
     }
 }
 
-// A number without a deviation, three digits.
-QString threeDigits(double value) {
-    const double size = std::abs(value);
-    if (!std::isfinite(value) || size == 0) {
-        return valueText(value, std::numeric_limits<double>::quiet_NaN());
+// What errors of usual size would change of a parameter: a column of one unit and power of ten, of
+// which the greatest change has three digits.
+struct Changes {
+    QString head;
+    std::vector<QuantityCell> cells;  // as usual_errors
+};
+
+Changes changesOf(const Shown& shown, const Estimate& estimate, const BySource& sensitivity) {
+    std::array<double, usual_errors.size()> changes{};
+    double most = 0;
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+        const double change = usual_errors[k].size * sensitivity[usual_errors[k].source];
+        changes[k] = std::abs(change) > negligible * estimate.sd ? shown.factor * change : 0;
+        most = std::max(most, std::abs(changes[k]));
     }
-    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
-    return valueText(std::round(value / unit) * unit, std::numeric_limits<double>::quiet_NaN());
+    const int digit = most > 0 ? static_cast<int>(std::floor(std::log10(most))) : 0;
+    const int power = digit < -3 || digit > 3 ? 3 * static_cast<int>(std::floor(digit / 3.)) : 0;
+    const int decimals = std::max(0, 2 - digit + power);
+    const double unit = std::pow(10., power);
+    Changes column{withUnit(shown.title.section(QLatin1Char(' '), -1),
+                            scaledUnit(shown.unit, shown.unit == unitText("Hz"), power)),
+                   {}};
+    for (const double change : changes) {
+        const double scaled = change / unit;
+        const bool seen = std::abs(scaled) >= 0.5 * std::pow(10., -decimals);
+        column.cells.push_back({seen ? numberLabel(scaled, decimals) : QStringLiteral("≈ 0"),
+                                {exactText(scaled)},
+                                {}});
+    }
+    return column;
+}
+
+std::vector<Changes> allChanges(const Identification& found, const DisplayUnits& units) {
+    std::vector<Changes> columns;
+    for (std::size_t k = 0; k < found.fit.sensitivities.size(); ++k) {
+        const ResonatorParameter& parameter = resonator_parameters[k];
+        const Estimate& estimate = found.fit.resonator.*parameter.member;
+        if (estimate.given()) {
+            columns.push_back(changesOf(shownAs(parameter.name, parameter.unit, units), estimate,
+                                        found.fit.sensitivities[k]));
+        }
+    }
+    return columns;
 }
 
 // "✓ ≤ 0.001": a limit and whether the parameter keeps it, by a sign and a colour.
@@ -205,7 +240,15 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
     return rows;
 }
 
-QStringList sensitivityHeaders() {
+QStringList sensitivityHeaders(const Identification& found, const DisplayUnits& units) {
+    QStringList headers;
+    for (const Changes& column : allChanges(found, units)) {
+        headers << column.head;
+    }
+    return headers;
+}
+
+std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units) {
     // As usual_errors.
     static constexpr std::array<const char*, 11> texts{
         QT_TRANSLATE_NOOP("Resonator", "0.1° of non-orthogonality"),
@@ -221,29 +264,12 @@ QStringList sensitivityHeaders() {
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁶ rad/s of the 8th harmonic of drift"),
     };
     static_assert(texts.size() == usual_errors.size());
-    QStringList headers;
-    for (const char* text : texts) {
-        headers << ResonatorWords::tr(text);
-    }
-    return headers;
-}
-
-std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units) {
+    const std::vector<Changes> columns = allChanges(found, units);
     std::vector<QuantityRow> rows;
-    const ResonatorFit& fit = found.fit;
-    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
-        const ResonatorParameter& parameter = resonator_parameters[k];
-        const Estimate& estimate = fit.resonator.*parameter.member;
-        if (!estimate.given()) {
-            continue;
-        }
-        const Shown shown = shownAs(parameter.name, parameter.unit, units);
-        QuantityRow row = rowOf(shown);
-        for (const UsualError& error : usual_errors) {
-            const double change = shown.factor * error.size * fit.sensitivities[k][error.source];
-            const bool felt = std::abs(change) > negligible * shown.factor * estimate.sd;
-            row.cells.push_back(
-                {felt ? threeDigits(change) : QStringLiteral("≈ 0"), {exactText(change)}, {}});
+    for (std::size_t k = 0; k < texts.size() && !columns.empty(); ++k) {
+        QuantityRow row{ResonatorWords::tr(texts[k]), {}, {}};
+        for (const Changes& column : columns) {
+            row.cells.push_back(column.cells[k]);
         }
         rows.push_back(std::move(row));
     }
