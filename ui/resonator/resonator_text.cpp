@@ -77,12 +77,14 @@ Changes changesOf(const Shown& shown, const Estimate& estimate, const BySource& 
     std::array<double, usual_errors.size()> changes{};
     double most = 0;
     for (std::size_t k = 0; k < changes.size(); ++k) {
-        const double change = usual_errors[k].size * sensitivity[usual_errors[k].source];
-        changes[k] = std::abs(change) > negligible * estimate.sd ? shown.factor * change : 0;
+        changes[k] = shown.factor * usual_errors[k].size * sensitivity[usual_errors[k].source];
         most = std::max(most, std::abs(changes[k]));
     }
+    const double least = std::abs(shown.factor) * negligible * estimate.sd;
+    most = most > least ? most : 0;
     const int digit = most > 0 ? static_cast<int>(std::floor(std::log10(most))) : 0;
-    const int power = digit < -3 || digit > 3 ? 3 * static_cast<int>(std::floor(digit / 3.)) : 0;
+    const int thousands = std::clamp(static_cast<int>(std::floor(digit / 3.)), -5, 4);
+    const int power = digit < -3 || digit > 3 ? 3 * thousands : 0;
     const int decimals = std::max(0, 2 - digit + power);
     const double unit = std::pow(10., power);
     Changes column{withUnit(shown.title.section(QLatin1Char(' '), -1),
@@ -90,7 +92,8 @@ Changes changesOf(const Shown& shown, const Estimate& estimate, const BySource& 
                    {}};
     for (const double change : changes) {
         const double scaled = change / unit;
-        const bool seen = std::abs(scaled) >= 0.5 * std::pow(10., -decimals);
+        const bool seen =
+            std::abs(change) > least && std::abs(scaled) >= 0.5 * std::pow(10., -decimals);
         column.cells.push_back({seen ? numberLabel(scaled, decimals) : QStringLiteral("≈ 0"),
                                 {exactText(scaled)},
                                 {}});
