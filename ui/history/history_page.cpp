@@ -164,6 +164,7 @@ void HistoryPage::showHistory() {
     distribution_->setContent(distributionPlot(now));
     ranges_->setVisible(charts_.one_gyro);
     average_->setVisible(charts_.one_gyro);
+    placeSmallPlots(side_by_side_);
     verdict_->setText(richText(verdictText(now)));
     point_->setVisible(chosen_.has_value());
     recordings_->setVisible(chosen_.has_value());
@@ -204,6 +205,8 @@ void HistoryPage::refresh() {
     database_->setText(QFileInfo(path_).fileName());
     database_->setToolTip(plainTip(path_));
     const QString hint = addHint();
+    add_->setVisible(!path_.isEmpty());
+    export_->setVisible(!path_.isEmpty());
     add_->setEnabled(hint.isEmpty());
     add_->setToolTip(
         richTip(hint.isEmpty() ? tr("The identified resonator of the current set into the database")
@@ -317,19 +320,24 @@ QLayout* HistoryPage::buildHead() {
     return rows;
 }
 
-// Side by side where both have room for their titles.
+// Side by side where all have room for their titles, so that nothing scrolls.
 void HistoryPage::placeSmallPlots(bool side_by_side) {
     side_by_side_ = side_by_side;
-    for (QWidget* plot : {ranges_, average_}) {
+    int place = 0;
+    for (QWidget* plot : {ranges_, average_, distribution_}) {
         grid_->removeWidget(plot);
+        const bool alone = plot == distribution_ && !charts_.one_gyro;
+        grid_->addWidget(plot, side_by_side ? 3 : 3 + place, side_by_side && !alone ? place : 0, 1,
+                         side_by_side && !alone ? 1 : 3);
+        grid_->setRowStretch(3 + place, place == 0 || !side_by_side ? 2 : 0);
+        grid_->setColumnStretch(place, 1);
+        ++place;
     }
-    grid_->addWidget(ranges_, 3, 0, 1, side_by_side ? 1 : 2);
-    grid_->addWidget(average_, side_by_side ? 3 : 4, side_by_side ? 1 : 0, 1, side_by_side ? 1 : 2);
 }
 
 void HistoryPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    constexpr int wide = 760;
+    constexpr int wide = 1100;
     if (side_by_side_ != (width() >= wide)) {
         placeSmallPlots(width() >= wide);
     }
@@ -348,15 +356,12 @@ QWidget* HistoryPage::buildContent() {
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(6, 0, 6, 0);
     grid->setSpacing(4);
-    grid->addWidget(verdict_, 0, 0, 1, 2);
-    grid->addWidget(values_, 1, 0, 1, 2);
-    grid->addLayout(chosen, 2, 0, 1, 2);
-    grid->addWidget(distribution_, 5, 0, 1, 2);
+    grid->addWidget(verdict_, 0, 0, 1, 3);
+    grid->addWidget(values_, 1, 0, 1, 3);
+    grid->addLayout(chosen, 2, 0, 1, 3);
     grid_ = grid;
     placeSmallPlots(true);
     grid->setRowStretch(1, 3);
-    grid->setRowStretch(3, 2);
-    grid->setRowStretch(5, 2);
     return content;
 }
 

@@ -13,6 +13,7 @@
 #include <QLayout>
 #include <QLocale>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QStyle>
@@ -40,7 +41,10 @@ constexpr int header_margin = 16;
 }  // namespace
 
 QString WrappingDelegate::unbroken(QString text) {
-    return text.replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
+    // Neither does a symbol stand alone on a line behind the name of its quantity.
+    static const QRegularExpression symbol(QStringLiteral(" (\\S{1,4})(?=,|$)"));
+    return text.replace(symbol, QStringLiteral("\u00a0\\1"))
+        .replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
         .replace(QStringLiteral("± "), QStringLiteral("±\u00a0"))
         .replace(QStringLiteral("(u "), QStringLiteral("(u\u00a0"));
 }
