@@ -1977,11 +1977,11 @@
         <translation>%1 не согласуется с остальными журналами в гармонике %2 дрейфа. Дрейф определён по остальным.</translation>
     </message>
     <message>
-        <source>Gain ratio and skew of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u.</source>
+        <source>Gain ratio and non-orthogonality of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u.</source>
         <translation>Отношение коэффициентов передачи и неортогональность каналов в пределах допусков дают поворачивающейся волне четвёртую гармонику %1; она входит в u. От дрейфа её отличит журнал с обратным поворотом; меньший допуск (--tolerance kappa=...,skew=...) уменьшит u.</translation>
     </message>
     <message>
-        <source>Gain ratio and skew of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift.</source>
+        <source>Gain ratio and non-orthogonality of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift.</source>
         <translation>Отношение коэффициентов передачи и неортогональность каналов в пределах допусков дают поворачивающейся волне четвёртую гармонику %1; она входит в u. От дрейфа её отличит журнал с обратным поворотом.</translation>
     </message>
     <message>

@@ -262,13 +262,15 @@ MessageRow message_row(DiagnosticKind kind) {
         {turn_one_way, "turn-one-way", warning,
          VYBEG_MESSAGE(
              "Message",
-             "Gain ratio and skew of the channels within their tolerance give a wave that turns a "
-             "fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the "
+             "Gain ratio and non-orthogonality of the channels within their tolerance give a wave "
+             "that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells "
+             "it from the "
              "drift; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u."),
-         VYBEG_MESSAGE("Message",
-                       "Gain ratio and skew of the channels within their tolerance give a wave "
-                       "that turns a fourth harmonic of %1, which u holds. A log of the opposite "
-                       "turn tells it from the drift.")},
+         VYBEG_MESSAGE(
+             "Message",
+             "Gain ratio and non-orthogonality of the channels within their tolerance "
+             "give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite "
+             "turn tells it from the drift.")},
         {angle_of_quarter, "angle-of-quarter", warning,
          VYBEG_MESSAGE("Message",
                        "%1 wraps its angle at 90 degrees: the sign of the second harmonic is that "

@@ -102,7 +102,6 @@ QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new 
                                             Qt::Alignment(Qt::TextWordWrap));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::ContiguousSelection);
-    setAlternatingRowColors(true);
     setShowGrid(false);
     setTabKeyNavigation(false);
     setFrameShape(QFrame::NoFrame);
@@ -123,6 +122,7 @@ void QuantityTable::setContent(const QStringList& headers, const std::vector<Qua
     concise_ = false;
     clear();
     setRowCount(static_cast<int>(rows.size()));
+    setAlternatingRowColors(rows.size() > 5);
     setColumnCount(1 + static_cast<int>(rows.empty() ? static_cast<std::size_t>(headers.size())
                                                      : rows.front().cells.size()));
     horizontalHeader()->setVisible(!headers.isEmpty());
