@@ -165,7 +165,17 @@ void HistoryPage::showHistory() {
     ranges_->setVisible(charts_.one_gyro);
     average_->setVisible(charts_.one_gyro);
     placeSmallPlots(side_by_side_);
-    verdict_->setText(richText(verdictText(now)));
+    // A click on a name chooses its result.
+    QString verdict = richText(verdictText(now));
+    const bool judged = charts_.one_gyro && charts_.control.fault != BaselineFault::too_few;
+    for (std::size_t k = 0; judged && k < charts_.values.size(); ++k) {
+        if (charts_.control.is_out(k)) {
+            const QString name = richText(nameOf(history_->points[k]));
+            verdict.replace(name + QStringLiteral(" ("),
+                            QStringLiteral("<a href=\"%1\">%2</a> (").arg(k).arg(name));
+        }
+    }
+    verdict_->setText(verdict);
     point_->setVisible(chosen_.has_value());
     recordings_->setVisible(chosen_.has_value());
     if (chosen_) {
@@ -346,6 +356,11 @@ void HistoryPage::resizeEvent(QResizeEvent* event) {
 QWidget* HistoryPage::buildContent() {
     auto* content = new QWidget(this);
     verdict_ = sentence(content, "historyVerdict", QMargins());
+    verdict_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(verdict_, &QLabel::linkActivated, this, [this](const QString& place) {
+        chosen_ = place.toULongLong();
+        showHistory();
+    });
     point_ = sentence(content, "historyPoint", QMargins());
     recordings_ = withName(new QPushButton(content), "historyRecordings");
     values_ = addPlot("historyValues", plot_height + 20);

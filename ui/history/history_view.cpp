@@ -319,6 +319,8 @@ QString counted(const char* text, std::size_t count) {
     return QCoreApplication::translate("History", text, nullptr, static_cast<int>(count));
 }
 
+}  // namespace
+
 QString nameOf(const HistoryPoint& point) {
     QStringList parts;
     for (const std::string& part : {point.gyro, point.date.text, point.set}) {
@@ -328,6 +330,8 @@ QString nameOf(const HistoryPoint& point) {
     }
     return parts.join(QStringLiteral(", "));
 }
+
+namespace {
 
 // In which charts a point lies outside; empty: in none.
 QString outsideText(const HistoryCharts& charts, std::size_t point) {

@@ -25,6 +25,7 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTabBar>
+#include <QTextDocumentFragment>
 #include <QtTest>
 #include <qcustomplot.h>
 
@@ -40,7 +41,10 @@ class TestHistoryPage : public QObject, private WindowTest {
 
     HistoryPage& page() { return the<HistoryPage>(); }
 
-    QString text(const char* name) { return the<QLabel>(name).text(); }
+    // Without the links.
+    QString text(const char* name) {
+        return QTextDocumentFragment::fromHtml(the<QLabel>(name).text()).toPlainText();
+    }
 
     void click(const char* button) { QTest::mouseClick(&the<QPushButton>(button), Qt::LeftButton); }
 
@@ -192,6 +196,10 @@ private slots:
         values.setFocus();
         QTest::keyClick(&values, Qt::Key_Left);
         QVERIFY2(text("historyPoint").contains("set 87"), qPrintable(text("historyPoint")));
+        // Its name in the sentence chooses it, too.
+        QVERIFY(the<QLabel>("historyVerdict").text().contains("<a href=\"30\">G0, 2024-03-31"));
+        emit the<QLabel>("historyVerdict").linkActivated(QStringLiteral("30"));
+        QVERIFY2(text("historyPoint").contains("set 90"), qPrintable(text("historyPoint")));
         // Of a longer baseline that holds the value, it sets the limits itself.
         the<QSpinBox>("historyBaseline").setValue(40);
         VYBEG_MORE(page().charts().control.deviations[0], 1e-4);
