@@ -222,4 +222,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>vybeg::ui::SessionKeeper</name>
+        <message numerus="yes">
+            <source>A session was not closed, and can be recovered: %1, %n recording(s), %2.</source>
+            <translation>
+                <numerusform>A session was not closed, and can be recovered: %1, %n recording, %2.</numerusform>
+                <numerusform>A session was not closed, and can be recovered: %1, %n recordings, %2.</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -289,8 +289,8 @@
         <translation>Полос&amp;ы ±σ</translation>
     </message>
     <message>
-        <source>&amp;Logarithmic working amplitude</source>
-        <translation>&amp;Логарифмическая шкала рабочей амплитуды</translation>
+        <source>&amp;Log axis for a_A</source>
+        <translation>&amp;Логарифмическая шкала a_A</translation>
     </message>
     <message>
         <source>&amp;Analyse</source>
@@ -362,7 +362,7 @@
     </message>
     <message>
         <source>&amp;New set of recordings</source>
-        <translation>Но&amp;вый набор пусков</translation>
+        <translation>Но&amp;вый набор записей</translation>
     </message>
     <message>
         <source>Recordings of another resonator, to be identified together</source>
@@ -410,7 +410,7 @@
     </message>
     <message>
         <source>The page with the resonator of a set: parameters, rim, drift</source>
-        <translation>Страница с резонатором набора: параметры, кромка, уход</translation>
+        <translation>Страница с резонатором набора: параметры, кромка, дрейф</translation>
     </message>
     <message>
         <source>&amp;Windows</source>
@@ -680,6 +680,30 @@
 </context>
 <context>
     <name>Finding</name>
+    <message>
+        <source>Clipped</source>
+        <translation>Ограничение</translation>
+    </message>
+    <message>
+        <source>The wave moves inside its windows</source>
+        <translation>Волна меняется внутри окон</translation>
+    </message>
+    <message>
+        <source>The delay reaches beyond the samples</source>
+        <translation>Задержка выходит за край записи</translation>
+    </message>
+    <message>
+        <source>Transient of the band-pass</source>
+        <translation>Переходный процесс фильтра</translation>
+    </message>
+    <message>
+        <source>Not converged</source>
+        <translation>Нет сходимости</translation>
+    </message>
+    <message>
+        <source>Samples are missing</source>
+        <translation>Нет отсчётов</translation>
+    </message>
     <message numerus="yes">
         <source>(And %n more of the kind.)</source>
         <translation>
@@ -759,30 +783,6 @@
     <message>
         <source>2θ_A passes %1, falling</source>
         <translation>2θ_A проходит %1, убывая</translation>
-    </message>
-    <message>
-        <source>Samples are missing, %1 s</source>
-        <translation>Нет отсчётов, %1 с</translation>
-    </message>
-    <message>
-        <source>Not converged, %1 s</source>
-        <translation>Нет сходимости, %1 с</translation>
-    </message>
-    <message>
-        <source>Transient of the band-pass, %1 s</source>
-        <translation>Переходный процесс фильтра, %1 с</translation>
-    </message>
-    <message>
-        <source>The delay reaches beyond the samples, %1 s</source>
-        <translation>Задержка выходит за край записи, %1 с</translation>
-    </message>
-    <message>
-        <source>The wave moves inside its windows, %1 s</source>
-        <translation>Волна меняется внутри окон, %1 с</translation>
-    </message>
-    <message>
-        <source>Clipped, %1 s</source>
-        <translation>Ограничение, %1 с</translation>
     </message>
 </context>
 <context>
@@ -1207,7 +1207,7 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation>Дискретизация</translation>
+        <translation>Частота дискретизации</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1252,6 +1252,14 @@
 </context>
 <context>
     <name>Measuring</name>
+    <message>
+        <source>no sinusoid fits</source>
+        <translation>не синусоида</translation>
+    </message>
+    <message>
+        <source>Bent: %1; sd enlarged.</source>
+        <translation>Изгиб больше шума: %1; СКО увеличены.</translation>
+    </message>
     <message>
         <source>no windows there</source>
         <translation>окон здесь нет</translation>
@@ -1313,10 +1321,6 @@
         <translation>Уход f: %1 Гц/с</translation>
     </message>
     <message>
-        <source>No line within the noise: %1. The deviations are enlarged.</source>
-        <translation>Отклонение от прямой больше шума: %1. СКО увеличены.</translation>
-    </message>
-    <message>
         <source>No such curve within the noise: %1. The deviations are enlarged.</source>
         <translation>Кривая не описывает данные в пределах шума: %1. СКО увеличены.</translation>
     </message>
@@ -1347,10 +1351,6 @@
     <message>
         <source>%1/s³</source>
         <translation>%1/с³</translation>
-    </message>
-    <message>
-        <source>no beat</source>
-        <translation>биений нет</translation>
     </message>
     <message>
         <source>too few windows</source>
@@ -1544,7 +1544,7 @@
         <translation>Окон, в которых из-за утечки ошибка алгоритма больше одного СКО: %1 из %2; они помечены. Меньше всего утечка в окне из целых полупериодов («К полупериодам»); у сопряжённых градиентов и максимального правдоподобия её нет.</translation>
     </message>
     <message>
-        <source>In %1 of %2 windows the wave moves inside the window, or turns too far from one window to the next; they are flagged. Choose a shorter window or a smaller hop.</source>
+        <source>In %1 of %2 windows the wave moves inside the window, or turns too far from one window to the next; they are flagged. Choose a shorter window or a smaller step.</source>
         <translation>Окон, в которых волна заметно меняется за время окна или слишком далеко поворачивается от окна к окну: %1 из %2; они помечены. Возьмите более короткое окно или меньший шаг.</translation>
     </message>
     <message>
@@ -1597,7 +1597,7 @@
     </message>
     <message>
         <source>Lost samples made gaps, as asked for: %1; places: %2. Windows over them have no values.</source>
-        <translation>По запросу на месте потерянных отсчётов сделаны пропуски (отсчётов: %1, мест: %2); окна над ними без значений.</translation>
+        <translation>По запросу на месте потерянных отсчётов сделаны пропуски (отсчётов: %1, мест: %2); окна с ними без значений.</translation>
     </message>
     <message>
         <source>Lost samples counted in the time behind them, so that the phase runs on: %1; places: %2.</source>
@@ -1669,7 +1669,7 @@
     </message>
     <message>
         <source>The channels are no calibrated pair of pick-offs (%1): the free model gives the modes, and the resonator has no axes. If they are calibrated, choose the structured model.</source>
-        <translation>Каналы — не откалиброванная пара датчиков (%1): свободная модель даёт моды, осей у резонатора нет. Если пара откалибрована, выберите структурную модель.</translation>
+        <translation>Каналы — не откалиброванная пара датчиков (%1): свободная модель даёт моды, осей у резонатора нет. Если пара откалибрована, выберите модель с калиброванными датчиками.</translation>
     </message>
     <message>
         <source>The residual is below the noise of the windows (chi square per degree of freedom %1): the standard deviations are too large.</source>
@@ -1740,11 +1740,11 @@
         <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу или откройте файл без столбца времени и задайте частоту дискретизации.</translation>
     </message>
     <message>
-        <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out{ (--offset auto)}.</source>
+        <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration removes it{ (--offset auto)}.</source>
         <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка.</translation>
     </message>
     <message>
-        <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out{ (--filter)}.</source>
+        <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass removes it{ (--filter)}.</source>
         <translation>Сетевая наводка на %1 Гц, %2 % несущей. Её убирает полосовой фильтр.</translation>
     </message>
     <message>
@@ -1756,7 +1756,7 @@
         <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды из диапазона.</translation>
     </message>
     <message>
-        <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Take it out with a narrower band-pass{ (--filter)}.</source>
+        <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Remove it with a narrower band-pass{ (--filter)}.</source>
         <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром.</translation>
     </message>
     <message>
@@ -1873,7 +1873,7 @@
     </message>
     <message>
         <source>%1: the phasors of C turn at %2 from the reference, those of D at %3, as if Y of one had the other sign. Export both channels with one sign of Y, or exchange its sign in the file. The numbers hold only if the reference lies in the middle between two modes.</source>
-        <translation>%1: фазоры C вращаются относительно опорной частоты на %2, фазоры D — на %3, как если бы Y одного из каналов имел другой знак. Запишите оба канала с одним знаком Y или смените его знак в файле. Числа верны, только если опорная частота лежит посередине между двумя модами.</translation>
+        <translation>%1: комплексные амплитуды C вращаются относительно опорной частоты на %2, а D — на %3, как если бы Y одного из каналов имел другой знак. Запишите оба канала с одним знаком Y или смените его знак в файле. Числа верны, только если опорная частота лежит посередине между двумя модами.</translation>
     </message>
     <message>
         <source>%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than noise explains: a column has an offset, or a gain of its own, or the wave turns far within a row. The numbers may be off by more than their uncertainties. Calibrate the columns, or log faster.</source>
@@ -1881,11 +1881,11 @@
     </message>
     <message>
         <source>The recordings differ by more than their noise: the decay rate by %1 %, the split by %2 %, the gain ratio by %3 % (standard deviations). The combined uncertainties hold this spread.</source>
-        <translation>Записи различаются больше, чем их шум: скорость затухания на %1 %, расщепление на %2 %, отношение усилений на %3 % (стандартные отклонения). Суммарные неопределённости включают этот разброс.</translation>
+        <translation>Записи различаются больше, чем их шум: скорость затухания на %1 %, разночастотность на %2 %, отношение коэффициентов передачи на %3 % (стандартные отклонения). Суммарные неопределённости включают этот разброс.</translation>
     </message>
     <message>
         <source>Two or three recordings do not show whether all are of one resonator. The combined uncertainties hold an assumed spread between them: of the decay rate by %1 %, of the split by %2 %, of the gain ratio by %3 %.</source>
-        <translation>По двум или трём записям не видно, все ли они от одного резонатора. Суммарные неопределённости включают принятый разброс между ними: скорости затухания на %1 %, расщепления на %2 %, отношения усилений на %3 %.</translation>
+        <translation>По двум или трём записям не видно, все ли они от одного резонатора. Суммарные неопределённости включают принятый разброс между ними: скорости затухания на %1 %, разночастотности на %2 %, отношения коэффициентов передачи на %3 %.</translation>
     </message>
     <message>
         <source>The frequencies of the recordings lie %1 ppm apart (%2: %3 Hz, %4: %5 Hz). A mean frequency and modes are refused.</source>
@@ -1893,7 +1893,7 @@
     </message>
     <message>
         <source>The residual is that of a damping by %1 (about %2 % of the damping at the largest amplitude), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit parts of the recordings in which the amplitude changes less{ (--from, --to)}.</source>
-        <translation>Невязка такая, как при затухании, которое создаёт %1 (около %2 % затухания при наибольшей амплитуде); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите участки записей, где амплитуда меняется меньше.</translation>
+        <translation>Невязка такая, как при затухании, которое создаёт %1 (около %2 % затухания при наибольшей амплитуде); в модели этого нет: затухание, разнодобротность, вращение и дрейф могут быть ошибочны больше своих СКО. Возьмите участки записей, где амплитуда меняется меньше.</translation>
     </message>
     <message>
         <source>Recording %1: this is no free decay: %2. Damping, Q and what rests on them may be off by more than their deviations.</source>
@@ -1980,7 +1980,7 @@
         <translation>%1 не согласуется с остальными журналами в гармонике %2 дрейфа. Дрейф определён по остальным.</translation>
     </message>
     <message>
-        <source>Gain ratio and skew of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift{; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u}.</source>
+        <source>Gain ratio and non-orthogonality of the channels within their tolerance give a wave that turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the drift{; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u}.</source>
         <translation>Отношение коэффициентов передачи и неортогональность каналов в пределах допусков дают поворачивающейся волне четвёртую гармонику %1; она входит в u. От дрейфа её отличит журнал с обратным поворотом.</translation>
     </message>
     <message>
@@ -2072,7 +2072,7 @@
     </message>
     <message>
         <source>At one angle a rotation and a damping anisotropy turn the wave alike. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
-        <translation>При одном угле вращение и анизотропия затухания поворачивают волну одинаково. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
+        <translation>При одном угле вращение и разнодобротность поворачивают волну одинаково. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
     </message>
     <message>
         <source>The free model takes the channels as any two views of the modes: it has no angles.</source>
@@ -2087,7 +2087,7 @@
         <translation>У круговой волны нет угла.</translation>
     </message>
     <message>
-        <source>The waves stand at too few angles for the drift as a function of the angle: it needs three starts 22.5 degrees apart or more, or a wave that turns.</source>
+        <source>The drift function needs starts at three angles, 22.5 degrees apart or more, or a wave that turns.</source>
         <translation>Для функции дрейфа нужны пуски не менее чем с трёх углов через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
     </message>
     <message>
@@ -2188,7 +2188,7 @@
     </message>
     <message>
         <source>The axes of damping by the effort and by the drift lie %1 degrees apart: the fourth harmonic of the drift is not that of the damping alone.</source>
-        <translation>Оси демпфирования по воздействию и по дрейфу расходятся на %1 градусов: четвёртая гармоника дрейфа вызвана не только демпфированием.</translation>
+        <translation>Оси затухания по воздействию и по дрейфу расходятся на %1 градусов: четвёртая гармоника дрейфа вызвана не только затуханием.</translation>
     </message>
     <message>
         <source>The log keeps no phase of the oscillation, and with it no frequency.</source>
@@ -2203,7 +2203,7 @@
     </message>
     <message>
         <source>Of the analyses</source>
-        <translation>Об анализах</translation>
+        <translation>О расчётах</translation>
     </message>
     <message>
         <source>Of the recordings in the fit</source>
@@ -2274,7 +2274,7 @@
         <translation>Алгоритм</translation>
     </message>
     <message>
-        <source>Window, hop (samples)</source>
+        <source>Window, step (samples)</source>
         <translation>Окно, шаг (отсчёты)</translation>
     </message>
     <message>
@@ -2769,7 +2769,7 @@
         <translation>Амплитуда: C %1, D %2.</translation>
     </message>
     <message>
-        <source>A band-pass filter takes it out.</source>
+        <source>A band-pass filter removes it.</source>
         <translation>Её убирает полосовой фильтр.</translation>
     </message>
 </context>
@@ -2780,8 +2780,8 @@
         <translation>Средняя частота f</translation>
     </message>
     <message>
-        <source>Of both modes, mean of the runs</source>
-        <translation>Двух мод, среднее по пускам</translation>
+        <source>Of both modes, mean of the recordings</source>
+        <translation>Двух мод, среднее по записям</translation>
     </message>
     <message>
         <source>Frequency split Δf</source>
@@ -2880,8 +2880,8 @@
         <translation>нс</translation>
     </message>
     <message>
-        <source>As above: %1</source>
-        <translation>Как выше, для %1</translation>
+        <source>The same as for %1</source>
+        <translation>То же, что для %1</translation>
     </message>
     <message>
         <source>Mode %1: %2</source>
@@ -2924,8 +2924,8 @@
         <translation>Отклонение частоты</translation>
     </message>
     <message>
-        <source>From the mean frequency of the runs</source>
-        <translation>От средней частоты пусков</translation>
+        <source>From the mean frequency of the recordings</source>
+        <translation>От средней частоты записей</translation>
     </message>
     <message>
         <source>Start angle θ_A</source>
@@ -2944,8 +2944,8 @@
         <translation>Амплитуда квадратурной волны в начале</translation>
     </message>
     <message>
-        <source>What of the frequency split makes the quadrature of this run grow</source>
-        <translation>Та часть разночастотности, от которой растёт квадратура этого пуска</translation>
+        <source>What of the frequency split makes the quadrature of this recording grow</source>
+        <translation>Та часть разночастотности, от которой растёт квадратура этой записи</translation>
     </message>
     <message>
         <source>Q of this wave</source>
@@ -2960,16 +2960,16 @@
         <translation>Q когерентная</translation>
     </message>
     <message>
-        <source>Quality factor from the coherent fit of all runs</source>
-        <translation>Добротность по когерентной подгонке всех пусков</translation>
+        <source>Quality factor from the coherent fit of all recordings</source>
+        <translation>Добротность по когерентной подгонке всех записей</translation>
     </message>
     <message>
         <source>Frequency drift</source>
         <translation>Уход частоты</translation>
     </message>
     <message>
-        <source>Of this run, over time</source>
-        <translation>В этом пуске, со временем</translation>
+        <source>Of this recording, over time</source>
+        <translation>В этой записи, со временем</translation>
     </message>
     <message>
         <source>Noise σ</source>
@@ -3060,8 +3060,8 @@
         <translation>Относительно</translation>
     </message>
     <message>
-        <source>Run %1: %2 of its direction</source>
-        <translation>Пуск %1: %2 его направления</translation>
+        <source>Recording %1: %2 of its direction</source>
+        <translation>Запись %1: %2 её направления</translation>
     </message>
     <message>
         <source>Frequency of the wave</source>
@@ -3101,7 +3101,7 @@
     </message>
     <message>
         <source>ppm</source>
-        <translation>ppm</translation>
+        <translation>млн⁻¹</translation>
     </message>
     <message>
         <source>10⁻⁶ rad/s of the 8th harmonic of drift</source>
@@ -3434,7 +3434,7 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Прервать</translation>
+        <translation>Отмена</translation>
     </message>
     <message>
         <source>A result without a gyro has no history: name one.</source>
@@ -4396,7 +4396,7 @@
     </message>
     <message>
         <source>the gain ratio of %1 is %2 times that of the others</source>
-        <translation>отношение усилений записи %1 в %2 раза отличается от остальных</translation>
+        <translation>отношение коэффициентов передачи записи %1 в %2 раза отличается от остальных</translation>
     </message>
     <message>
         <source>%1 hardly decays, the decay time of the others is %2 s</source>
@@ -4408,7 +4408,7 @@
     </message>
     <message>
         <source>the split or the stiffness axis of %1 is another</source>
-        <translation>расщепление или ось жёсткости записи %1 другие</translation>
+        <translation>разночастотность или ось жёсткости записи %1 другие</translation>
     </message>
     <message>
         <source>the wave of %1 turns at another rate</source>
@@ -4890,7 +4890,7 @@
     <name>vybeg::ui::CalibrationFields</name>
     <message>
         <source>Gain ratio κ</source>
-        <translation>Масштаб κ</translation>
+        <translation>Отношение κ</translation>
     </message>
     <message>
         <source>Channel D is recorded as D/κ, the scaling below (30): κ = 1 for balanced channels.</source>
@@ -4950,7 +4950,7 @@
     </message>
     <message>
         <source>Where the recording check finds lost samples, as many missing ones are put in, so that time runs on behind them. Windows over them have no values.</source>
-        <translation>Там, где проверка записи находит потерянные отсчёты, вставляется столько же отсутствующих, и время за ними идёт верно. Окна над ними остаются без значений.</translation>
+        <translation>Там, где проверка записи находит потерянные отсчёты, вставляется столько же отсутствующих, и время за ними идёт верно. Окна с ними остаются без значений.</translation>
     </message>
     <message>
         <source>κ ±</source>
@@ -4962,11 +4962,11 @@
     </message>
     <message>
         <source>Tolerance of the gain ratio</source>
-        <translation>Допуск отношения усилений</translation>
+        <translation>Допуск отношения коэффициентов передачи</translation>
     </message>
     <message>
         <source>ppm</source>
-        <translation>ppm</translation>
+        <translation>млн⁻¹</translation>
     </message>
     <message>
         <source>Tolerance of the sample rate</source>
@@ -4978,7 +4978,7 @@
     </message>
     <message>
         <source>Of the decay rate between the recordings of a set, relative; of the split 2.5 times it, of the gain ratio a tenth of it. Empty: what two or three recordings cannot show.</source>
-        <translation>Скорости затухания между записями набора, относительный; расщепления — в 2,5 раза больше, отношения усилений — в десять раз меньше. Пусто: то, чего не показывают две или три записи.</translation>
+        <translation>Скорости затухания между записями набора, относительный; разночастотности — в 2,5 раза больше, отношения коэффициентов передачи — в десять раз меньше. Пусто: то, чего не показывают две или три записи.</translation>
     </message>
     <message>
         <source>Tolerance of the spread between recordings</source>
@@ -5190,8 +5190,8 @@
         <translation>Частоты следуют за температурой: меньшие изменения, в миллионных долях, — не изменения гироскопа</translation>
     </message>
     <message>
-        <source>Tracks of the runs and of the passport</source>
-        <translation>Графики пусков и паспорта</translation>
+        <source>Tracks of the recordings and of the passport</source>
+        <translation>Графики записей и паспорта</translation>
     </message>
     <message>
         <source>In the colours of the recordings; further from the background: the passport</source>
@@ -5249,8 +5249,8 @@
         <translation>с</translation>
     </message>
     <message>
-        <source>Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the plots set the cursors at the mouse, 0 removes both.</source>
-        <translation>Секунды от начала записи; пусто — курсора нет. Клавиши 1 и 2 на графиках ставят курсоры под мышью, 0 убирает оба.</translation>
+        <source>Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the plots set the cursors at the mouse, Shift and an arrow key move the last one, 0 removes both.</source>
+        <translation>Секунды от начала записи; пусто — курсора нет. Клавиши 1 и 2 на графиках ставят курсоры под мышью, Shift со стрелкой сдвигает последний, 0 убирает оба.</translation>
     </message>
 </context>
 <context>
@@ -5567,7 +5567,7 @@
     <name>vybeg::ui::FiguresView</name>
     <message>
         <source>Rim, drift and balance of the channels appear here when the resonator is identified.</source>
-        <translation>Кромка, уход и баланс каналов появятся здесь после идентификации резонатора.</translation>
+        <translation>Кромка, дрейф и баланс каналов появятся здесь после идентификации резонатора.</translation>
     </message>
     <message>
         <source>Rim</source>
@@ -6511,7 +6511,7 @@
     </message>
     <message>
         <source>cubic</source>
-        <translation>кубика</translation>
+        <translation>кубическая</translation>
     </message>
     <message>
         <source>beat</source>
@@ -6644,7 +6644,7 @@
     </message>
     <message>
         <source>What the log keeps. The frame of phasors is whose phase they are relative to</source>
-        <translation>Что хранит журнал. У фазоров — относительно чьей фазы они даны</translation>
+        <translation>Что хранит журнал. У комплексных амплитуд — относительно чьей фазы они даны</translation>
     </message>
     <message>
         <source>powers E, R, S, Q</source>
@@ -6656,15 +6656,15 @@
     </message>
     <message>
         <source>phasors, one frequency</source>
-        <translation>фазоры, одна частота</translation>
+        <translation>компл. амплитуды, одна частота</translation>
     </message>
     <message>
         <source>phasors, an oscillator that moves</source>
-        <translation>фазоры, перестраиваемый генератор</translation>
+        <translation>компл. амплитуды, перестраиваемый генератор</translation>
     </message>
     <message>
         <source>phasors, each channel its own phase</source>
-        <translation>фазоры, у каждого канала своя фаза</translation>
+        <translation>компл. амплитуды, у каждого канала своя фаза</translation>
     </message>
     <message>
         <source>Named</source>
@@ -6748,7 +6748,7 @@
     </message>
     <message>
         <source>RC stages of the lock-in&apos;s filter: it delays the phasors and correlates their noise</source>
-        <translation>Звенья RC фильтра синхронного детектора: он задерживает фазоры и коррелирует их шум</translation>
+        <translation>Звенья RC фильтра синхронного детектора: он задерживает комплексные амплитуды и коррелирует их шум</translation>
     </message>
     <message>
         <source>none</source>
@@ -6799,7 +6799,7 @@
         <translation>Журналов нет: перетащите их в список.</translation>
     </message>
     <message>
-        <source>%1 Delete takes it out of the list of logs.</source>
+        <source>%1 Delete removes it from the list of logs.</source>
         <translation>%1 Delete убирает его из списка журналов.</translation>
     </message>
     <message>
@@ -6815,7 +6815,7 @@
         <translation>Журналы</translation>
     </message>
     <message>
-        <source>Logs of one resonator, made alike. Delete takes the chosen ones out</source>
+        <source>Logs of one resonator, made alike. Delete removes the chosen ones</source>
         <translation>Журналы одного резонатора, записанные одинаково. Delete убирает выбранные</translation>
     </message>
 </context>
@@ -6991,7 +6991,7 @@
     </message>
     <message>
         <source>As visible</source>
-        <translation>Видимый</translation>
+        <translation>Видимый участок</translation>
     </message>
     <message>
         <source>Analyse the time range that the plots show</source>
@@ -7170,8 +7170,8 @@
         <translation>Ctrl+C копирует таблицу</translation>
     </message>
     <message>
-        <source>No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the table below chooses one.</source>
-        <translation>Расчёт не выбран. «Рассчитать» (F5) добавит расчёт текущей записи; строка таблицы внизу выбирает его.</translation>
+        <source>No analysis is chosen. Keep (F5) adds one of the current recording; a row of the table below chooses one.</source>
+        <translation>Расчёт не выбран. «Закрепить» (F5) добавит расчёт текущей записи; строка таблицы внизу выбирает его.</translation>
     </message>
 </context>
 <context>
@@ -7254,9 +7254,13 @@
         <source>%1 is another file than that of the session: its SHA-256 differs. The analyses are computed from the present file.</source>
         <translation>%1 — не тот файл, что был в сеансе: SHA-256 отличается. Расчёты выполнены по нынешнему файлу.</translation>
     </message>
-    <message>
-        <source>Vybeg did not end as it should. Its session of %1 can be recovered.</source>
-        <translation>Работа Vybeg была прервана. Сеанс от %1 можно восстановить.</translation>
+    <message numerus="yes">
+        <source>A session was not closed, and can be recovered: %1, %n recording(s), %2.</source>
+        <translation>
+            <numerusform>Сеанс не был закрыт, его можно восстановить: %1, %n запись, %2.</numerusform>
+            <numerusform>Сеанс не был закрыт, его можно восстановить: %1, %n записи, %2.</numerusform>
+            <numerusform>Сеанс не был закрыт, его можно восстановить: %1, %n записей, %2.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Recover</source>
@@ -7271,7 +7275,7 @@
     <name>vybeg::ui::SetPanel</name>
     <message>
         <source>Set of recordings</source>
-        <translation>Набор пусков</translation>
+        <translation>Набор записей</translation>
     </message>
     <message>
         <source>Recordings of one resonator that are identified together; type here to name them</source>
@@ -7323,7 +7327,7 @@
     </message>
     <message>
         <source>The channels are any two views of the modes, as with a bell: their frequencies and decay times</source>
-        <translation>Каналы — два любых вида на моды, как у колокола: их частоты и времена затухания</translation>
+        <translation>Каналы — две любые проекции мод, как у колокола: их частоты и времена затухания</translation>
     </message>
     <message>
         <source>Identify</source>
@@ -7438,8 +7442,8 @@
         <translation>Автопересчёт</translation>
     </message>
     <message>
-        <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same analysis. What is to stay for comparison is kept by Analyse (Ctrl+L)</source>
-        <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет кнопка «Рассчитать» (Ctrl+L)</translation>
+        <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same analysis. What is to stay for comparison is kept by Keep, F5 (Ctrl+L)</source>
+        <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет «Закрепить», F5 (Ctrl+L)</translation>
     </message>
     <message>
         <source>The plots are older than these settings. Changed since: %1.</source>
@@ -7488,8 +7492,8 @@
         <translation>Запись %1 открывается…</translation>
     </message>
     <message>
-        <source>%1, samples as recorded. Analyse (F5) fits the wave.</source>
-        <translation>%1, отсчёты как записаны. Расчёт (F5) вписывает волну.</translation>
+        <source>%1, samples as recorded. Keep (F5) fits the wave.</source>
+        <translation>%1, отсчёты как записаны. «Закрепить» (F5) подгоняет волну.</translation>
     </message>
     <message>
         <source>%1: the wave appears when all windows of the analysis are there.</source>
@@ -7737,15 +7741,15 @@
     </message>
     <message>
         <source>No analysis yet.
-Open a recording and press Analyse.</source>
+Open a recording and press Keep (F5).</source>
         <translation>Расчётов пока нет.
-Откройте запись и нажмите «Рассчитать».</translation>
+Откройте запись и нажмите «Закрепить» (F5).</translation>
     </message>
 </context>
 <context>
     <name>vybeg::ui::TracksPage</name>
     <message>
-        <source>%1: %2; window %3, hop %4 samples; f0 = %5 Hz</source>
+        <source>%1: %2; window %3, step %4 samples; f0 = %5 Hz</source>
         <translation>%1: %2; окно %3, шаг %4 отсчётов; f0 = %5 Гц</translation>
     </message>
     <message>
@@ -7842,10 +7846,10 @@ Open a recording and press Analyse.</source>
     </message>
     <message>
         <source>What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 are exact for every window.</source>
-        <translation>Насколько окно нарушает ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, условие после (7). Алгоритмы 1–4 точны лишь там, где остаток равен нулю; 5 и 6 точны при любом окне.</translation>
+        <translation>Насколько окно нарушает ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, условие после (7). Алгоритмы 1–4 точны лишь там, где утечки нет; 5 и 6 точны при любом окне.</translation>
     </message>
     <message>
-        <source>Hop</source>
+        <source>Step</source>
         <translation>Шаг</translation>
     </message>
     <message>
@@ -7869,8 +7873,8 @@ Open a recording and press Analyse.</source>
         <translation>К полупериодам</translation>
     </message>
     <message>
-        <source>Moves the window to whole half-periods of the carrier: the n nearest to the wish that leaves the smallest residual.</source>
-        <translation>Подгоняет окно к целому числу полупериодов несущей: ближайшее n с наименьшим остатком.</translation>
+        <source>Moves the window to whole half-periods of the carrier: the n nearest to the wish that leaks least.</source>
+        <translation>Подгоняет окно к целому числу полупериодов несущей: ближайшее n с наименьшей утечкой.</translation>
     </message>
     <message>
         <source>Window of n consecutive samples, the averaging interval T of (7). The slow variables are constant inside it. At least 5 samples and three quarters of a period. The article varies T from 1 to 10 periods, which may be fractions.</source>

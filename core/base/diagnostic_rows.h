@@ -72,7 +72,7 @@ ROW(wave_moves, warning,
     VYBEG_MESSAGE(
         "Message",
         "In %1 of %2 windows the wave moves inside the window, or turns too far from one window to "
-        "the next; they are flagged. Choose a shorter window or a smaller hop."))
+        "the next; they are flagged. Choose a shorter window or a smaller step."))
 ROW(text_lines_ignored, note,
     VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over."))
 // Columns that hold words where channels hold numbers.
@@ -100,11 +100,11 @@ ROW(below_one_bit, warning,
         "Channel %1 stays within %2 levels of the converter: its signal is below one bit."))
 ROW(offset, warning,
     VYBEG_MESSAGE("Message",
-                  "Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it "
-                  "out{ (--offset auto)}."))
+                  "Channel %1 has an offset of %2, %3 % of the amplitude. The calibration removes "
+                  "it{ (--offset auto)}."))
 ROW(mains, warning,
     VYBEG_MESSAGE("Message",
-                  "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out{ "
+                  "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass removes it{ "
                   "(--filter)}."))
 ROW(start_transient, warning,
     VYBEG_MESSAGE("Message",
@@ -216,7 +216,8 @@ ROW(log_left_out, serious,
 ROW(turn_one_way, warning,
     VYBEG_MESSAGE(
         "Message",
-        "Gain ratio and skew of the channels within their tolerance give a wave that turns a "
+        "Gain ratio and non-orthogonality of the channels within their tolerance give a wave that "
+        "turns a "
         "fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the "
         "drift{; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u}."))
 ROW(angle_of_quarter, warning,
@@ -270,7 +271,7 @@ ROW(misfit_neighbour, serious,
                   "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a "
                   "disturbance that folds there, which the model does not hold. Split, axes, "
                   "rotation and the wave's own numbers may be off by more than their deviations. "
-                  "Take it out with a narrower band-pass{ (--filter)}."))
+                  "Remove it with a narrower band-pass{ (--filter)}."))
 // %1: the error as --tolerance names it. So in the next three.
 ROW(misfit_channel, serious,
     VYBEG_MESSAGE(

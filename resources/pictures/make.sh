@@ -14,11 +14,8 @@ picture() {
     convert "$shots/$1" ${3:+-crop "$3" +repage -resize "760x>"} -strip +dither -colors 192 "PNG8:$2"
 }
 
-for page in tracks signals resonator windows; do
-    shot=$page
-    [ "$page" = signals ] && shot=periods
-    picture "$shot-all-en-light-1280x720@1.png" "$page.png"
-done
+picture "tracks-all-en-light-1280x720@1.png" tracks.png
+picture "tracks-all-ru-light-1280x720@1.png" tracks.ru.png
 # The window without its row of menus, no wider than the help shows it.
 for language in en ru; do
     folder=../help/$language/pictures

@@ -10,6 +10,7 @@
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/short_names.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -341,7 +342,10 @@ void DriftPage::showFound() {
         const WholeAngleDrift& drift = shown_->drift;
         plot_->setContent(wholeAnglePlot(drift, units_));
         warnings_->setFindings(findings_of(drift.warnings));
-        harmonics_->setContent(logHeaders(drift), logRows(drift, units_));
+        // The list has the whole names.
+        const QStringList names = logHeaders(drift);
+        harmonics_->setContent(names.mid(0, 1) + distinctNames(names.mid(1)),
+                               logRows(drift, units_));
         agreement_->setText(paragraphs(agreementTexts(drift), QStringLiteral("%1")));
         resonator_->setContent({}, heldRows(drift.resonator, units_));
         statistical_->setText(richText(channelsText(pick_offs(shown_->settings.tolerance))));

@@ -142,6 +142,9 @@ std::vector<QuantityRow> logRows(const WholeAngleDrift& drift, const DisplayUnit
         QuantityRow row{withUnit(names.at(term), angleRateUnit(units)),
                         tip,
                         {cellOf(drift.harmonics.at(term), factor)}};
+        if (term == 0 && !drift.harmonics.front().given()) {
+            row.cells.front().text = QStringLiteral("—");  // as the tip and the agreement say
+        }
         const auto at = static_cast<Eigen::Index>(term);
         for (std::size_t k = 0; several && k < drift.logs.size(); ++k) {
             const LogDrift& log = drift.logs[k];

@@ -159,7 +159,18 @@ void HistoryPage::showHistory() {
     distribution_->setContent(distributionPlot(now));
     ranges_.plot->setVisible(charts_.one_gyro);
     average_.plot->setVisible(charts_.one_gyro);
-    verdict_->setText(richText(verdictText(now)));
+    placeSmallPlots(side_by_side_);
+    // A click on a name chooses its result.
+    QString verdict = richText(verdictText(now));
+    const bool judged = charts_.one_gyro && charts_.control.fault != BaselineFault::too_few;
+    for (std::size_t k = 0; judged && k < charts_.values.size(); ++k) {
+        if (charts_.control.is_out(k)) {
+            const QString name = richText(nameOf(history_->points[k]));
+            verdict.replace(name + QStringLiteral(" ("),
+                            QStringLiteral("<a href=\"%1\">%2</a> (").arg(k).arg(name));
+        }
+    }
+    verdict_->setText(verdict);
     point_->setVisible(chosen_.has_value());
     recordings_->setVisible(chosen_.has_value());
     if (chosen_) {
@@ -200,6 +211,8 @@ void HistoryPage::refresh() {
     database_->setText(QFileInfo(path_).fileName());
     database_->setToolTip(plainTip(path_));
     const QString hint = addHint();
+    add_->setVisible(!path_.isEmpty());
+    export_->setVisible(!path_.isEmpty());
     add_->setEnabled(hint.isEmpty());
     add_->setToolTip(
         richTip(hint.isEmpty() ? tr("The identified resonator of the current set into the database")
@@ -311,19 +324,30 @@ QLayout* HistoryPage::buildHead() {
     return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_, state_});
 }
 
-// Side by side where both have room for their titles.
+// Side by side where all have room for their titles, so that nothing scrolls.
 void HistoryPage::placeSmallPlots(bool side_by_side) {
-    for (QWidget* plot : {ranges_.plot, average_.plot}) {
+    side_by_side_ = side_by_side;
+    int place = 0;
+    for (QWidget* plot :
+         std::initializer_list<QWidget*>{ranges_.plot, average_.plot, distribution_}) {
         grid_->removeWidget(plot);
+        const bool alone = plot == distribution_ && !charts_.one_gyro;
+        grid_->addWidget(plot, side_by_side ? 3 : 3 + place, side_by_side && !alone ? place : 0, 1,
+                         side_by_side && !alone ? 1 : 3);
+        grid_->setRowStretch(3 + place, place == 0 || !side_by_side ? 2 : 0);
+        grid_->setColumnStretch(place, 1);
+        ++place;
     }
-    grid_->addWidget(ranges_.plot, 3, 0, 1, side_by_side ? 1 : 2);
-    grid_->addWidget(average_.plot, side_by_side ? 3 : 4, side_by_side ? 1 : 0, 1,
-                     side_by_side ? 1 : 2);
 }
 
 QWidget* HistoryPage::buildContent() {
     auto* content = new QWidget(this);
     verdict_ = sentence(content, "historyVerdict", QMargins());
+    verdict_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(verdict_, &QLabel::linkActivated, this, [this](const QString& place) {
+        chosen_ = place.toULongLong();
+        showHistory();
+    });
     point_ = sentence(content, "historyPoint", QMargins());
     recordings_ = withName(new QPushButton(content), "historyRecordings");
     values_.plot = addPlot("historyValues", plot_height + 20);
@@ -334,16 +358,13 @@ QWidget* HistoryPage::buildContent() {
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(6, 0, 6, 0);
     grid->setSpacing(4);
-    grid->addWidget(verdict_, 0, 0, 1, 2);
-    grid->addWidget(values_.plot, 1, 0, 1, 2);
-    grid->addLayout(chosen, 2, 0, 1, 2);
-    grid->addWidget(distribution_, 5, 0, 1, 2);
+    grid->addWidget(verdict_, 0, 0, 1, 3);
+    grid->addWidget(values_.plot, 1, 0, 1, 3);
+    grid->addLayout(chosen, 2, 0, 1, 3);
     grid_ = grid;
-    constexpr int wide = 760;
+    constexpr int wide = 1100;
     placeByWidth(*this, wide, true, [this](bool side_by_side) { placeSmallPlots(side_by_side); });
     grid->setRowStretch(1, 3);
-    grid->setRowStretch(3, 2);
-    grid->setRowStretch(5, 2);
     return content;
 }
 

@@ -336,6 +336,8 @@ namespace {
 
 constexpr qsizetype most_named = 5;
 
+}  // namespace
+
 QString nameOf(const HistoryPoint& point) {
     QStringList parts;
     for (const std::string& part : {point.gyro, point.date.text, point.set}) {
@@ -345,6 +347,8 @@ QString nameOf(const HistoryPoint& point) {
     }
     return parts.join(QStringLiteral(", "));
 }
+
+namespace {
 
 // In which charts a point lies outside; empty: in none.
 QString outsideText(const HistoryCharts& charts, std::size_t point) {

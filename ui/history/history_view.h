@@ -92,6 +92,9 @@ HistoryPlot rangesPlot(const HistoryView& view);
 HistoryPlot averagePlot(const HistoryView& view);
 XYPlot distributionPlot(const HistoryView& view);
 
+// "HRG-17, 2026-03-31, set A".
+QString nameOf(const HistoryPoint& point);
+
 // "HRG-17, 2026-03-31, set A: τ = 21.3(1) s; f = 5300.1 Hz; 22.5 °C; outside the limits, above".
 QString pointText(const HistoryView& view, std::size_t point);
 

@@ -319,7 +319,7 @@ QString LogDialog::lacking(std::span<const RecordingRef> found) const {
         const QString reason = errorText(*problem->look.problem);
         return files_->files().size() == 1
                    ? reason
-                   : tr("%1 Delete takes it out of the list of logs.").arg(reason);
+                   : tr("%1 Delete removes it from the list of logs.").arg(reason);
     }
     if (kind_->currentIndex() == 0) {
         return tr("Its columns are not known by their names: choose what they are.");
@@ -395,7 +395,7 @@ void LogDialog::accept() {
 void LogDialog::retranslate() {
     setWindowTitle(tr("Open logs"));
     files_->setAccessibleName(tr("Logs"));
-    files_->setToolTip(tr("Logs of one resonator, made alike. Delete takes the chosen ones out"));
+    files_->setToolTip(tr("Logs of one resonator, made alike. Delete removes the chosen ones"));
     const auto name = [this](QWidget* field, const QString& text, const QString& tip) {
         setRowTexts(*form_, field, text, tip);
     };

@@ -70,7 +70,8 @@ void CursorTimes::retranslate() {
         fields_[which]->setAccessibleName(accessible[which]);
         fields_[which]->setToolTip(
             tr("Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the "
-               "plots set the cursors at the mouse, 0 removes both."));
+               "plots set the cursors at the mouse, Shift and an arrow key move "
+               "the last one, 0 removes both."));
     }
     showDifference();
 }

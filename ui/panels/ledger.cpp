@@ -1,6 +1,7 @@
 #include "ui/panels/ledger.h"
 
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
 
@@ -208,7 +209,7 @@ void Ledger::fill(const LedgerRow& row, QTreeWidgetItem& item) {
         const Analysis& analysis = *row.analysis->shown.analysis;
         const QLocale locale;
         item.setText(algorithm, algorithmText(analysis.settings.algorithm));
-        item.setText(window, locale.toString(static_cast<qint64>(analysis.plan.length)));
+        item.setText(window, countLabel(analysis.plan.length));
         const QString mean = valueText(summary.mean_f_hz, summary.sd_mean_f_hz);
         item.setText(frequency, mean);
         item.setToolTip(

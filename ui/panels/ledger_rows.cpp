@@ -43,7 +43,7 @@ QString channelText(const Recording& recording, int number) {
 }
 
 QString rateText(const Recording& recording) {
-    const QString hertz = QLocale().toString(recording.rate_hz, 'g', 10);
+    const QString hertz = groupedDigits(QLocale().toString(recording.rate_hz, 'g', 10));
     switch (recording.rate_from) {
         case RateOrigin::file: return RowWords::tr("%1 Hz, from the file").arg(hertz);
         case RateOrigin::time_column: return RowWords::tr("%1 Hz, from the time column").arg(hertz);
@@ -72,11 +72,11 @@ QVariant shortName(const LedgerRow& row) {
 QStringList analysisFacts(const AnalysisEntry& entry, bool live) {
     const QLocale locale;
     const Analysis& analysis = *entry.shown.analysis;
-    const auto count = static_cast<qint64>(entry.summary.windows);
+    const std::size_t count = entry.summary.windows;
     QStringList facts{entry.shown.name, algorithmText(analysis.settings.algorithm)};
     facts << (entry.partial() ? RowWords::tr("%1 of %2 windows")
-                                    .arg(locale.toString(count),
-                                         locale.toString(static_cast<qint64>(analysis.plan.count)))
+                                    .arg(countLabel(static_cast<std::int64_t>(count)),
+                                         countLabel(analysis.plan.count))
                               : RowWords::tr("%n window(s), %1 flagged, in %2 ms", nullptr,
                                              static_cast<int>(count))
                                     .arg(entry.summary.flagged)

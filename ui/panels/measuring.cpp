@@ -90,8 +90,7 @@ QStringList lineSentences(const std::vector<FittedTrend>& trends, const DisplayU
                   << windowCount(line.windows);
     }
     if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
-        sentences << Words::tr("No line within the noise: %1. The deviations are enlarged.")
-                         .arg(names.join(QStringLiteral(", ")));
+        sentences << Words::tr("Bent: %1; sd enlarged.").arg(names.join(QStringLiteral(", ")));
     }
     return sentences;
 }
@@ -299,7 +298,8 @@ TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double fr
 QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
                      const DisplayUnits& units) {
     if (trends.empty()) {
-        return kind == TrendKind::beat ? Words::tr("no beat") : Words::tr("too few windows");
+        return kind == TrendKind::beat ? Words::tr("no sinusoid fits")
+                                       : Words::tr("too few windows");
     }
     QStringList words;
     if (kind == TrendKind::line) {

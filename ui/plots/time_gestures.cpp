@@ -196,6 +196,7 @@ void TimeGestures::mousePressEvent(QMouseEvent* event) {
     pressedAt(at);
     zoom().endGesture();
     if (const auto which = cursorAt(at); which && event->modifiers() == Qt::NoModifier) {
+        chosen_ = *which;
         drag_ = *which == Cursor::a ? Drag::cursorA : Drag::cursorB;
     } else {
         drag_ = event->modifiers() & Qt::ShiftModifier ? Drag::band : Drag::pan;
@@ -281,15 +282,33 @@ bool TimeGestures::takeTimeKey(QKeyEvent* event) {
         case Qt::Key_1:
         case Qt::Key_2:
             if (tracker()) {
-                moveCursor(event->key() == Qt::Key_1 ? Cursor::a : Cursor::b, tracker());
+                chosen_ = event->key() == Qt::Key_1 ? Cursor::a : Cursor::b;
+                moveCursor(chosen_, tracker());
             }
             return true;
         case Qt::Key_0:
             moveCursor(Cursor::a, std::nullopt);
             moveCursor(Cursor::b, std::nullopt);
             return true;
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+            return (event->modifiers() & Qt::ShiftModifier &&
+                    stepCursor(event->key() == Qt::Key_Left ? -1 : 1)) ||
+                   zoom().takeKey(*event);
         default: return zoom().takeKey(*event);
     }
+}
+
+bool TimeGestures::stepCursor(int pixels) {
+    if (!cursor(chosen_)) {
+        chosen_ = chosen_ == Cursor::a ? Cursor::b : Cursor::a;
+    }
+    const auto time_s = cursor(chosen_);
+    if (time_s && !stack_->frames().empty()) {
+        const int width = std::max(1, stack_->frames().front()->width());
+        moveCursor(chosen_, *time_s + pixels * zoom().current().time.span() / width);
+    }
+    return time_s.has_value();
 }
 
 void TimeGestures::keyPressEvent(QKeyEvent* event) {

@@ -87,7 +87,8 @@ enum class Cursor { a, b };
 //
 // Wheel: time about the mouse; drag: pan; Shift+drag: zoom into a rectangle; double click or Home:
 // fit; R or Alt+Left, Alt+Right: zoom history; + and -: zoom time about the tracker or the centre;
-// Left, Right: pan; 1 and 2: cursor A and B to the tracker, 0 removes both; cursors can be dragged.
+// Left, Right: pan; 1 and 2: cursor A and B to the tracker, 0 removes both; cursors can be dragged,
+// and Shift+Left, Shift+Right move the one that was last placed or dragged by a pixel.
 class TimeGestures : public QWidget {
     Q_OBJECT
 
@@ -152,12 +153,15 @@ private:
     double timeAt(const QPointF& at) const;
     std::optional<Cursor> cursorAt(const QPointF& at) const;
     void zoomByKey(double factor);
+    // Moves the chosen cursor, else the other one: whether there is one.
+    bool stepCursor(int pixels);
     void showBand(std::optional<QRectF> band);
 
     QCustomPlot* plot_;
     std::unique_ptr<const TimeStack> stack_;
     TimeOverlay* overlay_ = nullptr;
     Drag drag_ = Drag::none;
+    Cursor chosen_ = Cursor::a;
     QPointF press_;
     ZoomState press_state_;
 };

@@ -219,7 +219,7 @@ void TrackView::rebuild() {
     stack_.setContent(content());
     const bool has_analyses = hasTime();
     overlay_->setHint(has_analyses ? QString()
-                                   : tr("No analysis yet.\nOpen a recording and press Analyse."));
+                                   : tr("No analysis yet.\nOpen a recording and press Keep (F5)."));
     overlay_->setUnlike(content_.unlike);
     for (const char* name : {"background", "grid", "main", "axes"}) {
         plot().layer(QString::fromLatin1(name))->setVisible(has_analyses);

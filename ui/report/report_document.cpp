@@ -58,7 +58,7 @@ QStringList lineOf(const ReportContent& content) {
                       : QStringLiteral("—"));
     };
     add(resonator.f_mean_hz, 1);
-    add(resonator.split_hz, 1);
+    add(resonator.split_hz, 1e3);
     add(resonator.theta_w_rad, angleFactor(content.units));
     add(resonator.q, 1);
     return cells;
@@ -415,7 +415,7 @@ ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& 
     };
     HtmlTable table{{head(ReportWords::tr("Set, gyro")), head(ReportWords::tr("Page")),
                      head(ReportWords::tr("Mean f"), unitText("Hz")),
-                     head(ReportWords::tr("Split Δf"), unitText("Hz")),
+                     head(ReportWords::tr("Split Δf"), siPrefix(-3) + unitText("Hz")),
                      head(ReportWords::tr("Axis θ_w"), angleUnit(units)),
                      head(ReportWords::tr("Quality factor Q"))},
                     {},

@@ -102,7 +102,7 @@ QString wholeAngleSection(const ReportContent& content, bool new_page) {
 // Columns of values that a page has room for.
 constexpr qsizetype most_recordings = 2;
 constexpr qsizetype most_sources = 5;
-constexpr qsizetype most_errors = 4;
+constexpr qsizetype most_changed = 5;
 
 QString part(const QString& title, const QString& tables) {
     return tables.isEmpty() ? tables : smallHeading(title) + tables;
@@ -140,7 +140,7 @@ QString sensitivities(const Identification& found, const DisplayUnits& units) {
     const auto rows = sensitivityRows(found, units);
     return part(
         rows.empty() ? QString() : ReportWords::tr("Errors that no residual shows would add"),
-        quantityTables(sensitivityHeaders(), rows, most_errors, true));
+        quantityTables(sensitivityHeaders(found, units), rows, most_changed, true));
 }
 
 // Whether the limits are kept.
@@ -261,7 +261,7 @@ QString seconds(double value, int decimals) {
 
 // A rate in Hz with its own digits.
 QString rateText(double rate_hz) {
-    return QLocale().toString(rate_hz, 'g', 12);
+    return richText(groupedDigits(QLocale().toString(rate_hz, 'g', 12)));
 }
 
 // The findings as sentences, beyond `most` their number.
@@ -324,7 +324,7 @@ QString settingsSection(const ReportContent& content) {
         return {};
     }
     HtmlTable table{{ReportWords::tr("Recording"), ReportWords::tr("Algorithm"),
-                     ReportWords::tr("Window, hop (samples)"), ReportWords::tr("Windows"),
+                     ReportWords::tr("Window, step (samples)"), ReportWords::tr("Windows"),
                      withUnit(ReportWords::tr("Mean frequency"), unitText("Hz")),
                      withUnit(ReportWords::tr("Instant of the mean"), unitText("s")),
                      ReportWords::tr("Noise σ")},
@@ -332,13 +332,11 @@ QString settingsSection(const ReportContent& content) {
                     {16, 18, 13, 9, 21, 13, 10}};
     for (const ReportAnalysis& each : content.analyses) {
         const Analysis& analysis = *each.shown.analysis;
-        const QLocale locale;
         table.rows.push_back({content.recordings[each.recording].name.toHtmlEscaped(),
                               algorithmText(analysis.settings.algorithm).toHtmlEscaped(),
-                              QStringLiteral("%1, %2").arg(
-                                  locale.toString(static_cast<qint64>(analysis.plan.length)),
-                                  locale.toString(static_cast<qint64>(analysis.plan.hop))),
-                              locale.toString(static_cast<qint64>(analysis.plan.count)),
+                              richText(QStringLiteral("%1, %2").arg(
+                                  countLabel(analysis.plan.length), countLabel(analysis.plan.hop))),
+                              richText(countLabel(analysis.plan.count)),
                               valueText(each.means.mean_f_hz, each.means.sd_mean_f_hz),
                               shortNumberText(each.means.mean_at_s, 4),
                               noiseText(each.means.noise)});

@@ -207,7 +207,7 @@ QString ResidualsPage::stateText() const {
     const AnalysisEntry* chosen = entry();
     if (!chosen) {
         return tr(
-            "No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the "
+            "No analysis is chosen. Keep (F5) adds one of the current recording; a row of the "
             "table below chooses one.");
     }
     // The usual name of an analysis begins with that of its recording.

@@ -243,7 +243,7 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
     }
     sentences << originText(line).why;
     if (line.filter) {
-        sentences << ResidualWords::tr("A band-pass filter takes it out.");
+        sentences << ResidualWords::tr("A band-pass filter removes it.");
     }
     return sentences.join(QLatin1Char(' '));
 }

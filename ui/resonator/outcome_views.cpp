@@ -101,7 +101,11 @@ void NumbersView::rebuild() {
                               ? uncertaintyText(found)
                               : offer + QStringLiteral("<br>") + uncertaintyText(found));
     const auto sensitivities = sensitivityRows(found, units_);
-    sensitivities_->setContent(sensitivityHeaders(), sensitivities);
+    QStringList changed;
+    for (const QString& header : sensitivityHeaders(found, units_)) {
+        changed << indexPlain(header);
+    }
+    sensitivities_->setContent(changed, sensitivities);
     sensitivities_section_->setVisible(!sensitivities.empty());
     modes_section_->setTitle(modesTitle(found.fit));
     modes_->setContent({}, modeRows(found.fit));
@@ -313,7 +317,7 @@ void ComparisonView::retranslate() {
         richTip(tr("Frequencies follow the temperature: smaller changes, in parts per million, are "
                    "none of the gyro")));
     setWords(
-        *tracks_, tr("Tracks of the runs and of the passport"),
+        *tracks_, tr("Tracks of the recordings and of the passport"),
         richTip(tr("In the colours of the recordings; further from the background: the passport")));
     track_choice_->setAccessibleName(tr("What to overlay"));
     setTexts(*track_choice_, {tr("Amplitude of the working wave"),

@@ -1,6 +1,7 @@
 #include "ui/resonator/parameter_text.h"
 
 #include "core/resonator/results/resonator_parameters.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 
 #include <QCoreApplication>
@@ -27,7 +28,7 @@ struct Texts {
 // The last word of a title is the symbol.
 constexpr std::array<Texts, 12> parameter_texts{{
     {"f_mean_hz", QT_TRANSLATE_NOOP("Resonator", "Mean frequency f"),
-     QT_TRANSLATE_NOOP("Resonator", "Of both modes, mean of the runs")},
+     QT_TRANSLATE_NOOP("Resonator", "Of both modes, mean of the recordings")},
     {"split_hz", QT_TRANSLATE_NOOP("Resonator", "Frequency split Δf"),
      QT_TRANSLATE_NOOP("Resonator", "f_p − f_q of the two modes, never negative")},
     {"theta_w_rad", QT_TRANSLATE_NOOP("Resonator", "Stiffness axis θ_w"),
@@ -60,11 +61,11 @@ QString symbolOf(const std::string& parameter) {
                                   : QStringLiteral("Q");
 }
 
-// "Mode 1: f" of "modes[0].f_hz", "Run 11: f of its direction" of "runs[10].direction.f_hz".
+// "Mode 1: f" of "modes[0].f_hz", "Recording 11: f of its direction" of "runs[10].direction.f_hz".
 QString numberedTitle(const std::string& name) {
     const int place = std::stoi(name.substr(name.find('[') + 1));
     return (name.starts_with("modes[") ? ResonatorWords::tr("Mode %1: %2")
-                                       : ResonatorWords::tr("Run %1: %2 of its direction"))
+                                       : ResonatorWords::tr("Recording %1: %2 of its direction"))
         .arg(place + 1)
         .arg(symbolOf(name.substr(name.rfind('.') + 1)));
 }
@@ -72,7 +73,10 @@ QString numberedTitle(const std::string& name) {
 }  // namespace
 
 QuantityCell valueCell(double value, double sd, double u) {
-    return {valueText(value, sd, u), {exactText(value), exactText(sd), exactText(u)}, {}};
+    return {valueText(value, sd, u),
+            {exactText(value), exactText(sd), exactText(u)},
+            {},
+            conciseText(value, sd)};
 }
 
 QuantityCell sentenceCell(const QString& text) {
@@ -104,6 +108,9 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
     } else if (QLatin1String(unit) == QLatin1String("rad/s")) {
         shown.unit = angleRateUnit(units);
         shown.factor = angleRateFactor(units);
+    } else if (name == "split_hz") {
+        shown.unit = siPrefix(-3) + unitText("Hz");
+        shown.factor = 1e3;
     } else {
         shown.unit = unitText(unit);
     }
@@ -152,8 +159,9 @@ QuantityCell relativeCell(double relative) {
     if (relative != 0) {
         text.prepend(relative < 0 ? QChar(0x2212) : QLatin1Char('+'));
     }
-    return {
-        text + (small ? QStringLiteral(" ppm") : QStringLiteral(" %")), {exactText(relative)}, {}};
+    return {text + QLatin1Char(' ') + (small ? unitText("ppm") : QStringLiteral("%")),
+            {exactText(relative)},
+            {}};
 }
 
 // Reasons are below the table, because its columns are too narrow.

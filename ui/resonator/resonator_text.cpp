@@ -2,6 +2,8 @@
 
 #include "core/output/identify_json.h"
 #include "core/resonator/results/resonator_parameters.h"
+#include "ui/panels/measuring.h"
+#include "ui/plots/axis_ticks.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 
@@ -10,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace vybeg::ui {
@@ -55,22 +56,60 @@ void collapseRepeatedReasons(std::vector<QuantityRow>& rows) {
             const bool is_sentence = cell.exact.front() == cell.text;
             if (is_sentence && cell.text == rows[first].cells.front().text) {
                 const QString other = rows[first].name.section(QLatin1Char(','), 0, 0);
-                cell.text =
-                    ResonatorWords::tr("As above: %1").arg(other.section(QLatin1Char(' '), -1));
+                cell.text = ResonatorWords::tr("The same as for %1")
+                                .arg(other.section(QLatin1Char(' '), -1));
                 break;
             }
         }
     }
 }
 
-// A number without a deviation, three digits.
-QString threeDigits(double value) {
-    const double size = std::abs(value);
-    if (!std::isfinite(value) || size == 0) {
-        return valueText(value, std::numeric_limits<double>::quiet_NaN());
+// What errors of usual size would change of a parameter: a column of one unit and power of ten, of
+// which the greatest change has three digits.
+struct Changes {
+    QString head;
+    std::vector<QuantityCell> cells;  // as usual_errors
+};
+
+Changes changesOf(const Shown& shown, const Estimate& estimate, const BySource& sensitivity) {
+    std::array<double, usual_errors.size()> changes{};
+    double most = 0;
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+        changes[k] = shown.factor * usual_errors[k].size * sensitivity[usual_errors[k].source];
+        most = std::max(most, std::abs(changes[k]));
     }
-    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
-    return valueText(std::round(value / unit) * unit, std::numeric_limits<double>::quiet_NaN());
+    const double least = std::abs(shown.factor) * negligible * estimate.sd;
+    most = most > least ? most : 0;
+    const int digit = most > 0 ? static_cast<int>(std::floor(std::log10(most))) : 0;
+    const int thousands = std::clamp(static_cast<int>(std::floor(digit / 3.)), -5, 4);
+    const int power = digit < -3 || digit > 3 ? 3 * thousands : 0;
+    const int decimals = std::max(0, 2 - digit + power);
+    const double unit = std::pow(10., power);
+    Changes column{withUnit(shown.title.section(QLatin1Char(' '), -1),
+                            scaledUnit(shown.unit, shown.unit == unitText("Hz"), power)),
+                   {}};
+    for (const double change : changes) {
+        const double scaled = change / unit;
+        const bool seen =
+            std::abs(change) > least && std::abs(scaled) >= 0.5 * std::pow(10., -decimals);
+        column.cells.push_back({seen ? numberLabel(scaled, decimals) : QStringLiteral("≈ 0"),
+                                {exactText(scaled)},
+                                {}});
+    }
+    return column;
+}
+
+std::vector<Changes> allChanges(const Identification& found, const DisplayUnits& units) {
+    std::vector<Changes> columns;
+    for (std::size_t k = 0; k < found.fit.sensitivities.size(); ++k) {
+        const ResonatorParameter& parameter = resonator_parameters[k];
+        const Estimate& estimate = found.fit.resonator.*parameter.member;
+        if (estimate.given()) {
+            columns.push_back(changesOf(shownAs(parameter.name, parameter.unit, units), estimate,
+                                        found.fit.sensitivities[k]));
+        }
+    }
+    return columns;
 }
 
 // "✓ ≤ 0.001": a limit and whether the parameter keeps it, by a sign and a colour. Nothing without
@@ -198,7 +237,15 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
     return rows;
 }
 
-QStringList sensitivityHeaders() {
+QStringList sensitivityHeaders(const Identification& found, const DisplayUnits& units) {
+    QStringList headers;
+    for (const Changes& column : allChanges(found, units)) {
+        headers << column.head;
+    }
+    return headers;
+}
+
+std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units) {
     // As usual_errors.
     static constexpr std::array<const char*, 11> texts{
         QT_TRANSLATE_NOOP("Resonator", "0.1° of non-orthogonality"),
@@ -214,29 +261,12 @@ QStringList sensitivityHeaders() {
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁶ rad/s of the 8th harmonic of drift"),
     };
     static_assert(texts.size() == usual_errors.size());
-    QStringList headers;
-    for (const char* text : texts) {
-        headers << ResonatorWords::tr(text);
-    }
-    return headers;
-}
-
-std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units) {
+    const std::vector<Changes> columns = allChanges(found, units);
     std::vector<QuantityRow> rows;
-    const ResonatorFit& fit = found.fit;
-    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
-        const ResonatorParameter& parameter = resonator_parameters[k];
-        const Estimate& estimate = fit.resonator.*parameter.member;
-        if (!estimate.given()) {
-            continue;
-        }
-        const Shown shown = shownAs(parameter.name, parameter.unit, units);
-        QuantityRow row = rowOf(shown);
-        for (const UsualError& error : usual_errors) {
-            const double change = shown.factor * error.size * fit.sensitivities[k][error.source];
-            const bool felt = std::abs(change) > negligible * shown.factor * estimate.sd;
-            row.cells.push_back(
-                {felt ? threeDigits(change) : QStringLiteral("≈ 0"), {exactText(change)}, {}});
+    for (std::size_t k = 0; k < texts.size() && !columns.empty(); ++k) {
+        QuantityRow row{ResonatorWords::tr(texts[k]), {}, {}};
+        for (const Changes& column : columns) {
+            row.cells.push_back(column.cells[k]);
         }
         rows.push_back(std::move(row));
     }
@@ -265,7 +295,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
         };
     };
     add(ResonatorWords::tr("Frequency offset"), hertz,
-        ResonatorWords::tr("From the mean frequency of the runs"),
+        ResonatorWords::tr("From the mean frequency of the recordings"),
         estimate(&RunEstimate::f_offset_hz, 1));
     add(ResonatorWords::tr("Start angle θ_A"), angleUnit(units),
         ResonatorWords::tr("Angle of the working wave at the start"),
@@ -277,7 +307,8 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
         ResonatorWords::tr("Amplitude of the quadrature wave at the start"),
         estimate(&RunEstimate::a_B, 1));
     add(QStringLiteral("Δf sin 4(θ_A − θ_w)"), hertz,
-        ResonatorWords::tr("What of the frequency split makes the quadrature of this run grow"),
+        ResonatorWords::tr(
+            "What of the frequency split makes the quadrature of this recording grow"),
         estimate(&RunEstimate::split_sin_hz, 1));
     add(ResonatorWords::tr("f of this direction"), hertz,
         ResonatorWords::tr("Of a wave that stays in the direction in which this one starts"),
@@ -311,11 +342,12 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
     }
     if (found.fit.model == ResonatorModel::structured) {
         add(ResonatorWords::tr("Q coherent"), {},
-            ResonatorWords::tr("Quality factor from the coherent fit of all runs"),
+            ResonatorWords::tr("Quality factor from the coherent fit of all recordings"),
             [&found](std::size_t) { return cellOf(found.fit.resonator.q); });
     }
     add(ResonatorWords::tr("Frequency drift"), unitText("Hz") + "/" + unitText("s"),
-        ResonatorWords::tr("Of this run, over time"), estimate(&RunEstimate::drift_hz_per_s, 1));
+        ResonatorWords::tr("Of this recording, over time"),
+        estimate(&RunEstimate::drift_hz_per_s, 1));
     add(ResonatorWords::tr("Noise σ"), amplitude,
         ResonatorWords::tr("Standard deviation per sample and channel"), [&found](std::size_t k) {
             const double sd = found.runs[k].noise_sd;
@@ -324,13 +356,10 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
     add(ResonatorWords::tr("Windows used"), {},
         ResonatorWords::tr("Without gaps and faults, of all; samples in each"),
         [&found](std::size_t k) {
-            const QLocale locale;
             const IdentifiedRun& run = found.runs[k];
-            const QString text = ResonatorWords::tr("%1 of %2, n = %3")
-                                     .arg(locale.toString(static_cast<qint64>(run.windows_used)),
-                                          locale.toString(static_cast<qint64>(run.windows)),
-                                          locale.toString(static_cast<qint64>(run.window)));
-            return sentenceCell(text);
+            return sentenceCell(ResonatorWords::tr("%1 of %2, n = %3")
+                                    .arg(countLabel(run.windows_used), countLabel(run.windows),
+                                         countLabel(run.window)));
         });
     return rows;
 }

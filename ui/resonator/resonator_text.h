@@ -34,8 +34,9 @@ std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUn
                                     const std::vector<ParameterLimit>& limits);
 // Titles of the parameters that the recordings do not show.
 QStringList absentTitles(const Identification& found, const DisplayUnits& units);
-// By how much errors of a usual size falsify the given parameters, one column per error.
-QStringList sensitivityHeaders();
+// By how much errors of a usual size falsify the given parameters: a row for each error, a column
+// for each parameter, in one unit and power of ten.
+QStringList sensitivityHeaders(const Identification& found, const DisplayUnits& units);
 std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units);
 // One column; one row with the reason if the modes are not separated.
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit);

@@ -24,6 +24,28 @@ QJsonObject valueOf(const std::map<Id, QJsonObject>& values, Id id) {
     return found == values.end() ? QJsonObject() : found->second;
 }
 
+// What a copy holds, by which its owner knows it.
+struct CopyContent {
+    QString name;  // of the gyro, else of the session's file, else of its first recording
+    int recordings = 0;
+    QString written;
+};
+
+CopyContent contentOf(const QString& copy) {
+    const Result<std::string> text = own_file_text(copy.toStdString());
+    const QJsonObject json =
+        text ? QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object() : QJsonObject();
+    const QJsonArray recordings = json[QLatin1String("recordings")].toArray();
+    const QString gyro = json[QLatin1String("gyro")].toObject()[QLatin1String("serial")].toString();
+    QString path = json[backup_key].toString();
+    if (path.isEmpty()) {
+        path = recordings.isEmpty() ? copy : recordings[0][QLatin1String("path")].toString();
+    }
+    return {gyro.isEmpty() ? QFileInfo(path).completeBaseName() : gyro,
+            static_cast<int>(recordings.size()),
+            QFileInfo(copy).lastModified().toString("yyyy-MM-dd HH:mm")};
+}
+
 // Of files under another name so much is read, which takes half a second.
 constexpr qint64 most_bytes_read = 256'000'000;
 
@@ -449,23 +471,30 @@ QJsonObject SessionKeeper::backup() const {
     return json;
 }
 
+// The newest copy; the one before it where that is declined.
 void SessionKeeper::offerAbandoned() {
-    for (const QString& copy : SessionBackup::abandoned()) {
-        const QDateTime written = QFileInfo(copy).lastModified();
-        Message message = warningMessage([written] {
-            return tr("Vybeg did not end as it should. Its session of %1 can be recovered.")
-                .arg(written.toString("yyyy-MM-dd HH:mm"));
-        });
-        message.button = [] { return tr("Recover"); };
-        message.press = [this, copy] {
-            if (openSession(copy)) {
-                backup_.take(copy);
-            }
-        };
-        message.dismiss = [copy] { SessionBackup::setAside(copy); };
-        message.until_answered = true;
-        document_.report(message);
+    const QStringList copies = SessionBackup::abandoned();
+    if (copies.isEmpty()) {
+        return;
     }
+    const QString& copy = copies.last();
+    Message message = warningMessage([what = contentOf(copy)] {
+        return tr("A session was not closed, and can be recovered: %1, %n recording(s), %2.",
+                  nullptr, what.recordings)
+            .arg(what.name, what.written);
+    });
+    message.button = [] { return tr("Recover"); };
+    message.press = [this, copy] {
+        if (openSession(copy)) {
+            backup_.take(copy);
+        }
+    };
+    message.dismiss = [this, copy] {
+        SessionBackup::setAside(copy);
+        offerAbandoned();
+    };
+    message.until_answered = true;
+    document_.report(message);
 }
 
 void SessionKeeper::end() {

@@ -61,14 +61,14 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
         withName(new QPushButton(this), "snap"),
         {QT_TR_NOOP("Snap"), "",
          QT_TR_NOOP("Moves the window to whole half-periods of the carrier: the n nearest to the "
-                    "wish that leaves the smallest residual.")});
+                    "wish that leaks least.")});
     withTexts(addRow({{residual_, 1}, snap_}),
               {QT_TR_NOOP("Leakage"), "",
                QT_TR_NOOP("What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition "
                           "below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 "
                           "are exact for every window.")});
 
-    hop_ = addField({QT_TR_NOOP("Hop"), QT_TR_NOOP("samples"),
+    hop_ = addField({QT_TR_NOOP("Step"), QT_TR_NOOP("samples"),
                      QT_TR_NOOP("Samples between the starts of windows. Empty: windows one after "
                                 "the other (discrete identification); less than the window: "
                                 "sliding.")},

@@ -204,7 +204,7 @@ void SettingsPanel::retranslate() {
     live_->setToolTip(
         richTip(tr("Every change of a setting shows at once: first in the visible part of the "
                    "plots, then in the rest, always in the same analysis. What is to stay for "
-                   "comparison is kept by Analyse (Ctrl+L)")));
+                   "comparison is kept by Keep, F5 (Ctrl+L)")));
     refresh();
 }
 

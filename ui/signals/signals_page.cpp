@@ -252,7 +252,7 @@ QString SignalsPage::stateText() const {
     }
     const AnalysisEntry* chosen = document_.analysis(analysis_id_);
     if (!chosen) {
-        return tr("%1, samples as recorded. Analyse (F5) fits the wave.").arg(entry->name);
+        return tr("%1, samples as recorded. Keep (F5) fits the wave.").arg(entry->name);
     }
     const QString name = QStringLiteral("%1, %2").arg(entry->name, chosen->shown.name);
     if (!fitted()) {

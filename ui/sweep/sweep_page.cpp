@@ -115,7 +115,6 @@ void LengthField::paintEvent(QPaintEvent* event) {
 SweepPage::SweepPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
-      recording_(new QLabel(this)),
       algorithm_label_(new QLabel(this)),
       algorithm_(withName(new QComboBox(this), "sweepAlgorithm")),
       snap_(withName(new QCheckBox(this), "sweepSnap")),
@@ -301,8 +300,6 @@ QString SweepPage::stateText() const {
 
 void SweepPage::refresh() {
     const bool ready = !running() && missing().isEmpty();
-    recording_->setText(current() ? current()->name : QString());
-    recording_->setToolTip(current() ? plainTip(current()->path) : QString());
     compute_->setEnabled(ready);
     compute_->setToolTip(richTip(ready ? tr("Estimates adjacent windows of each length with the "
                                             "settings of the panel Analysis")
@@ -348,17 +345,20 @@ void SweepPage::showFound() {
 }
 
 QLayout* SweepPage::buildHead() {
-    recording_->setTextFormat(Qt::PlainText);
-    recording_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     algorithm_->addItems(QStringList(std::ssize(all_algorithms)));
     algorithm_label_->setBuddy(algorithm_);
     lengths_label_->setBuddy(lengths_);
     progress_->setRange(0, progress_steps);
     progress_->setMaximumHeight(compute_->sizeHint().height());
-    auto* first = fill(new QHBoxLayout, {{recording_, 1}, algorithm_label_, algorithm_, snap_});
-    auto* second =
-        fill(new QHBoxLayout, {lengths_label_, {lengths_, 2}, compute_, {progress_, 1}, cancel_});
-    return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, second, state_});
+    auto* choices = fill(new QHBoxLayout, {algorithm_label_,
+                                           algorithm_,
+                                           snap_,
+                                           lengths_label_,
+                                           {lengths_, 2},
+                                           compute_,
+                                           {progress_, 1},
+                                           cancel_});
+    return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {choices, state_});
 }
 
 QWidget* SweepPage::buildContent() {

@@ -100,7 +100,6 @@ private:
 
     Document& document_;
     BackgroundJobs job_;
-    QLabel* recording_;
     QLabel* algorithm_label_;
     QComboBox* algorithm_;
     QCheckBox* snap_;

@@ -13,6 +13,7 @@
 #include <QLayout>
 #include <QLocale>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QStyle>
@@ -40,7 +41,10 @@ constexpr int header_margin = 16;
 }  // namespace
 
 QString WrappingDelegate::unbroken(QString text) {
-    return text.replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
+    // Neither does a symbol stand alone on a line behind the name of its quantity.
+    static const QRegularExpression symbol(QStringLiteral(" (\\S{1,4})(?=,|$)"));
+    return text.replace(symbol, QStringLiteral("\u00a0\\1"))
+        .replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
         .replace(QStringLiteral("± "), QStringLiteral("±\u00a0"))
         .replace(QStringLiteral("(u "), QStringLiteral("(u\u00a0"));
 }
@@ -85,7 +89,8 @@ QString cellNumber(double value) {
 }
 
 QuantityCell measuredCell(double value, double sd, const QColor& color) {
-    return {valueText(value, sd), {cellNumber(value), cellNumber(sd)}, color};
+    return {
+        valueText(value, sd), {cellNumber(value), cellNumber(sd)}, color, conciseText(value, sd)};
 }
 
 QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent) {
@@ -97,7 +102,6 @@ QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent) {
                                             Qt::Alignment(Qt::TextWordWrap));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::ContiguousSelection);
-    setAlternatingRowColors(true);
     setShowGrid(false);
     setTabKeyNavigation(false);
     setFrameShape(QFrame::NoFrame);
@@ -116,8 +120,10 @@ QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent) {
 void QuantityTable::setContent(const QStringList& headers, const std::vector<QuantityRow>& rows) {
     headers_ = headers;
     rows_ = rows;
+    concise_ = false;
     clear();
     setRowCount(static_cast<int>(rows.size()));
+    setAlternatingRowColors(rows.size() > 5);
     setColumnCount(1 + static_cast<int>(rows.empty() ? static_cast<std::size_t>(headers.size())
                                                      : rows.front().cells.size()));
     horizontalHeader()->setVisible(!headers.isEmpty());
@@ -203,34 +209,54 @@ void QuantityTable::narrow(std::vector<int>& widths, int excess) const {
     }
 }
 
+void QuantityTable::setConcise(bool concise) {
+    for (int row = 0; row < rowCount() && concise != concise_; ++row) {
+        const std::vector<QuantityCell>& cells = rows_[static_cast<std::size_t>(row)].cells;
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            if (!cells[k].concise.isEmpty()) {
+                QTableWidgetItem* of = item(row, static_cast<int>(k) + 1);
+                of->setText(concise ? cells[k].concise : cells[k].text);
+                of->setToolTip(concise ? richTip(cells[k].text) : QString());
+            }
+        }
+    }
+    concise_ = concise;
+}
+
 // Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
 // the second of two columns takes the rest, several columns take their own width. Where the table
-// is wider than its room, the texts are wrapped.
+// is wider than its room, sentences are wrapped, and where that is not enough, numbers are concise.
 void QuantityTable::layOut() {
     const int characters = fontMetrics().averageCharWidth();
     const int room = viewport()->width();
-    std::vector<int> widths(static_cast<std::size_t>(columnCount()), 0);
-    std::vector<int> wrapped = widths;  // with sentences in several lines
-    for (int column = 0; column < columnCount(); ++column) {
-        int& width = widths[static_cast<std::size_t>(column)];
-        int& narrower = wrapped[static_cast<std::size_t>(column)];
-        if (!headers_.isEmpty() && column > 0) {
-            width = fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin;
-            narrower = width;
+    std::vector<int> widths;
+    // Whether the table has room, its sentences on one line or in several.
+    const auto fits = [&](bool wrapped) {
+        widths.assign(static_cast<std::size_t>(columnCount()), 0);
+        for (int column = 0; column < columnCount(); ++column) {
+            int& width = widths[static_cast<std::size_t>(column)];
+            if (!headers_.isEmpty() && column > 0) {
+                width = fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin;
+            }
+            for (int row = 0; row < rowCount(); ++row) {
+                const QString text = item(row, column)->text();
+                const int wish = WrappingDelegate::widthFor(text, font());
+                const std::size_t k = static_cast<std::size_t>(column) - 1;
+                const bool number =
+                    column > 0 && !rows_[static_cast<std::size_t>(row)].cells[k].concise.isEmpty();
+                const bool sentence = wrapped && !number && text.size() > 36;
+                width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
+            }
         }
-        for (int row = 0; row < rowCount(); ++row) {
-            const QString text = item(row, column)->text();
-            const int wish = WrappingDelegate::widthFor(text, font());
-            const bool sentence = text.size() > 36;
-            width = std::max(width, wish);
-            narrower = std::max(narrower, sentence ? std::min(wish, 26 * characters) : wish);
+        if (!widths.empty()) {
+            widths[0] = std::min(widths[0], std::max(room * 2 / 5, leastWidth(0)));
         }
-    }
-    if (std::accumulate(widths.begin(), widths.end(), 0) > room) {
-        widths = std::move(wrapped);
-    }
-    if (!widths.empty()) {
-        widths[0] = std::min(widths[0], std::max(room * 2 / 5, leastWidth(0)));
+        return std::accumulate(widths.begin(), widths.end(), 0) <= room;
+    };
+    setConcise(false);
+    if (!fits(false) && !fits(true)) {
+        setConcise(true);
+        fits(true);
     }
     if (widths.size() == 2) {
         widths[1] = std::max(room - widths[0], 14 * characters);

@@ -34,7 +34,8 @@ struct QuantityCell {
     // Value, standard deviation and combined uncertainty, or one text; the same number of texts in
     // all rows of a column.
     QStringList exact;
-    QColor color;  // of the text; invalid: the usual one
+    QColor color;          // of the text; invalid: the usual one
+    QString concise = {};  // a number where there is no room for the text: "5300.012(7)"
 };
 
 // A number of a cell with twelve digits, in the decimal sign of the interface's language.
@@ -48,8 +49,9 @@ struct QuantityRow {
     std::vector<QuantityCell> cells;
 };
 
-// Quantities with their names and units, a row each; long texts are wrapped. As high as its rows,
-// for use in a scroll area. Ctrl+C copies it as tab-separated text.
+// Quantities with their names and units, a row each. Where they have no room, numbers become
+// concise, with the whole of them as tooltips; sentences are wrapped. As high as its rows, for use
+// in a scroll area. Ctrl+C copies it as tab-separated text.
 class QuantityTable : public QTableWidget {
     Q_OBJECT
 
@@ -70,9 +72,11 @@ private:
     int leastWidth(int column) const;
     int headerHeight() const;
     void narrow(std::vector<int>& widths, int excess) const;
+    void setConcise(bool concise);
 
     QStringList headers_;
     std::vector<QuantityRow> rows_;
+    bool concise_ = false;
 };
 
 }  // namespace vybeg::ui

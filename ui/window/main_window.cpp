@@ -153,6 +153,12 @@ void MainWindow::buildTopRow() {
     fill(new QHBoxLayout(row), {}, 0,
          {{menu_bar_, 0, Qt::AlignVCenter}, LayoutPart(1), pages_->tabs(), LayoutPart(1), tools_});
     setMenuWidget(row);
+    tracks_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    for (const Command command :
+         {Command::zoom_fit, Command::zoom_back, Command::log_a_A, Command::sigma_bands,
+          Command::copy_plot, Command::export_plots}) {
+        tracks_->addAction(action(command));
+    }
 }
 
 void MainWindow::connectDocument() {

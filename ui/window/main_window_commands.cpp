@@ -258,7 +258,7 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
                  w.setUnits(units);
              }},
         {.id = Command::log_a_A,
-         .text = QT_TR_NOOP("&Logarithmic working amplitude"),
+         .text = QT_TR_NOOP("&Log axis for a_A"),
          .switched =
              [&w](bool on_now) {
                  DisplayUnits units = w.tracks_->units();

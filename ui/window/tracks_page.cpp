@@ -20,7 +20,7 @@ namespace {
 
 QString settingsText(const AnalysisEntry& entry) {
     const Analysis& analysis = *entry.shown.analysis;
-    QString text = TracksPage::tr("%1: %2; window %3, hop %4 samples; f0 = %5 Hz")
+    QString text = TracksPage::tr("%1: %2; window %3, step %4 samples; f0 = %5 Hz")
                        .arg(entry.shown.recording, algorithmText(analysis.settings.algorithm))
                        .arg(analysis.plan.length)
                        .arg(analysis.plan.hop)

@@ -8,7 +8,8 @@
 #include <QRegularExpression>
 #include <QStringList>
 
-#include <cstdlib>
+#include <algorithm>
+#include <cmath>
 
 namespace vybeg::ui {
 
@@ -150,34 +151,39 @@ QString flagsText(Flags flags) {
     return reasons.join(QStringLiteral("; "));
 }
 
+namespace {
+
+// Three digits: "2.72 ms".
+QString secondsText(double seconds) {
+    const bool short_time = seconds < 1;
+    const double shown = short_time ? 1e3 * seconds : seconds;
+    const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(shown))));
+    return numberLabel(shown, decimals) + QLatin1Char(' ') +
+           (short_time ? siPrefix(-3) : QString()) + unitText("s");
+}
+
+}  // namespace
+
 QString eventText(const Event& event) {
-    const auto seconds = [&] { return QLocale().toString(event.seconds, 'g', 4); };
+    const auto lasting = [&event](const QString& what) {
+        return event.seconds > 0 ? what + QStringLiteral(", ") + secondsText(event.seconds) : what;
+    };
     switch (event.kind) {
         case EventKind::axis_crossing: {
-            const int k = event.multiple_of_half_pi;
-            const QString sign = k < 0 ? QStringLiteral("−") : QString();
-            const int halves = std::abs(k);
-            QString angle = QStringLiteral("0");
-            if (halves % 2 == 1) {
-                angle = halves == 1 ? sign + QStringLiteral("π/2")
-                                    : sign + QStringLiteral("%1π/2").arg(halves);
-            } else if (halves > 0) {
-                angle = halves == 2 ? sign + QStringLiteral("π")
-                                    : sign + QStringLiteral("%1π").arg(halves / 2);
-            }
+            const QString angle =
+                numberLabel(90. * event.multiple_of_half_pi, 0) + QStringLiteral("°");
             return event.direction > 0 ? FindingWords::tr("2θ_A passes %1, rising").arg(angle)
                                        : FindingWords::tr("2θ_A passes %1, falling").arg(angle);
         }
-        case EventKind::gap: return FindingWords::tr("Samples are missing, %1 s").arg(seconds());
-        case EventKind::clipped: return FindingWords::tr("Clipped, %1 s").arg(seconds());
-        case EventKind::not_converged:
-            return FindingWords::tr("Not converged, %1 s").arg(seconds());
+        case EventKind::gap: return lasting(FindingWords::tr("Samples are missing"));
+        case EventKind::clipped: return lasting(FindingWords::tr("Clipped"));
+        case EventKind::not_converged: return lasting(FindingWords::tr("Not converged"));
         case EventKind::filter_transient:
-            return FindingWords::tr("Transient of the band-pass, %1 s").arg(seconds());
+            return lasting(FindingWords::tr("Transient of the band-pass"));
         case EventKind::delay_reach:
-            return FindingWords::tr("The delay reaches beyond the samples, %1 s").arg(seconds());
+            return lasting(FindingWords::tr("The delay reaches beyond the samples"));
         case EventKind::moving:
-            return FindingWords::tr("The wave moves inside its windows, %1 s").arg(seconds());
+            return lasting(FindingWords::tr("The wave moves inside its windows"));
     }
     return {};
 }

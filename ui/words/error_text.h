@@ -27,7 +27,7 @@ QString shortNumberText(double value, int digits);
 // Why a window's value is missing or doubtful, e.g. "samples are missing"; empty without a reason.
 QString flagsText(Flags flags);
 
-// E.g. "2θ_A passes −π/2, rising".
+// E.g. "2θ_A passes −90°, rising".
 QString eventText(const Event& event);
 
 // E.g. "WAV, 64 bit float, 2 channels", in the interface's language.

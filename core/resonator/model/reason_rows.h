@@ -33,10 +33,9 @@ ROW(no_decay,
 ROW(circular_wave, VYBEG_MESSAGE("Reason", "A circular wave has no angle."))
 // no drift function: too few angles of the waves
 ROW(few_angles,
-    VYBEG_MESSAGE(
-        "Reason",
-        "The waves stand at too few angles for the drift as a function of the angle: it needs "
-        "three starts 22.5 degrees apart or more, or a wave that turns."))
+    VYBEG_MESSAGE("Reason",
+                  "The drift function needs starts at three angles, 22.5 degrees apart or more, or "
+                  "a wave that turns."))
 // gain ratio and damping anisotropy are indistinguishable
 ROW(kappa_like_damping,
     VYBEG_MESSAGE("Reason",

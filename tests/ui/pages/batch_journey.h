@@ -24,7 +24,7 @@ namespace vybeg::ui {
 class BatchJourney : public QObject, protected WindowTest {
 protected:
     static constexpr int most_ms = 120'000;
-    static constexpr std::array titles{"Set",   "Gyro", "State", "Verdict", "Frequency split\nHz",
+    static constexpr std::array titles{"Set",   "Gyro", "State", "Verdict", "Frequency split\nmHz",
                                        "Reason"};
     enum Title : std::uint8_t { set_name, gyro, state, verdict, split, reason };
 

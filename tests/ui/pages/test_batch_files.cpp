@@ -90,7 +90,7 @@ private slots:
         const QStringList cells = lines[1].split('\t');
         QCOMPARE(cells.size(), head.size());
         QCOMPARE(cells[0], QString("HRG-2"));
-        const auto at = head.indexOf("Frequency split, Hz");
+        const auto at = head.indexOf("Frequency split, mHz");
         VYBEG_MORE(at, 0);
         QCOMPARE(cells[at].toDouble(), model()
                                            .index(rowOf("HRG-2"), column(titles[split]))

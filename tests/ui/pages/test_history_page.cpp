@@ -24,6 +24,7 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTabBar>
+#include <QTextDocumentFragment>
 #include <QtTest>
 #include <qcustomplot.h>
 
@@ -39,7 +40,10 @@ class TestHistoryPage : public QObject, private WindowTest {
 
     HistoryPage& page() { return the<HistoryPage>(); }
 
-    QString text(const char* name) { return the<QLabel>(name).text(); }
+    // Without the links.
+    QString text(const char* name) {
+        return QTextDocumentFragment::fromHtml(the<QLabel>(name).text()).toPlainText();
+    }
 
     void click(const char* button) { QTest::mouseClick(&the<QPushButton>(button), Qt::LeftButton); }
 
@@ -130,8 +134,8 @@ private slots:
         QVERIFY(!text("historyVerdict").contains("without a date"));
         const auto& plot = childOf<QCustomPlot>(values);
         const QCPRange shown = plot.axisRect()->axis(QCPAxis::atLeft)->range();
-        VYBEG_AT_LEAST(shown.upper, 0.01 + 2 * 2e-5);
-        VYBEG_AT_MOST(shown.lower, 0.01 - 2 * 2e-5);
+        VYBEG_AT_LEAST(shown.upper, 10 + 2 * 0.02);  // mHz
+        VYBEG_AT_MOST(shown.lower, 10 - 2 * 0.02);
     }
 
     // Ctrl+7 without any recording: a sentence and buttons. Tracks then is the welcome again.
@@ -191,6 +195,10 @@ private slots:
         values.setFocus();
         QTest::keyClick(&values, Qt::Key_Left);
         QVERIFY2(text("historyPoint").contains("set 87"), qPrintable(text("historyPoint")));
+        // Its name in the sentence chooses it, too.
+        QVERIFY(the<QLabel>("historyVerdict").text().contains("<a href=\"30\">G0, 2024-03-31"));
+        emit the<QLabel>("historyVerdict").linkActivated(QStringLiteral("30"));
+        QVERIFY2(text("historyPoint").contains("set 90"), qPrintable(text("historyPoint")));
         // Of a longer baseline that holds the value, it sets the limits itself.
         the<QSpinBox>("historyBaseline").setValue(40);
         VYBEG_MORE(page().charts().control.deviations[0], 1e-4);
@@ -218,7 +226,7 @@ private slots:
                  qPrintable(text("historyVerdict")));
         QVERIFY2(names().contains("limits (the baseline has a trend)"), qPrintable(names()));
         // u of each result, not sd, is its bar.
-        QCOMPARE(the<XYPlotView>("historyValues").content().series.front().sd.front(), 2e-5);
+        QCOMPARE(the<XYPlotView>("historyValues").content().series.front().sd.front(), 0.02);
     }
 
     // Limits of the session's dossier stand in the plot of their parameter, in the unit shown.
@@ -234,7 +242,7 @@ private slots:
         window_->document().dossier().setLimits({{"tau_s", 20.0, std::nullopt}});
         QVERIFY(limits().empty());  // of another parameter
         window_->document().dossier().setLimits({{"split_hz", std::nullopt, 0.0125}});
-        QCOMPARE(limits(), (std::vector<double>{0.0125, 0.0125}));
+        QCOMPARE(limits(), (std::vector<double>{12.5, 12.5}));
     }
 
     // The same values against the frequency, and in order; the parameter and its unit.

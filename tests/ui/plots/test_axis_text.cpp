@@ -3,6 +3,7 @@
 #include "tests/test_registry.h"
 #include "ui/plots/axis_ticks.h"
 #include "ui/words/display_units.h"
+#include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QTextDocumentFragment>
@@ -179,6 +180,18 @@ private slots:
         QCOMPARE(noiseText(NAN), QStringLiteral("—"));
         QCOMPARE(valueText(NAN, 1), QStringLiteral("—"));
         QCOMPARE(valueText(0.25, NAN), QStringLiteral("0.25"));
+    }
+
+    void an_event_has_three_digits_and_degrees() {
+        const auto gap = [](double seconds) {
+            return eventText({EventKind::gap, 1, seconds, 0, 0});
+        };
+        QCOMPARE(gap(0.0027213), QStringLiteral("Samples are missing, 2.72 ms"));
+        QCOMPARE(gap(1.8), QStringLiteral("Samples are missing, 1.80 s"));
+        QCOMPARE(gap(1234.5), QStringLiteral("Samples are missing, 1235 s"));
+        QCOMPARE(gap(0), QStringLiteral("Samples are missing"));  // of one window
+        QCOMPARE(eventText({EventKind::axis_crossing, 1, 0, -1, 1}),
+                 QStringLiteral("2θ_A passes −90°, rising"));
     }
 
     void an_underscore_makes_an_index() {

@@ -313,8 +313,20 @@ private slots:
         bench.drag(bench.at(1, (3 - time.lower) / time.span(), 0.5), to);
         VYBEG_WITHIN(*bench.view.cursor(Cursor::a), bench.timeAt(to), 1e-9);
         QCOMPARE(bench.view.timeRange(), time);
+        // The one that was moved last goes by a pixel; without it, the other one.
+        const double pixel = bench.timeAt(to + QPoint(1, 0)) - bench.timeAt(to);
+        QTest::keyClick(&bench.view, Qt::Key_Right, Qt::ShiftModifier);
+        VYBEG_WITHIN(*bench.view.cursor(Cursor::a), bench.timeAt(to) + pixel, 1e-9);
+        bench.view.moveCursor(Cursor::a, std::nullopt);
+        QTest::keyClick(&bench.view, Qt::Key_Left, Qt::ShiftModifier);
+        VYBEG_WITHIN(*bench.view.cursor(Cursor::b), 7 - pixel, 1e-9);
+        QCOMPARE(bench.view.timeRange(), time);
         QTest::keyClick(&bench.view, Qt::Key_0);
         QVERIFY(!bench.view.cursor(Cursor::a) && !bench.view.cursor(Cursor::b));
+        QTest::keyClick(&bench.view, Qt::Key_Plus);
+        const double lower = bench.view.timeRange().lower;
+        QTest::keyClick(&bench.view, Qt::Key_Left, Qt::ShiftModifier);
+        VYBEG_LESS(bench.view.timeRange().lower, lower);  // it pans, as without Shift
     }
 
     // Of another unit, or a fifth as long: one would be a pixel or flatten the other.

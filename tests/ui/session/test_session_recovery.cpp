@@ -16,6 +16,7 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 
 #include <random>
 #include <sys/stat.h>
@@ -218,6 +219,35 @@ private slots:
         SessionBackup::setAside(left);
         QVERIFY(!SessionBackup::abandoned().contains(left));
         QVERIFY(QFile::remove(left + ".declined"));
+    }
+
+    // One line, whatever the number of copies; a name tells which session it is.
+    void the_newest_copy_is_offered_first_and_says_what_it_holds() {
+        QVERIFY(copies().mkpath("."));
+        const auto left = [this](const char* name, const char* json) {
+            const QString path = copies().filePath(QLatin1String(name));
+            QFile file(path);
+            return file.open(QIODevice::WriteOnly) && file.write(json) > 0 ? path : QString();
+        };
+        const QString older =
+            left("20260101-000000-000-1.vybeg",
+                 R"({"vybeg_session": 1, "recordings": [{"path": "/a/r.1.wav"}]})");
+        const QString newer = left("20260101-000001-000-1.vybeg",
+                                   R"({"vybeg_session": 1, "gyro": {"serial": "HRG-17"},
+                                       "recordings": [{"path": "/a/r2.wav"}, {"path": "/b.wav"}]})");
+        const auto window = shownWindow();
+        window->session().offerAbandoned();
+        auto& bar = childOf<MessageBar>(*window);
+        QCOMPARE(bar.texts().size(), 1);
+        QVERIFY2(bar.texts().first().contains("HRG-17, 2 recordings, 20"),
+                 qPrintable(bar.texts().first()));
+        QTest::mouseClick(bar.findChild<QToolButton*>(), Qt::LeftButton);
+        QCOMPARE(bar.texts().size(), 1);
+        QVERIFY2(bar.texts().first().contains("r.1, 1 recording, 20"),
+                 qPrintable(bar.texts().first()));
+        SessionBackup::discard(older);
+        QVERIFY(QFile::remove(newer + ".declined"));
+        window->session().end();
     }
 
     void a_copy_that_cannot_be_read_stays_and_is_named() {

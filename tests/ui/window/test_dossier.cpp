@@ -105,12 +105,12 @@ private slots:
         QVERIFY(!cell("Frequency split", 2));  // no limits, no column of them
 
         auto& dialog = opened<LimitsDialog>(Command::limits);
-        fill(childOf<NumberField>(dialog, "split_hz.upper"), "0,02");
+        fill(childOf<NumberField>(dialog, "split_hz.upper"), "20");
         fill(childOf<NumberField>(dialog, "q.lower"), "1e12");
         fill(childOf<NumberField>(dialog, "frequency_per_power.upper"), "1");
         press(dialog, QDialogButtonBox::Ok);
         QCOMPARE(dossier().limits.size(), std::size_t{3});
-        QCOMPARE(cell("Frequency split", 2)->text(), QStringLiteral("✓ ≤ 0.02"));
+        QCOMPARE(cell("Frequency split", 2)->text(), QStringLiteral("✓ ≤ 20"));
         QCOMPARE(cell("Quality factor", 2)->text().left(1), QStringLiteral("✗"));
         QVERIFY(cell("Quality factor", 2)->foreground().color() !=
                 cell("Frequency split", 2)->foreground().color());

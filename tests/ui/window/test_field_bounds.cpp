@@ -149,7 +149,7 @@ private slots:
         state.rate_hz = 20000;
         state.f0_hz = 5000;
         fields.setState(state);
-        compare(fields, {{"Length", "window", 0, 1, "%1", true}, {"Hop", "hop", 0, 1, "%1", true}},
+        compare(fields, {{"Length", "window", 0, 1, "%1", true}, {"Step", "hop", 0, 1, "%1", true}},
                 1);
         auto& unit = childOf<QComboBox>(fields, QStringLiteral("lengthUnit"));
         unit.setCurrentIndex(1);

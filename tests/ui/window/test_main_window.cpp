@@ -222,7 +222,7 @@ private slots:
         openOne();
         typeInto(field("Overlap"), "75");
         QCOMPARE(document().settings().hop, 15);
-        typeInto(field("Hop"), "30");
+        typeInto(field("Step"), "30");
         QCOMPARE(*field("Overlap").value(), 50.0);
         QTest::keyClick(&the<TrackView>(), Qt::Key_F5);
         QVERIFY(idle(2));

@@ -302,6 +302,16 @@ private slots:
         QCOMPARE(shown(), QStringLiteral("settings ledger overview"));
     }
 
+    void the_context_menu_of_the_plots_acts_on_them() {
+        window_ = shownWindow();
+        const auto& tracks = the<TrackView>();
+        QVERIFY(tracks.contextMenuPolicy() == Qt::ActionsContextMenu);
+        QCOMPARE(tracks.actions().size(), 6);
+        for (const Command command : {Command::zoom_fit, Command::log_a_A, Command::copy_plot}) {
+            QVERIFY(tracks.actions().contains(window_->action(command)));
+        }
+    }
+
     // In a wide window the wave has room beside the signals.
     void the_wave_stands_beside_the_signals_of_a_wide_window() {
         window_ = shownWindow();
