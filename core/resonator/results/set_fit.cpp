@@ -145,16 +145,18 @@ bool SetFit::is_white() const {
     return noise.as_expected() && noise_claim(noise, at, task_.job).holds;
 }
 
-bool SetFit::explains() const {
+bool SetFit::has_usual_channels() const {
     constexpr double most_tolerances = 3;
     const Priors& priors = problem_.priors;
-    const auto is_usual = [&](const ChannelError& error) {
+    return std::ranges::all_of(channel_errors, [&](const ChannelError& error) {
         const double off = set_.fit.p[error.parameter] - priors.mean[error.parameter];
         return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
-    };
+    });
+}
+
+bool SetFit::explains() const {
     return set_.fit.finished() && !structured_refused_ &&
-           examination_.verdict == SetVerdict::fits && at_noise() &&
-           std::ranges::all_of(channel_errors, is_usual);
+           examination_.verdict == SetVerdict::fits && at_noise() && has_usual_channels();
 }
 
 ResonatorFit SetFit::described() {
@@ -187,10 +189,11 @@ void SetFit::examine() {
         misfit_cause(set_, posterior(problem_, set_.fit), Causes::without_lines, task_.job);
     const double dof = degrees_of_freedom(problem_);
     const double left = cause ? set_.fit.chi2 - cause->fall : set_.fit.chi2;
-    // One parameter that explains that much is no chance.
+    // One parameter that explains that much is no chance, unless channels nobody has go with it.
     constexpr double nearly_all = 0.05;
-    if (left < noise_bound(dof) * dof || (examination_.verdict == SetVerdict::refused &&
-                                          left - dof < nearly_all * (set_.fit.chi2 - dof))) {
+    if (left < noise_bound(dof) * dof ||
+        (examination_.verdict == SetVerdict::refused && has_usual_channels() &&
+         left - dof < nearly_all * (set_.fit.chi2 - dof))) {
         examination_ = agreeing_set(problem_, set_.fit, task_.options.spread, task_.job);
     }
 }

@@ -64,8 +64,11 @@ public:
         return fitted_size(problem_, set_.fit.p, each);
     }
 
+    // Whether the channel errors lie within three of their tolerances.
+    bool has_usual_channels() const;
+
     // Whether the fit is finished, the runs agree, the residual has the size of the noise, the
-    // structured model is not refused, and the channel errors lie within three of their tolerances.
+    // structured model is not refused, and the channels are usual.
     bool explains() const;
 
     FittedMotion motion() const { return motion_of(set_); }
