@@ -147,7 +147,9 @@ private:
                 if (is_formula(row.fields[k])) {
                     list_.warnings.push_back(
                         {DiagnosticKind::formula_in_list,
-                         {count_arg(row.line), table_.names[k], row.fields[k]}});
+                         {row.fields[k],
+                          words(VYBEG_MESSAGE("Words", "line %1 of the list, column \"%2\""),
+                                {count_arg(row.line), table_.names[k]})}});
                 }
             }
         }
@@ -428,6 +430,11 @@ Result<MeasurementList> list_of_folder(
     MeasurementList list;
     for (const std::filesystem::path& path : files) {
         const std::string name = path.filename().string();
+        if (is_formula(name)) {
+            list.warnings.push_back(
+                {DiagnosticKind::formula_in_list,
+                 {name, words(VYBEG_MESSAGE("Words", "a file of the folder"))}});
+        }
         list.sets.push_back({name, {{name, path, defaults.open, {}, {}}}, defaults.settings});
     }
     return list;

@@ -411,8 +411,8 @@ MessageRow message_row(DiagnosticKind kind) {
                        "you mean \"%2\"? Rename it then.")},
         {formula_in_list, "formula-in-list", warning,
          VYBEG_MESSAGE("Message",
-                       "Line %1 of the list, column \"%2\": \"%3\" begins as a formula does, and a "
-                       "table program that opens the results runs it.")},
+                       "The table's field \"%1\" (%2) begins as a formula does, and a table program "
+                       "that opens the results runs it.")},
         {earlier_rows, "earlier-rows", warning,
          VYBEG_MESSAGE(
              "Message",

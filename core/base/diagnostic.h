@@ -90,7 +90,7 @@ enum class DiagnosticKind {
     other_gyro,              // args: gyro of the passport, gyro of the recordings
     option_without_effect,   // args: option of the command line, why
     column_like_option,      // args: column of a list that is kept, the option it resembles
-    formula_in_list,         // args: line, column, field. A table program runs it.
+    formula_in_list,         // args: field, where it stands. A table program runs it.
     earlier_rows,            // args: file, number of its rows. An interrupted batch.
     channels_crossed,        // args: name of the channel read as C, of that read as D
     other_rows,              // args: file, number of its rows. Of other settings.

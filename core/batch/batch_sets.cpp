@@ -166,6 +166,7 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
         // An output that is a file of another kind stays an input, which check_paths() keeps from
         // being replaced.
         return is_batch_table(path) || path.extension() == journal_of("") ||
+               (!request.limits.empty() && same_file(path, request.limits)) ||
                (!request.database.empty() && (same_file(path, request.database) ||
                                               same_file(path, rollback_of(request.database))));
     });
@@ -213,8 +214,7 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
         inputs.push_back(
             {task.passport, words(VYBEG_MESSAGE("Words", "it is one of the passports"))});
         for (const RecordingRef& recording : task.set->recordings) {
-            inputs.push_back({recording.path.string(),
-                              words(VYBEG_MESSAGE("Words", "it is one of the recordings"))});
+            add_recording_files(inputs, recording.path, recording.open);
         }
     }
     if (request.database == "-") {
@@ -248,7 +248,17 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
         return !is_taken && !same_file(path, request.output) &&
                (request.database.empty() || !same_file(path, request.database));
     };
-    std::set<std::string> files;
+    // A result that is there by its device and inode, a new one by its folder, which both options may
+    // name in two ways, and its name.
+    const bool one_folder = same_file(request.json, request.new_passports);
+    std::set<std::pair<dev_t, ino_t>> replaced;
+    std::set<std::pair<std::string, fs::path>> made;
+    const auto is_first = [&](const std::string& option, const fs::path& path) {
+        struct stat status {};
+        return stat(path.c_str(), &status) == 0
+                   ? replaced.emplace(status.st_dev, status.st_ino).second
+                   : made.emplace(one_folder ? "" : option, path.filename()).second;
+    };
     for (const SetTask& task : tasks) {
         for (const auto& [option, path] :
              {std::pair{"--json", &task.json}, std::pair{"--passports-out", &task.new_passport}}) {
@@ -260,8 +270,7 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
                     option, *path,
                     words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
             }
-            std::error_code unknown;
-            if (!files.insert(fs::weakly_canonical(*path, unknown).string()).second) {
+            if (!is_first(option, *path)) {
                 return refused_value(
                     option, *path,
                     words(VYBEG_MESSAGE("Words", "another result of this batch goes there")));

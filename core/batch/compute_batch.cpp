@@ -10,6 +10,7 @@
 #include "core/database/results_database.h"
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
+#include "core/output/output_paths.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/text/csv_rows.h"
@@ -27,6 +28,7 @@
 #include <stop_token>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace vybeg {
 namespace {
@@ -107,6 +109,9 @@ public:
     // list_of_folder().
     Result<MeasurementList> look();
 
+    // The folder's measurement list at the last look; empty: none.
+    const fs::path& list() const { return list_; }
+
     // Why the folder's list does not count at the last look: those of read_measurement_list(), and
     // list_invalid for a second list.
     const std::optional<Error>& fault() const { return fault_; }
@@ -115,16 +120,19 @@ private:
     bool is_settled(const fs::path& path);
 
     const BatchRequest& request_;
+    fs::path list_;
     std::optional<Error> fault_;
-    std::map<fs::path, std::string> stamps_;  // of the look before, and of this one
+    std::map<fs::path, std::string> stamps_;         // of this look
+    std::map<fs::path, std::string> stamps_before_;  // of the look before
 };
 
 Result<MeasurementList> FolderWatch::look() {
     auto files = TRY(wanted_list(request_));
+    stamps_before_ = std::exchange(stamps_, {});
     fault_.reset();
+    list_.clear();
     MeasurementList come;
     std::set<fs::path> listed;
-    std::optional<fs::path> list_path;
     std::vector<MeasurementSet> single;
     bool list_in_writing = false;
     for (MeasurementSet& file : files.sets) {
@@ -139,15 +147,15 @@ Result<MeasurementList> FolderWatch::look() {
             single.push_back(std::move(file));
             continue;
         }
-        if (list_path) {
+        if (!list_.empty()) {
             fault_ = Error{ErrorCode::list_invalid,
                            path.string(),
                            {count_arg(1), "file",
                             words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
-                                  {list_path->filename().string()})}};
+                                  {list_.filename().string()})}};
             continue;
         }
-        list_path = path;
+        list_ = path;
         Result<MeasurementList> list =
             read_measurement_list(path, {request_.open, request_.settings});
         if (!list) {
@@ -159,15 +167,17 @@ Result<MeasurementList> FolderWatch::look() {
     if (fault_ || list_in_writing) {  // which files are of its sets is unknown
         return MeasurementList{};
     }
-    for (const MeasurementSet& set : come.sets) {
+    std::erase_if(come.sets, [&](const MeasurementSet& set) {
+        bool complete = true;
         for (const RecordingRef& recording : set.recordings) {
-            listed.insert(recording.path.lexically_normal());
+            std::vector<fs::path> parts = further_files(recording.open);
+            parts.push_back(recording.path);
+            for (const fs::path& part : parts) {
+                listed.insert(part.lexically_normal());
+                complete = is_settled(part) && complete;
+            }
         }
-    }
-    std::erase_if(come.sets, [this](const MeasurementSet& set) {
-        return !std::ranges::all_of(set.recordings, [this](const RecordingRef& recording) {
-            return is_settled(recording.path.lexically_normal());
-        });
+        return !complete;
     });
     for (MeasurementSet& file : single) {
         RecordingRef& recording = file.recordings.front();
@@ -181,12 +191,16 @@ Result<MeasurementList> FolderWatch::look() {
     return come;
 }
 
+// A file is looked at once a look, so that one of the folder and of its list is the same.
 bool FolderWatch::is_settled(const fs::path& path) {
-    const std::string now = file_stamp(path);
-    std::string& before = stamps_[path.lexically_normal()];
-    const bool same = before == now && now != no_file;
-    before = now;
-    return same;
+    const fs::path key = path.lexically_normal();
+    const auto [now, is_new] = stamps_.try_emplace(key);
+    if (is_new) {
+        now->second = file_stamp(path);
+    }
+    const auto before = stamps_before_.find(key);
+    return before != stamps_before_.end() && before->second == now->second &&
+           now->second != no_file;
 }
 
 // Waits, or until the token stops it.
@@ -247,9 +261,18 @@ private:
     Status watch() {
         FolderWatch folder(request_);
         std::optional<Error> told;
+        std::vector<Diagnostic> warned;
         std::int64_t sets = 0;
         while (!stop_.stop_requested()) {
             const auto list = TRY(folder.look());
+            TRY(check_outputs(
+                {{"-o", request_.output, ""}, {"--database", request_.database, ""}},
+                {{folder.list().string(),
+                  words(VYBEG_MESSAGE("Words", "it is the list of the recordings"))}}));
+            if (list.warnings != warned && !list.warnings.empty()) {
+                warned = list.warnings;
+                events_.warned(warned);
+            }
             if (folder.fault() != told) {
                 told = folder.fault();
                 if (told && events_.failed) {

@@ -101,6 +101,16 @@ Status check_ending(const std::filesystem::path& path,
     return Error{ErrorCode::output_format_unknown, path.string(), {ending, possible}};
 }
 
+void add_recording_files(std::vector<InputPath>& inputs, const std::filesystem::path& recording,
+                         const OpenOptions& open) {
+    std::vector<std::filesystem::path> files = further_files(open);
+    files.push_back(recording);
+    for (const std::filesystem::path& file : files) {
+        inputs.push_back(
+            {file.string(), words(VYBEG_MESSAGE("Words", "it is one of the recordings"))});
+    }
+}
+
 Status check_outputs(const std::vector<OutputPath>& outputs, const std::vector<InputPath>& inputs) {
     for (std::size_t k = 0; k < outputs.size(); ++k) {
         const OutputPath& output = outputs[k];

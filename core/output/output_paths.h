@@ -2,6 +2,7 @@
 
 #include "core/base/message_arg.h"
 #include "core/base/result.h"
+#include "core/recording/samples/open_options.h"
 
 #include <filesystem>
 #include <initializer_list>
@@ -36,6 +37,10 @@ struct InputPath {
     std::string path;
     MessageArg taken;
 };
+
+// Adds a recording and its further files: they are read as it is.
+void add_recording_files(std::vector<InputPath>& inputs, const std::filesystem::path& recording,
+                         const OpenOptions& open);
 
 // A file that is written, "-" for standard output; empty: not asked for.
 struct OutputPath {

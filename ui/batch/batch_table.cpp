@@ -7,6 +7,7 @@
 #include "ui/panels/reading.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QCoreApplication>
@@ -376,7 +377,8 @@ QVariant BatchTable::data(const QModelIndex& index, int role) const {
                 lines.resize(most_shown);
                 lines << moreText(count - most_shown);
             }
-            return lines.isEmpty() ? cellText(row, column) : lines.join(QLatin1Char('\n'));
+            return plainTip(lines.isEmpty() ? cellText(row, column)
+                                            : lines.join(QLatin1Char('\n')));
         }
         case Qt::ForegroundRole: {
             const QColor own = color(row, column);
