@@ -297,6 +297,10 @@ int run(int argc, char** argv) {
                                {option, "there is no --passport to compare with"}}});
             }
         }
+        if (batch.batch.watch && !batch.batch.only.empty()) {
+            log.warnings({{DiagnosticKind::option_without_effect,
+                           {"--only", "--watch computes every set that comes"}}});
+        }
         if (batch.batch.list.empty()) {
             return log.fail_usage("LIST is required.");
         }

@@ -297,7 +297,13 @@ private slots:
         const QByteArray list = "set,file\nA,a.wav\n";
         QVERIFY(put(path("own/list.csv"), list));
         QVERIFY(QFile::copy(path("a.wav"), path("own/a.wav")));
-        const Outcome outcome = run("batch --watch own -o own/list.csv");
+        for (const char* option : {"--json", "--passports-out"}) {
+            const Outcome mixed = run({"batch", "--watch", "own", "-o", "own.csv", option, "./own"});
+            VYBEG_EQUAL(mixed.status, 2, mixed.err);
+            QVERIFY2(mixed.err.contains("recordings come to this folder"), mixed.err);
+        }
+        const Outcome outcome = run("batch --watch own -o own/list.csv --only A");
+        QVERIFY2(outcome.err.contains("--only has no effect"), outcome.err);
         VYBEG_EQUAL(outcome.status, 2, outcome.err);
         QVERIFY2(outcome.err.contains("it is the list of the recordings"), outcome.err);
         QCOMPARE(file("own/list.csv"), list);
