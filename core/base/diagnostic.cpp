@@ -410,9 +410,10 @@ MessageRow message_row(DiagnosticKind kind) {
                        "The column \"%1\" of the list is kept as it is and changes nothing. Did "
                        "you mean \"%2\"? Rename it then.")},
         {formula_in_list, "formula-in-list", warning,
-         VYBEG_MESSAGE("Message",
-                       "The table's field \"%1\" (%2) begins as a formula does, and a table program "
-                       "that opens the results runs it.")},
+         VYBEG_MESSAGE(
+             "Message",
+             "The table's field \"%1\" (%2) begins as a formula does, and a table program "
+             "that opens the results runs it.")},
         {earlier_rows, "earlier-rows", warning,
          VYBEG_MESSAGE(
              "Message",

@@ -248,17 +248,7 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
         return !is_taken && !same_file(path, request.output) &&
                (request.database.empty() || !same_file(path, request.database));
     };
-    // A result that is there by its device and inode, a new one by its folder, which both options may
-    // name in two ways, and its name.
-    const bool one_folder = same_file(request.json, request.new_passports);
-    std::set<std::pair<dev_t, ino_t>> replaced;
-    std::set<std::pair<std::string, fs::path>> made;
-    const auto is_first = [&](const std::string& option, const fs::path& path) {
-        struct stat status {};
-        return stat(path.c_str(), &status) == 0
-                   ? replaced.emplace(status.st_dev, status.st_ino).second
-                   : made.emplace(one_folder ? "" : option, path.filename()).second;
-    };
+    std::set<FilePlace> places;
     for (const SetTask& task : tasks) {
         for (const auto& [option, path] :
              {std::pair{"--json", &task.json}, std::pair{"--passports-out", &task.new_passport}}) {
@@ -270,7 +260,8 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
                     option, *path,
                     words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
             }
-            if (!is_first(option, *path)) {
+            const auto place = place_of(*path);
+            if (place && !places.insert(*place).second) {
                 return refused_value(
                     option, *path,
                     words(VYBEG_MESSAGE("Words", "another result of this batch goes there")));

@@ -250,8 +250,8 @@ private:
         if (request_.watch && request_.output == "-") {
             return refused_value("-o", request_.output, "--watch needs a file");
         }
-        for (const auto& [option, folder] : {std::pair{"--json", &request_.json},
-                                             {"--passports-out", &request_.new_passports}}) {
+        for (const auto& [option, folder] :
+             {std::pair{"--json", &request_.json}, {"--passports-out", &request_.new_passports}}) {
             if (request_.watch && same_file(request_.list, *folder)) {
                 return refused_value(option, *folder, "recordings come to this folder");
             }

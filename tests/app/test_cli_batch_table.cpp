@@ -141,7 +141,8 @@ private slots:
         for (const auto& [option, value] :
              {std::pair{"--limit", "tau=5%"}, std::pair{"--f-limit", "10"}}) {
             const Outcome idle = run({"batch", "limit.csv", "-o", "l.csv", option, value});
-            const QByteArray sentence = option + QByteArray(" has no effect: there is no --passport");
+            const QByteArray sentence =
+                option + QByteArray(" has no effect: there is no --passport");
             QVERIFY2(idle.err.contains(sentence), idle.err);
         }
     }
@@ -265,7 +266,8 @@ private slots:
 
     // The file of channel D and the table of limits are no sets.
     void a_recording_in_two_files_waits_for_both() {
-        QCOMPARE(run("simulate --seconds 2 --noise 0.001 --tau 400 --split 1e-3 -o both.csv").status, 0);
+        QCOMPARE(
+            run("simulate --seconds 2 --noise 0.001 --tau 400 --split 1e-3 -o both.csv").status, 0);
         QByteArray c;
         QByteArray d;
         for (const QByteArray& line : file("both.csv").trimmed().split('\n')) {
@@ -298,7 +300,8 @@ private slots:
         QVERIFY(put(path("own/list.csv"), list));
         QVERIFY(QFile::copy(path("a.wav"), path("own/a.wav")));
         for (const char* option : {"--json", "--passports-out"}) {
-            const Outcome mixed = run({"batch", "--watch", "own", "-o", "own.csv", option, "./own"});
+            const Outcome mixed =
+                run({"batch", "--watch", "own", "-o", "own.csv", option, "./own"});
             VYBEG_EQUAL(mixed.status, 2, mixed.err);
             QVERIFY2(mixed.err.contains("recordings come to this folder"), mixed.err);
         }

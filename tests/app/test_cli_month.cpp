@@ -44,9 +44,11 @@ class TestCliMonth : public QObject, private CliFolder {
     }
 
     QStringList work(const QString& list, const QString& name) const {
-        return QStringList{"batch", path(list)} +
-               QStringList{"-o", path(name + ".csv"), "--database", path(name + ".db"), "--limits",
-                           path("limits.csv"), "--excel", "--threads", "1", "--quiet"};
+        return QStringList{"batch", path(list)} + QStringList{"-o",         path(name + ".csv"),
+                                                              "--database", path(name + ".db"),
+                                                              "--limits",   path("limits.csv"),
+                                                              "--excel",    "--threads",
+                                                              "1",          "--quiet"};
     }
 
     // Rows of the table, whose columns are `names`; a name of several files stands in quotes.
@@ -98,14 +100,17 @@ private slots:
         QCOMPARE(rows.size(), sets_);
         int beyond = 0;
         for (int set = 0; set < sets_; ++set) {
-            const auto field = [&](const char* name) { return rows[set].value(names.indexOf(name)); };
+            const auto field = [&](const char* name) {
+                return rows[set].value(names.indexOf(name));
+            };
             const auto number = [&](const char* name) {
                 QString text = field(name);
                 return text.replace(',', '.').toDouble();
             };
             QCOMPARE(field("status"), QString("ok"));
             QCOMPARE(field("gyro"), QString("G%1").arg(set));
-            QCOMPARE(field("date"), QString("2026-10-%1T09:05").arg(1 + set % 30, 2, 10, QChar('0')));
+            QCOMPARE(field("date"),
+                     QString("2026-10-%1T09:05").arg(1 + set % 30, 2, 10, QChar('0')));
             QCOMPARE(field("temperature_c"), QString("22,5"));
             QCOMPARE(field("passed"), QString(tau_of(set) < least_tau_s ? "no" : "yes"));
             const double tau_u = number("u_tau_s");

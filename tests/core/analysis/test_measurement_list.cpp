@@ -458,7 +458,8 @@ private slots:
             named << QString::fromStdString(english(warning.args[0]) + ": " +
                                             english(warning.args[1]));
         }
-        QCOMPARE(named, (QStringList{"-5.wav: a file of the folder", "=1+1.wav: a file of the folder"}));
+        QCOMPARE(named,
+                 (QStringList{"-5.wav: a file of the folder", "=1+1.wav: a file of the folder"}));
     }
 
     void a_fault_names_its_line_and_column() {
