@@ -283,13 +283,7 @@ private:
         if (recording.file.empty()) {
             return invalid(row.line, "file", words(VYBEG_MESSAGE("Words", "no file is named")));
         }
-        recording.path = path_.parent_path() / recording.file;
-        std::error_code unknown;
-        if (!std::filesystem::exists(recording.path, unknown)) {  // a path of Windows
-            std::string file = recording.file;
-            std::ranges::replace(file, '\\', '/');
-            recording.path = path_.parent_path() / file;
-        }
+        recording.path = file_from(path_.parent_path(), recording.file);
         const bool has_window = !option(row, "window").empty();
         if (has_window && !option(row, "periods").empty()) {
             return invalid(row.line, "periods",

@@ -104,6 +104,9 @@ void describe(Archive&& archive, Owner& open) {
     archive("join", open.join, usual.join);
 }
 
+// The file of this name, which may be a path of Windows, relative to `folder`.
+std::filesystem::path file_from(const std::filesystem::path& folder, std::string name);
+
 // Makes the names of further files absolute that are relative to `folder`.
 void find_files_from(const std::filesystem::path& folder, OpenOptions& options);
 

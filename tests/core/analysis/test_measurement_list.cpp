@@ -416,8 +416,14 @@ private slots:
     void a_path_of_windows_names_a_file_of_the_list() {
         QVERIFY(QDir(folder_.path()).mkpath("runs"));
         std::ofstream(folder_.filePath("runs/w.wav").toStdString()) << "x";
-        const MeasurementList read = list("file\nruns\\w.wav\n");
+        const MeasurementList read =
+            list("file,channel-d,join\nruns\\w.wav,runs\\w.wav,\nruns/w.wav,,runs\\w.wav\n");
         QVERIFY(std::filesystem::exists(read.sets[0].recordings[0].path));
+        for (const MeasurementSet& set : read.sets) {
+            const auto parts = further_files(set.recordings[0].open);
+            QCOMPARE(parts.size(), std::size_t{1});
+            QVERIFY(std::filesystem::exists(parts[0]));
+        }
     }
 
     void a_list_without_files_names_its_columns() {
