@@ -188,6 +188,7 @@ Result<MeasurementList> FolderWatch::look() {
             come.sets.push_back(std::move(file));
         }
     }
+    std::ranges::copy(files.warnings, std::back_inserter(come.warnings));
     return come;
 }
 
@@ -275,9 +276,13 @@ private:
                 {{"-o", request_.output, ""}, {"--database", request_.database, ""}},
                 {{folder.list().string(),
                   words(VYBEG_MESSAGE("Words", "it is the list of the recordings"))}}));
-            if (list.warnings != warned && !list.warnings.empty()) {
-                warned = list.warnings;
-                events_.warned(warned);
+            std::vector<Diagnostic> fresh;
+            std::ranges::copy_if(list.warnings, std::back_inserter(fresh), [&](const auto& each) {
+                return std::ranges::find(warned, each) == warned.end();
+            });
+            if (!fresh.empty()) {
+                events_.warned(fresh);
+                std::ranges::copy(fresh, std::back_inserter(warned));
             }
             if (folder.fault() != told) {
                 told = folder.fault();
