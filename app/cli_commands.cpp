@@ -194,8 +194,9 @@ Status run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
 
 Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     TRY(validate(request.settings));
-    TRY(check_outputs({{"-o", request.output, ""}},
-                      {{request.input, "it is the recording itself"}}));
+    std::vector<InputPath> inputs{{request.input, "it is the recording itself"}};
+    add_recording_files(inputs, request.input, request.open);
+    TRY(check_outputs({{"-o", request.output, ""}}, inputs));
     const auto format =
         TRY(request.output == "-" ? TrackFormat::csv : track_format(request.output));
     if (request.log.given()) {

@@ -256,7 +256,7 @@ Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
     std::vector<InputPath> inputs{{request.old_passport, "it is the passport to compare with"},
                                   {request.list, "it is the list of the recordings"}};
     for (const RecordingRef& recording : set.recordings) {
-        inputs.push_back({recording.path.string(), "it is one of the recordings"});
+        add_recording_files(inputs, recording.path, recording.open);
     }
     if (request.database == "-") {
         return refused_value("--database", request.database, "it must be a file");

@@ -285,6 +285,10 @@ int run(int argc, char** argv) {
                                {option, "there is no --passport to compare with"}}});
             }
         }
+        if (batch.watch && !batch.only.empty()) {
+            log.warnings({{DiagnosticKind::option_without_effect,
+                           {"--only", "--watch computes every set that comes"}}});
+        }
         if (batch.list.empty()) {
             return log.fail_usage("LIST is required.");
         }

@@ -36,6 +36,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -176,6 +177,9 @@ std::vector<std::string> files_of(const GuiRequest& request,
     for (const MeasurementSet& set : sets) {
         for (const RecordingRef& listed : set.recordings) {
             files.push_back(listed.path.string());
+            for (const std::filesystem::path& further : further_files(listed.open)) {
+                files.push_back(further.string());
+            }
         }
     }
     if (!request.list.empty()) {
@@ -424,7 +428,11 @@ Result<int> report_status(const GuiRequest& request, std::stop_token stop) {
 }  // namespace
 
 Status draw_figure(const GuiRequest& request, std::stop_token stop) {
-    TRY(check_request("--figure", request.figure, request.inputs, request.settings));
+    std::vector<std::string> files = request.inputs;
+    for (const std::filesystem::path& further : further_files(request.open)) {
+        files.push_back(further.string());
+    }
+    TRY(check_request("--figure", request.figure, files, request.settings));
     const JobControl job(stop);
     std::vector<ui::FigureColumn> columns;
     for (const std::string& input : request.inputs) {

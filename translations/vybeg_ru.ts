@@ -1828,8 +1828,8 @@
         <translation>Столбец «%1» списка сохраняется как есть и ничего не меняет. Имеется в виду «%2»? Тогда переименуйте его.</translation>
     </message>
     <message>
-        <source>Line %1 of the list, column &quot;%2&quot;: &quot;%3&quot; begins as a formula does, and a table program that opens the results runs it.</source>
-        <translation>Строка %1 списка, столбец «%2»: «%3» начинается как формула, и табличная программа, открыв результаты, её выполнит.</translation>
+        <source>The table&apos;s field &quot;%1&quot; (%2) begins as a formula does, and a table program that opens the results runs it.</source>
+        <translation>Поле таблицы «%1» (%2) начинается как формула, и табличная программа, открыв результаты, её выполнит.</translation>
     </message>
     <message>
         <source>%1 holds %2 finished rows of an interrupted batch. All sets are computed again; the rows stay until the table is written, and a resumed batch takes them.</source>
@@ -3586,6 +3586,14 @@
 </context>
 <context>
     <name>Words</name>
+    <message>
+        <source>line %1 of the list, column &quot;%2&quot;</source>
+        <translation>строка %1 списка, столбец «%2»</translation>
+    </message>
+    <message>
+        <source>a file of the folder</source>
+        <translation>файл папки</translation>
+    </message>
     <message>
         <source>phasors of a phasemeter or a lock-in</source>
         <translation>комплексные амплитуды фазометра или синхронного детектора</translation>

@@ -147,7 +147,9 @@ private:
                 if (is_formula(row.fields[k])) {
                     list_.warnings.push_back(
                         {DiagnosticKind::formula_in_list,
-                         {count_arg(row.line), table_.names[k], row.fields[k]}});
+                         {row.fields[k],
+                          words(VYBEG_MESSAGE("Words", "line %1 of the list, column \"%2\""),
+                                {count_arg(row.line), table_.names[k]})}});
                 }
             }
         }
@@ -281,13 +283,7 @@ private:
         if (recording.file.empty()) {
             return invalid(row.line, "file", words(VYBEG_MESSAGE("Words", "no file is named")));
         }
-        recording.path = path_.parent_path() / recording.file;
-        std::error_code unknown;
-        if (!std::filesystem::exists(recording.path, unknown)) {  // a path of Windows
-            std::string file = recording.file;
-            std::ranges::replace(file, '\\', '/');
-            recording.path = path_.parent_path() / file;
-        }
+        recording.path = file_from(path_.parent_path(), recording.file);
         const bool has_window = !option(row, "window").empty();
         if (has_window && !option(row, "periods").empty()) {
             return invalid(row.line, "periods",
@@ -428,6 +424,11 @@ Result<MeasurementList> list_of_folder(
     MeasurementList list;
     for (const std::filesystem::path& path : files) {
         const std::string name = path.filename().string();
+        if (is_formula(name)) {
+            list.warnings.push_back(
+                {DiagnosticKind::formula_in_list,
+                 {name, words(VYBEG_MESSAGE("Words", "a file of the folder"))}});
+        }
         list.sets.push_back({name, {{name, path, defaults.open, {}, {}}}, defaults.settings});
     }
     return list;

@@ -347,9 +347,10 @@ ROW(column_like_option, warning,
                   "The column \"%1\" of the list is kept as it is and changes nothing. Did you "
                   "mean \"%2\"? Rename it then."))
 ROW(formula_in_list, warning,
-    VYBEG_MESSAGE("Message",
-                  "Line %1 of the list, column \"%2\": \"%3\" begins as a formula does, and a "
-                  "table program that opens the results runs it."))
+    VYBEG_MESSAGE(
+        "Message",
+        "The table's field \"%1\" (%2) begins as a formula does, and a table program that "
+        "opens the results runs it."))
 ROW(earlier_rows, warning,
     VYBEG_MESSAGE("Message",
                   "%1 holds %2 finished rows of an interrupted batch. All sets are computed again; "

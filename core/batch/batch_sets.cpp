@@ -184,6 +184,7 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
         // An output that is a file of another kind stays an input, which check_paths() keeps from
         // being replaced.
         return is_batch_table(path) || path.extension() == journal_of("") ||
+               (!request.limits.empty() && same_file(path, request.limits)) ||
                (!request.database.empty() && (same_file(path, request.database) ||
                                               same_file(path, rollback_of(request.database))));
     });
@@ -191,10 +192,11 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
 
 Result<MeasurementList> FolderWatch::look() {
     auto files = TRY(wanted_list(request_));
+    stamps_before_ = std::exchange(stamps_, {});
     fault_.reset();
+    list_.clear();
     MeasurementList come;
     std::set<fs::path> listed;
-    std::optional<fs::path> list_path;
     std::vector<MeasurementSet> single;
     bool list_in_writing = false;
     for (MeasurementSet& file : files.sets) {
@@ -209,15 +211,15 @@ Result<MeasurementList> FolderWatch::look() {
             single.push_back(std::move(file));
             continue;
         }
-        if (list_path) {
+        if (!list_.empty()) {
             fault_ = Error{ErrorCode::list_invalid,
                            path.string(),
                            {count_arg(1), "file",
                             words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
-                                  {list_path->filename().string()})}};
+                                  {list_.filename().string()})}};
             continue;
         }
-        list_path = path;
+        list_ = path;
         Result<MeasurementList> list =
             read_measurement_list(path, {request_.open, request_.settings});
         if (!list) {
@@ -229,15 +231,17 @@ Result<MeasurementList> FolderWatch::look() {
     if (fault_ || list_in_writing) {  // which files are of its sets is unknown
         return MeasurementList{};
     }
-    for (const MeasurementSet& set : come.sets) {
+    std::erase_if(come.sets, [&](const MeasurementSet& set) {
+        bool complete = true;
         for (const RecordingRef& recording : set.recordings) {
-            listed.insert(recording.path.lexically_normal());
+            std::vector<fs::path> parts = further_files(recording.open);
+            parts.push_back(recording.path);
+            for (const fs::path& part : parts) {
+                listed.insert(part.lexically_normal());
+                complete = is_settled(part) && complete;
+            }
         }
-    }
-    std::erase_if(come.sets, [this](const MeasurementSet& set) {
-        return !std::ranges::all_of(set.recordings, [this](const RecordingRef& recording) {
-            return is_settled(recording.path.lexically_normal());
-        });
+        return !complete;
     });
     for (MeasurementSet& file : single) {
         RecordingRef& recording = file.recordings.front();
@@ -248,15 +252,20 @@ Result<MeasurementList> FolderWatch::look() {
             come.sets.push_back(std::move(file));
         }
     }
+    std::ranges::copy(files.warnings, std::back_inserter(come.warnings));
     return come;
 }
 
+// A file is looked at once a look, so that one of the folder and of its list is the same.
 bool FolderWatch::is_settled(const fs::path& path) {
-    const std::string now = file_stamp(path);
-    std::string& before = stamps_[path.lexically_normal()];
-    const bool same = before == now && now != no_file;
-    before = now;
-    return same;
+    const fs::path key = path.lexically_normal();
+    const auto [now, is_new] = stamps_.try_emplace(key);
+    if (is_new) {
+        now->second = file_stamp(path);
+    }
+    const auto before = stamps_before_.find(key);
+    return before != stamps_before_.end() && before->second == now->second &&
+           now->second != no_file;
 }
 
 Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const MeasurementList& list,
@@ -301,8 +310,7 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
         inputs.push_back(
             {task.passport, words(VYBEG_MESSAGE("Words", "it is one of the passports"))});
         for (const RecordingRef& recording : task.set->recordings) {
-            inputs.push_back({recording.path.string(),
-                              words(VYBEG_MESSAGE("Words", "it is one of the recordings"))});
+            add_recording_files(inputs, recording.path, recording.open);
         }
     }
     if (request.database == "-") {
@@ -336,7 +344,7 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
         return !is_taken && !same_file(path, request.output) &&
                (request.database.empty() || !same_file(path, request.database));
     };
-    std::set<std::string> files;
+    std::set<FilePlace> places;
     for (const SetTask& task : tasks) {
         for (const auto& [option, path] :
              {std::pair{"--json", &task.json}, std::pair{"--passports-out", &task.new_passport}}) {
@@ -348,8 +356,8 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
                     option, *path,
                     words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
             }
-            std::error_code unknown;
-            if (!files.insert(fs::weakly_canonical(*path, unknown).string()).second) {
+            const auto place = place_of(*path);
+            if (place && !places.insert(*place).second) {
                 return refused_value(
                     option, *path,
                     words(VYBEG_MESSAGE("Words", "another result of this batch goes there")));

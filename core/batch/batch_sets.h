@@ -81,6 +81,9 @@ public:
     // list_of_folder().
     Result<MeasurementList> look();
 
+    // The folder's measurement list at the last look; empty: none.
+    const std::filesystem::path& list() const { return list_; }
+
     // Why the folder's list does not count at the last look: those of read_measurement_list(), and
     // list_invalid for a second list.
     const std::optional<Error>& fault() const { return fault_; }
@@ -89,8 +92,10 @@ private:
     bool is_settled(const std::filesystem::path& path);
 
     const BatchRequest& request_;
+    std::filesystem::path list_;
     std::optional<Error> fault_;
-    std::map<std::filesystem::path, std::string> stamps_;  // of the look before, and of this one
+    std::map<std::filesystem::path, std::string> stamps_;         // of this look
+    std::map<std::filesystem::path, std::string> stamps_before_;  // of the look before
 };
 
 // The sets with their passports, limits, and the files of their results. A new passport has the

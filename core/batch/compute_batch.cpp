@@ -360,6 +360,12 @@ private:
         if (request_.watch && request_.output == "-") {
             return refused_value("-o", request_.output, "--watch needs a file");
         }
+        for (const auto& [option, folder] :
+             {std::pair{"--json", &request_.json}, {"--passports-out", &request_.new_passports}}) {
+            if (request_.watch && same_file(request_.list, *folder)) {
+                return refused_value(option, *folder, "recordings come to this folder");
+            }
+        }
         if (!request_.limits.empty()) {
             auto read = TRY(read_limits(request_.limits));
             limits_ = std::move(read);
@@ -371,9 +377,22 @@ private:
     Status watch() {
         FolderWatch folder(request_);
         std::optional<Error> told;
+        std::vector<Diagnostic> warned;
         std::int64_t sets = 0;
         while (!stop_.stop_requested()) {
             const auto list = TRY(folder.look());
+            TRY(check_outputs(
+                {{"-o", request_.output, ""}, {"--database", request_.database, ""}},
+                {{folder.list().string(),
+                  words(VYBEG_MESSAGE("Words", "it is the list of the recordings"))}}));
+            std::vector<Diagnostic> fresh;
+            std::ranges::copy_if(list.warnings, std::back_inserter(fresh), [&](const auto& each) {
+                return std::ranges::find(warned, each) == warned.end();
+            });
+            if (!fresh.empty()) {
+                events_.warned(fresh);
+                std::ranges::copy(fresh, std::back_inserter(warned));
+            }
             if (folder.fault() != told) {
                 told = folder.fault();
                 if (told && events_.failed) {

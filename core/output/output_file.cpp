@@ -4,6 +4,7 @@
 #include "core/base/message_arg.h"
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
+#include "core/recording/samples/open_table.h"
 
 #include <algorithm>
 #include <array>
@@ -37,25 +38,20 @@ bool is_null_device(const struct stat& status) {
     return S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
 }
 
-// Where a file that does not exist would be made: the last folder of its path that exists, and what
-// comes after it.
-struct NewPlace {
-    dev_t device;
-    ino_t folder;
-    std::filesystem::path name;
-
-    friend bool operator==(const NewPlace&, const NewPlace&) = default;
-};
-
-std::optional<NewPlace> place_of(const std::filesystem::path& path) {
-    std::error_code failed;
-    std::filesystem::path folder = end_of_links(path, failed);
-    std::filesystem::path name;
-    while (!failed && folder.has_relative_path()) {
-        name = name.empty() ? folder.filename() : folder.filename() / name;
-        folder = folder.parent_path();
-        if (const auto status = status_of(folder)) {
-            return NewPlace{status->st_dev, status->st_ino, name};
+// The first link of a path without others, which thus leads nowhere, and what comes after it;
+// empty: there is none.
+std::pair<std::filesystem::path, std::filesystem::path> link_to_nowhere(
+    const std::filesystem::path& path) {
+    std::filesystem::path link;
+    for (auto part = path.begin(); part != path.end(); ++part) {
+        link /= *part;
+        std::error_code unknown;
+        if (is_symlink(symlink_status(link, unknown))) {
+            std::filesystem::path rest;
+            for (++part; part != path.end(); ++part) {
+                rest /= *part;
+            }
+            return {link, rest};
         }
     }
     return {};
@@ -140,18 +136,37 @@ Error failure_of(const std::string& name, int error) {
 std::filesystem::path end_of_links(const std::filesystem::path& path, std::error_code& failed) {
     constexpr int most_links = 40;  // as the system follows
     std::filesystem::path end = weakly_canonical(absolute(path, failed), failed);
-    for (int links = 0; !failed && is_symlink(symlink_status(end, failed)); ++links) {
+    for (int links = 0; !failed; ++links) {
+        const auto [link, rest] = link_to_nowhere(end);
+        if (link.empty()) {
+            break;
+        }
         if (links == most_links) {
             failed = std::make_error_code(std::errc::too_many_symbolic_link_levels);
             break;
         }
-        end = weakly_canonical(end.parent_path() / read_symlink(end, failed), failed);
+        const std::filesystem::path target = link.parent_path() / read_symlink(link, failed);
+        end = weakly_canonical(rest.empty() ? target : target / rest, failed);
     }
     // That there is no file at the end is no failure.
     if (failed == std::errc::no_such_file_or_directory) {
         failed.clear();
     }
     return end;
+}
+
+std::optional<FilePlace> place_of(const std::filesystem::path& path) {
+    std::error_code failed;
+    std::filesystem::path folder = end_of_links(path, failed);
+    std::filesystem::path name;
+    while (!failed && folder.has_relative_path()) {
+        name = name.empty() ? folder.filename() : folder.filename() / name;
+        folder = folder.parent_path();
+        if (const auto status = status_of(folder)) {
+            return FilePlace{status->st_dev, status->st_ino, name};
+        }
+    }
+    return {};
 }
 
 bool same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
@@ -189,6 +204,16 @@ Status check_ending(const std::filesystem::path& path,
         possible += each;
     }
     return Error{ErrorCode::output_format_unknown, path.string(), {ending, possible}};
+}
+
+void add_recording_files(std::vector<InputPath>& inputs, const std::filesystem::path& recording,
+                         const OpenOptions& open) {
+    std::vector<std::filesystem::path> files = further_files(open);
+    files.push_back(recording);
+    for (const std::filesystem::path& file : files) {
+        inputs.push_back(
+            {file.string(), words(VYBEG_MESSAGE("Words", "it is one of the recordings"))});
+    }
 }
 
 Status check_outputs(const std::vector<OutputPath>& outputs, const std::vector<InputPath>& inputs) {

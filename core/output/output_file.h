@@ -4,21 +4,39 @@
 #include "core/base/message_arg.h"
 #include "core/base/result.h"
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <sys/types.h>
 #include <system_error>
 #include <vector>
 
 namespace vybeg {
 
-// The file that a path leads to, also where it does not exist yet: without links, of which the last
-// may lead nowhere. `failed`: why this cannot be told.
+struct OpenOptions;
+
+// The file that a path leads to, also where it does not exist yet: without links, of which one, to
+// a file or a folder, may lead nowhere. `failed`: why this cannot be told.
 std::filesystem::path end_of_links(const std::filesystem::path& path, std::error_code& failed);
+
+// The place of a file at the end of links, whether the file exists or not: the last folder of its
+// path that exists, by device and inode, and the rest of the path.
+struct FilePlace {
+    dev_t device;
+    ino_t folder;
+    std::filesystem::path name;
+
+    friend auto operator<=>(const FilePlace&, const FilePlace&) = default;
+};
+
+// Empty: the links have no end.
+std::optional<FilePlace> place_of(const std::filesystem::path& path);
 
 // Whether two paths lead to one file: by device and inode where both exist (including both kinds of
 // links), otherwise by the folder of the new file, also by device and inode (a folder that is
@@ -40,6 +58,10 @@ struct InputPath {
     std::string path;
     MessageArg taken;
 };
+
+// Adds a recording and its further files: they are read as it is.
+void add_recording_files(std::vector<InputPath>& inputs, const std::filesystem::path& recording,
+                         const OpenOptions& open);
 
 // A file that is written, "-" for standard output; empty: not asked for.
 struct OutputPath {

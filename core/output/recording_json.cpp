@@ -1,6 +1,7 @@
 #include "core/output/recording_json.h"
 
 #include "core/base/diagnostic.h"
+#include "core/base/number_text.h"
 #include "core/output/quantity_json.h"
 
 namespace vybeg {
@@ -19,10 +20,15 @@ std::string recording_json(const Recording& recording, const std::string& sha256
                          {"count", diagnostic.count},
                          {"text", english(diagnostic)}});
     }
+    // Of times it is a quotient, whose last digits are those of the machine: 33332.99999999999.
+    constexpr int digits_of_times = 12;
+    const double rate_hz = recording.rate_from == RateOrigin::time_column
+                               ? *parse_number(short_text(recording.rate_hz, digits_of_times))
+                               : recording.rate_hz;
     Json info{{"format", english(recording.format)},
               {"frames", recording.frames()},
               {"seconds", recording.seconds()},
-              {"rate_hz", recording.rate_hz},
+              {"rate_hz", rate_hz},
               {"rate_from", rate_origin_name(recording.rate_from)},
               {"channels", channels},
               {"start", recording.start},

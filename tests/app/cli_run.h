@@ -10,7 +10,10 @@
 #include <QTemporaryDir>
 
 #include <functional>
+#include <spawn.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <vector>
 
 namespace vybeg::test {
 
@@ -64,6 +67,38 @@ inline QJsonObject object(const QByteArray& json) {
 
 inline QJsonObject json_of(const Outcome& outcome) {
     return object(outcome.out);
+}
+
+// What one run of vybeg-cli took that ended with status 0: the most memory at any time (ru_maxrss:
+// what VmHWM shows) and processor time. Memory of -1: it ended otherwise.
+struct Used {
+    qint64 peak_bytes = -1;
+    double processor_s = 0;
+};
+
+inline Used used_by(const QStringList& arguments) {
+    QList<QByteArray> texts{VYBEG_CLI};
+    for (const QString& argument : arguments) {
+        texts.append(argument.toLocal8Bit());
+    }
+    std::vector<char*> argv;
+    for (QByteArray& text : texts) {
+        argv.push_back(text.data());
+    }
+    argv.push_back(nullptr);
+    pid_t child = 0;
+    if (posix_spawn(&child, VYBEG_CLI, nullptr, nullptr, argv.data(), environ) != 0) {
+        return {};
+    }
+    int status = -1;
+    rusage usage{};
+    const bool ended = wait4(child, &status, 0, &usage) == child;
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return ended && WIFEXITED(status) && WEXITSTATUS(status) == 0
+               ? Used{usage.ru_maxrss * 1024, seconds(usage.ru_utime) + seconds(usage.ru_stime)}
+               : Used{};
 }
 
 // What stands between the spaces of a command line.

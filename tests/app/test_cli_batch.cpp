@@ -255,6 +255,16 @@ private slots:
         QVERIFY(QDir(path("same")).isEmpty());
     }
 
+    void a_set_is_named_once() {
+        QVERIFY(put(path("gyros.csv"), "set,file,gyro\nA,a.wav,G1\nA,b.wav,G2\n"));
+        const Outcome outcome = run("batch gyros.csv -o gyros-out.csv");
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
+        QVERIFY2(outcome.err.contains("vybeg-cli: A: the recordings differ in the gyro"),
+                 outcome.err);
+        QVERIFY(field_of(file("gyros-out.csv"), 0, "message")
+                    .startsWith("\"A: the recordings differ in the gyro"));
+    }
+
     void wrong_usage_is_refused_with_its_reason_data() {
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<int>("status");

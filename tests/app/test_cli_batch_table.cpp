@@ -138,8 +138,13 @@ private slots:
         QVERIFY(verdict({"--limit", "theta_w=5%"}).contains("theta_w is an angle"));
         QCOMPARE(verdict({"--limit", "tau=5%,theta_w=1deg"}), QByteArray("unchanged"));
         QVERIFY(verdict({"--limit", "tau"}).contains("NAME=X"));
-        QVERIFY(run({"batch", "limit.csv", "-o", "l.csv", "--limit", "tau=5%"})
-                    .err.contains("--limit"));
+        for (const auto& [option, value] :
+             {std::pair{"--limit", "tau=5%"}, std::pair{"--f-limit", "10"}}) {
+            const Outcome idle = run({"batch", "limit.csv", "-o", "l.csv", option, value});
+            const QByteArray sentence =
+                option + QByteArray(" has no effect: there is no --passport");
+            QVERIFY2(idle.err.contains(sentence), idle.err);
+        }
     }
 
     void a_table_for_excel_has_semicolons_and_decimal_commas() {
@@ -224,7 +229,18 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             (told += watching.readAllStandardError()).contains("\"soon\" is not possible"), 30000);
         QVERIFY(put(path("inbox/list.csv"), list));
-        QVERIFY(QFile::copy(path("b.wav"), path("inbox/d.wav")));
+        QFile second(path("inbox/d.wav"));
+        QVERIFY(second.open(QIODevice::WriteOnly));
+        for (int part = 0; part < 12; ++part) {
+            second.write(whole.mid(part * whole.size() / 12, whole.size() / 12));
+            second.flush();
+            QTest::qWait(300);
+            QVERIFY(!rows().contains("pair"));
+        }
+        second.resize(0);
+        second.seek(0);
+        second.write(whole);
+        second.close();
         QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("pair first.wav growing.wav"), 30000);
         ::kill(static_cast<pid_t>(watching.processId()), SIGINT);
         QVERIFY(watching.waitForFinished());
@@ -246,6 +262,54 @@ private slots:
         QCOMPARE(run("batch --watch none -o x.csv").status, 3);
         QCOMPARE(run("batch --watch inbox -o -").status, 2);
         QCOMPARE(run("batch --watch inbox list.csv -o x.csv").status, 2);
+    }
+
+    // The file of channel D and the table of limits are no sets.
+    void a_recording_in_two_files_waits_for_both() {
+        QCOMPARE(
+            run("simulate --seconds 2 --noise 0.001 --tau 400 --split 1e-3 -o both.csv").status, 0);
+        QByteArray c;
+        QByteArray d;
+        for (const QByteArray& line : file("both.csv").trimmed().split('\n')) {
+            const QList<QByteArray> fields = line.split(',');
+            c += fields[0] + "," + fields[1] + "\n";
+            d += fields[0] + "," + fields[2] + "\n";
+        }
+        QVERIFY(QDir(folder_.path()).mkdir("two"));
+        QVERIFY(put(path("two/limits.csv"), "parameter,least\ntau,1\n"));
+        QVERIFY(put(path("two/list.csv"), "set,file,channel-d,Windw\nT,c.csv,d.csv,\n"));
+        QVERIFY(put(path("two/c.csv"), c));
+        QProcess watching;
+        start(watching, {"batch", "--watch", "two", "-o", "two.csv", "--limits", "two/limits.csv"});
+        QVERIFY(watching.waitForStarted());
+        QTest::qWait(3500);
+        QCOMPARE(rows_of(file("two.csv")), QList<QByteArray>());
+        QVERIFY(put(path("two/d.csv"), d));
+        QTRY_COMPARE_WITH_TIMEOUT(rows_of(file("two.csv")).size(), 1, 30000);
+        ::kill(static_cast<pid_t>(watching.processId()), SIGINT);
+        QVERIFY(watching.waitForFinished());
+        QCOMPARE(field_of(file("two.csv"), 0, "set"), QByteArray("T"));
+        QCOMPARE(field_of(file("two.csv"), 0, "status"), QByteArray("ok"));
+        // What is said of a list is said of one that came, once.
+        QCOMPARE(watching.readAllStandardError().count("Did you mean \"window\"?"), 1);
+    }
+
+    void the_list_of_a_watched_folder_is_not_replaced() {
+        QVERIFY(QDir(folder_.path()).mkdir("own"));
+        const QByteArray list = "set,file\nA,a.wav\n";
+        QVERIFY(put(path("own/list.csv"), list));
+        QVERIFY(QFile::copy(path("a.wav"), path("own/a.wav")));
+        for (const char* option : {"--json", "--passports-out"}) {
+            const Outcome mixed =
+                run({"batch", "--watch", "own", "-o", "own.csv", option, "./own"});
+            VYBEG_EQUAL(mixed.status, 2, mixed.err);
+            QVERIFY2(mixed.err.contains("recordings come to this folder"), mixed.err);
+        }
+        const Outcome outcome = run("batch --watch own -o own/list.csv --only A");
+        QVERIFY2(outcome.err.contains("--only has no effect"), outcome.err);
+        VYBEG_EQUAL(outcome.status, 2, outcome.err);
+        QVERIFY2(outcome.err.contains("it is the list of the recordings"), outcome.err);
+        QCOMPARE(file("own/list.csv"), list);
     }
 };
 

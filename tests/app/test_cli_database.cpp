@@ -1,6 +1,7 @@
 // batch --database and identify --database: several processes on one file, interruption, resuming,
 // and files that cannot be a database.
 #include "tests/app/batch_run.h"
+#include "tests/app/sqlite_rows.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 
@@ -17,27 +18,6 @@ namespace test_cli_database {
 using namespace vybeg::test;
 
 namespace {
-
-// Rows of a query by SQLite itself, columns joined by "|"; "(error)" where it fails.
-QStringList rows_by_sqlite(const QString& path, const char* sql) {
-    sqlite3* connection = nullptr;
-    sqlite3_stmt* statement = nullptr;
-    QStringList rows;
-    bool done = sqlite3_open(path.toUtf8().constData(), &connection) == SQLITE_OK &&
-                sqlite3_prepare_v2(connection, sql, -1, &statement, nullptr) == SQLITE_OK;
-    int step = SQLITE_DONE;
-    while (done && (step = sqlite3_step(statement)) == SQLITE_ROW) {
-        QStringList fields;
-        for (int k = 0; k < sqlite3_column_count(statement); ++k) {
-            fields << QString::fromUtf8(
-                reinterpret_cast<const char*>(sqlite3_column_text(statement, k)));
-        }
-        rows << fields.join('|');
-    }
-    sqlite3_finalize(statement);
-    sqlite3_close(connection);
-    return done && step == SQLITE_DONE ? rows : QStringList("(error)");
-}
 
 // The sets of twelve_sets that have a result.
 const QStringList good_sets{"s1", "s11", "s12", "s2", "s3", "s5", "s6", "s8", "s9"};

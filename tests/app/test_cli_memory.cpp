@@ -7,9 +7,6 @@
 
 #include <QtTest>
 
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <vector>
 
 namespace test_cli_memory {
@@ -17,28 +14,6 @@ namespace test_cli_memory {
 using namespace vybeg::test;
 
 namespace {
-
-// Most memory that one run of vybeg-cli had at any time (ru_maxrss: what VmHWM shows), bytes; -1
-// where it did not end with status 0.
-qint64 peak_of(const QStringList& arguments) {
-    QList<QByteArray> words{VYBEG_CLI};
-    for (const QString& argument : arguments) {
-        words.append(argument.toLocal8Bit());
-    }
-    std::vector<char*> argv;
-    for (QByteArray& word : words) {
-        argv.push_back(word.data());
-    }
-    argv.push_back(nullptr);
-    pid_t child = 0;
-    if (posix_spawn(&child, VYBEG_CLI, nullptr, nullptr, argv.data(), environ) != 0) {
-        return -1;
-    }
-    int status = -1;
-    rusage usage{};
-    const bool ended = wait4(child, &status, 0, &usage) == child;
-    return ended && WIFEXITED(status) && WEXITSTATUS(status) == 0 ? usage.ru_maxrss * 1024 : -1;
-}
 
 // Counted piece by piece: a child's peak is at least what its parent has when it starts it.
 qint64 lines_of(const QString& path) {
@@ -66,6 +41,8 @@ class TestCliMemory : public QObject, private CliFolder {
         }
         return path(name);
     }
+
+    static qint64 peak_of(const QStringList& arguments) { return used_by(arguments).peak_bytes; }
 
     // Whether the short and the long run ended well; tells their memory.
     static bool ended(const std::vector<qint64>& peaks) {

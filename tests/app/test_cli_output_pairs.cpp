@@ -45,9 +45,16 @@ constexpr std::array pairs{
     Pair{"identify a.wav b.wav --passport %1 --database %2", "new.json", true},
     Pair{"simulate --seconds 0.01 -o %1 --truth %2", "new.csv", true},
     Pair{"batch list.csv -o %1 --database %2", "new.csv", true},
+    Pair{"batch list.csv -o t.csv --json %1 --passports-out %2", "made", true},
     // An output and an input.
     Pair{"analyze %1 -o %2", "a.csv", false},
     Pair{"analyze --raw samples.bin --rate 8000 --f0 1000 -o %2 %1", "a.csv", false},
+    // A recording in several files.
+    Pair{"analyze twin.csv --channel-d %1 -o %2", "a.csv", false},
+    Pair{"analyze twin.csv --time-column none --rate 33333 --channels 2,3 --join %1 -o %2", "a.csv",
+         false},
+    Pair{"identify twin.csv --channel-d %1 --database %2", "a.csv", false},
+    Pair{"batch parts.csv -o %2 --only %1", "a.csv", false},
     Pair{"identify a.wav %1 -o %2", "a.csv", false},
     Pair{"identify a.wav %1 --passport %2", "a.csv", false},
     Pair{"identify a.wav %1 --database %2", "a.csv", false},
@@ -130,6 +137,8 @@ private slots:
         QCOMPARE(run("identify a.wav b.wav --passport passport.json").status, 0);
         QVERIFY(put(path("limits.csv"), "parameter,least,greatest\ntau,1,1000\n"));
         QVERIFY(put(path("csv-list.csv"), "set,file\na.csv,a.csv\n"));
+        QVERIFY(put(path("parts.csv"), "set,file,channel-d\na.csv,twin.csv,a.csv\n"));
+        QVERIFY(QFile::copy(path("a.csv"), path("twin.csv")));
         QVERIFY(put(path("samples.bin"), QByteArray(64000, '\1')));
         QVERIFY(QDir(folder_.path()).mkdir("sub"));
         QVERIFY(QDir(folder_.path()).mkdir("bound"));

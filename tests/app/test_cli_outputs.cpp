@@ -51,6 +51,8 @@ private slots:
         row("simulate --seconds 0.01 -o x.csv --truth ./x.csv", "--truth");
         row("simulate --seconds 0.01 -o x.csv --truth sub/../x.csv", "--truth");
         row("simulate --seconds 0.01 -o hard.csv --truth soft.csv", "--truth");
+        row("simulate --seconds 0.1 --lock-in 4,30Hz,200 -o x.csv --truth x.phasors.csv",
+            "--lock-in");
     }
 
     void an_output_replaces_neither_an_input_nor_another_output() {

@@ -192,6 +192,14 @@ private slots:
         QVERIFY(text.out.contains(check["text"].toString().toUtf8()));
     }
 
+    // Of times, too, whose steps are no numbers of the machine.
+    void info_tells_the_rate_in_its_digits() {
+        QCOMPARE(run("simulate --seconds 0.5 -o i.csv").status, 0);
+        const Outcome text = run("info i.csv");
+        QVERIFY2(text.out.contains("\nrate      33333 Hz (time column"), text.out);
+        QCOMPARE(json_of(run("info i.csv --json"))["rate_hz"].toDouble() - 33333, 0.0);
+    }
+
     void the_track_names_its_program_input_and_settings() {
         QCOMPARE(run("simulate --seconds 0.5 -o h.wav").status, 0);
         QCOMPARE(run("analyze h.wav -o h.csv --window 63 --from 0.1").status, 0);

@@ -171,6 +171,8 @@ private slots:
         row("simulate --seconds 0.01 --theta-w 1 --theta-tau 1 --bryan 0.3 -o x.csv",
             {"--bryan", "--theta-w", "--theta-tau"});
         row("simulate --seconds 0.01 --window 5 -o x.csv", {"--window"});
+        row("simulate --seconds 0.01 --settling-time 2 -o x.csv", {"--settling-time"});
+        row("simulate --seconds 0.01 --settling 1 --settling-time 2 -o x.csv", {});
     }
 
     void options_without_effect_are_warned_of() {

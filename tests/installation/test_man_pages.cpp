@@ -108,6 +108,7 @@ private slots:
             QCOMPARE(headings.size(), 14);
             for (const char* told :
                  {"FROM history WHERE gyro", "sqlar_uncompress(json", "temperature_c", "unfinished",
+                  "\nparameter,least,greatest,gyro_type\n", "limits\\-not\\-kept", "undecided",
                   "\"reason\"", "parallel \\-k", "/help/"}) {
                 QVERIFY2(text.contains(told), told);
             }

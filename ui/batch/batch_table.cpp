@@ -4,7 +4,9 @@
 #include "core/output/batch_csv.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/resonator/parameter_text.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
 
 #include <QCoreApplication>
 
@@ -365,7 +367,8 @@ QVariant BatchTable::data(const QModelIndex& index, int role) const {
                 lines.resize(most_shown);
                 lines << moreText(count - most_shown);
             }
-            return lines.isEmpty() ? cellText(row, column) : lines.join(QLatin1Char('\n'));
+            return plainTip(lines.isEmpty() ? cellText(row, column)
+                                            : lines.join(QLatin1Char('\n')));
         }
         case Qt::ForegroundRole: {
             const QColor own = color(row, column);

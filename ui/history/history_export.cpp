@@ -1,6 +1,7 @@
 #include "ui/history/history_export.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/output/batch_csv.h"
 #include "ui/report/report_parts.h"
 #include "ui/words/program_name.h"
@@ -46,7 +47,7 @@ std::string tableOf(const HistoryView& view, const std::vector<std::string>& hea
     std::string text;
     for (const std::string& line : header) {
         text += "# ";
-        text += line;
+        text += plain_text(line);
         text += '\n';
     }
     text += csv_row({"result", "set", "gyro", "date", name, "sd_" + name, "u_" + name, "reason",

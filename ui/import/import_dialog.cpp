@@ -5,6 +5,7 @@
 #include "ui/values/json_fields.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
@@ -135,7 +136,7 @@ void ImportPreview::fillTable() {
         for (int column = 0; column < static_cast<int>(line.cells.size()); ++column) {
             auto* item = new QTableWidgetItem(
                 QString::fromStdString(line.cells[static_cast<std::size_t>(column)]));
-            item->setToolTip(item->text());
+            item->setToolTip(plainTip(item->text()));
             if (!line.is_row) {
                 item->setForeground(theme_.mutedText);
             } else {

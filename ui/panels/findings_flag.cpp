@@ -134,6 +134,7 @@ FindingsFlag::FindingsFlag(Document& document, QWidget* parent)
     popup_->setFrameShape(QFrame::StyledPanel);
     popup_->setFixedSize(480, 400);
     title_->setContentsMargins(6, 2, 6, 2);
+    title_->setTextFormat(Qt::PlainText);
     title_->setWordWrap(true);
     events_->setRootIsDecorated(false);
     events_->setUniformRowHeights(true);

@@ -2,6 +2,7 @@
 
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/rich_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -100,7 +101,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     form->addRow(tr("Title"), title_);
     settings_->setChecked(kept.value(settings_key, true).toBool() && !source_.settings.isEmpty());
     settings_->setEnabled(!source_.settings.isEmpty());
-    settings_->setToolTip(source_.settings);
+    settings_->setToolTip(plainTip(source_.settings));
     form->addRow(settings_);
     connect(title_, &QLineEdit::textChanged, this, &ExportDialog::refresh);
     connect(settings_, &QCheckBox::toggled, this, &ExportDialog::refresh);

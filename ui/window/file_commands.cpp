@@ -4,6 +4,7 @@
 #include "core/output/drift_json.h"
 #include "core/output/output_file.h"
 #include "core/output/sample_files.h"
+#include "core/recording/samples/open_options.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "ui/import/import_dialog.h"
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <string_view>
 
 namespace vybeg::ui {
 
@@ -33,12 +33,16 @@ namespace {
 // Whether a file would take the place of an open recording or log.
 Status stayAsTheyAre(const Document& document, const QString& path) {
     std::vector<std::filesystem::path> open;
+    const auto add = [&open](const std::filesystem::path& file, const OpenOptions& options) {
+        open.push_back(file);
+        std::ranges::copy(further_files(options), std::back_inserter(open));
+    };
     for (const RecordingEntry& entry : document.recordings()) {
-        open.emplace_back(entry.path.toStdU16String());
+        add(entry.path.toStdU16String(), entry.options);
     }
     for (const RecordingSet& set : document.sets().all()) {
         for (const RecordingRef& log : document.sets().measured(set).recordings) {
-            open.push_back(log.path);
+            add(log.path, log.open);
         }
     }
     for (const DriftLog& log : document.drift().logs()) {
@@ -187,11 +191,7 @@ void FileCommands::saveSessionAs(const std::function<void()>& then) {
                              .completeBaseName();
     ask_.target(FileQuestions::tr("Save session"), name + QStringLiteral(".vybeg"),
                 {FileQuestions::tr("Session (*.vybeg)")}, [this, then](const QString& path) {
-                    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
-                        reportSaved(possible, path);
-                    } else {
-                        session_.save(path, then);
-                    }
+                    put(path, {".vybeg"}, [&](const Done&) { session_.save(path, then); });
                 });
 }
 
@@ -317,9 +317,13 @@ void FileCommands::reportSaved(const Status& status, const QString& path) {
     }
 }
 
-void FileCommands::put(const QString& path, const std::function<void(const Done&)>& write) {
+void FileCommands::put(const QString& path, std::initializer_list<std::string_view> endings,
+                       const std::function<void(const Done&)>& write) {
     const Done done = [this, path](const Status& status) { reportSaved(status, path); };
-    const Status possible = stayAsTheyAre(document_, path);
+    Status possible = stayAsTheyAre(document_, path);
+    if (possible && endings.size() > 0) {
+        possible = check_ending(std::filesystem::path(path.toStdU16String()), endings);
+    }
     possible ? write(done) : done(possible);
 }
 
@@ -347,7 +351,7 @@ void FileCommands::exportHistory(const HistoryExport& all) {
     ask_.target(FileQuestions::tr("Export history"), QStringLiteral("history.csv"),
                 {FileQuestions::tr("Table (*.csv)"), FileQuestions::tr("PDF document (*.pdf)")},
                 [this, all](const QString& path) {
-                    put(path, [&](const Done& done) {
+                    put(path, {"", ".csv", ".txt", ".pdf"}, [&](const Done& done) {
                         if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
                             reports_.write(all.report, all.figures, path, done);
                         } else {
@@ -380,7 +384,7 @@ void FileCommands::askForReport(bool of_set) {
 
 void FileCommands::writeReport(const std::vector<ReportContent>& contents, const QString& about,
                                const QString& path) {
-    put(path, [&](const Done& done) { reports_.write(contents, about, path, done); });
+    put(path, {".pdf"}, [&](const Done& done) { reports_.write(contents, about, path, done); });
 }
 
 bool FileCommands::writeFigure(const Figure& figure, const Paper& paper, const QString& path) {
@@ -391,7 +395,7 @@ bool FileCommands::writeFigure(const Figure& figure, const Paper& paper, const Q
 }
 
 void FileCommands::exportTrackTo(const QString& path) {
-    put(path,
+    put(path, {},
         [&](const Done& done) { document_.exportTrack(ledger_.currentAnalysis(), path, done); });
 }
 
@@ -400,12 +404,8 @@ void FileCommands::exportDriftTo(const QString& path) {
     if (!outcome) {
         return;
     }
-    put(path, [&](const Done& done) {
+    put(path, {".csv", ".json"}, [&](const Done& done) {
         const std::filesystem::path target(path.toStdU16String());
-        if (const Status known = check_ending(target, {".csv", ".json"}); !known) {
-            done(known);
-            return;
-        }
         const auto text = file_ending(target) == ".json" ? drift_json : drift_csv;
         done(write_file(
             target,
@@ -415,7 +415,7 @@ void FileCommands::exportDriftTo(const QString& path) {
 }
 
 void FileCommands::savePassportTo(const QString& path) {
-    put(path, [&](const Done& done) {
+    put(path, {"", ".json"}, [&](const Done& done) {
         document_.sets().savePassport(path, document_.dossier().dossier().gyro, done);
     });
 }

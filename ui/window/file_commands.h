@@ -10,6 +10,8 @@
 #include <QPointer>
 
 #include <functional>
+#include <initializer_list>
+#include <string_view>
 
 namespace vybeg::ui {
 
@@ -82,9 +84,11 @@ private:
     // Before the session's file loses what another program wrote into it.
     void askToReplaceAndThen(const std::function<void()>& then);
     void reportSaved(const Status& status, const QString& path);
-    // What `write` does, unless it would take the place of an open recording or log.
+    // What `write` does, unless it would take the place of an open recording or log, or the path's
+    // ending is none of these ("": it may have none; no endings: `write` looks at it).
     using Done = std::function<void(const Status&)>;
-    void put(const QString& path, const std::function<void(const Done&)>& write);
+    void put(const QString& path, std::initializer_list<std::string_view> endings,
+             const std::function<void(const Done&)>& write);
 
     Document& document_;
     SessionKeeper& session_;

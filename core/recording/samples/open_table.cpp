@@ -416,9 +416,17 @@ Status check_options(const OpenOptions& options) {
     return options.text ? check_choice(*options.text) : Status{};
 }
 
+std::filesystem::path file_from(const std::filesystem::path& folder, std::string name) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(folder / name, unknown)) {
+        std::ranges::replace(name, '\\', '/');
+    }
+    return folder / name;
+}
+
 void find_files_from(const std::filesystem::path& folder, OpenOptions& options) {
     const auto find = [&folder](std::string& name) {
-        name = name.empty() ? name : (folder / name).lexically_normal().string();
+        name = name.empty() ? name : file_from(folder, name).lexically_normal().string();
     };
     find(options.channel_d_file);
     for (std::string& name : options.join) {

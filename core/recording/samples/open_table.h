@@ -25,6 +25,9 @@ Status check_options(const OpenOptions& options);
 // Its part about headerless samples.
 Status check_layout(const RawLayout& layout);
 
+// The file of this name, which may be a path of Windows, relative to `folder`.
+std::filesystem::path file_from(const std::filesystem::path& folder, std::string name);
+
 // Makes the names of further files absolute that are relative to `folder`.
 void find_files_from(const std::filesystem::path& folder, OpenOptions& options);
 

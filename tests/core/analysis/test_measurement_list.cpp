@@ -416,8 +416,14 @@ private slots:
     void a_path_of_windows_names_a_file_of_the_list() {
         QVERIFY(QDir(folder_.path()).mkpath("runs"));
         std::ofstream(folder_.filePath("runs/w.wav").toStdString()) << "x";
-        const MeasurementList read = list("file\nruns\\w.wav\n");
+        const MeasurementList read =
+            list("file,channel-d,join\nruns\\w.wav,runs\\w.wav,\nruns/w.wav,,runs\\w.wav\n");
         QVERIFY(std::filesystem::exists(read.sets[0].recordings[0].path));
+        for (const MeasurementSet& set : read.sets) {
+            const auto parts = further_files(set.recordings[0].open);
+            QCOMPARE(parts.size(), std::size_t{1});
+            QVERIFY(std::filesystem::exists(parts[0]));
+        }
     }
 
     void a_list_without_files_names_its_columns() {
@@ -437,9 +443,29 @@ private slots:
         QStringList told;
         for (const Diagnostic& warning : read->warnings) {
             QVERIFY(warning.kind == DiagnosticKind::formula_in_list);
-            told << QString::fromStdString(english(warning.args[0]) + english(warning.args[2]));
+            told << QString::fromStdString(english(warning.args[0]) + ": " +
+                                           english(warning.args[1]));
         }
-        QCOMPARE(told, (QStringList{"2=1+1", "2@G", "3-cmd|x", "3@G", "4@G"}));
+        QCOMPARE(told, (QStringList{"=1+1: line 2 of the list, column \"comment\"",
+                                    "@G: line 2 of the list, column \"gyro\"",
+                                    "-cmd|x: line 3 of the list, column \"comment\"",
+                                    "@G: line 3 of the list, column \"gyro\"",
+                                    "@G: line 4 of the list, column \"gyro\""}));
+        // The name of a file is that of its set in the table.
+        QVERIFY(QDir(folder_.path()).mkpath("named"));
+        for (const char* name : {"=1+1.wav", "plain.wav", "-5.wav"}) {
+            std::ofstream(folder_.filePath(QString("named/") + name).toStdString()) << "x";
+        }
+        const auto of_folder = list_of_folder(folder_.filePath("named").toStdString(), {},
+                                              [](const auto&) { return false; });
+        QVERIFY(of_folder);
+        QStringList named;
+        for (const Diagnostic& warning : of_folder->warnings) {
+            named << QString::fromStdString(english(warning.args[0]) + ": " +
+                                            english(warning.args[1]));
+        }
+        QCOMPARE(named,
+                 (QStringList{"-5.wav: a file of the folder", "=1+1.wav: a file of the folder"}));
     }
 
     void a_fault_names_its_line_and_column() {

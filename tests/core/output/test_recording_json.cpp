@@ -66,6 +66,19 @@ private slots:
         QCOMPARE(info["rate_hz"].toDouble(), 33333.0);
     }
 
+    void a_rate_of_times_has_the_digits_that_times_can_show() {
+        Recording recording;
+        recording.rate_hz = 33332.99999999999;
+        recording.source = std::make_shared<Silence>();
+        for (const auto& [origin, expected] : {std::pair{RateOrigin::time_column, 33333.0},
+                                               {RateOrigin::file, 33332.99999999999}}) {
+            recording.rate_from = origin;
+            const QByteArray json = QByteArray::fromStdString(recording_json(recording, "", {}));
+            const QJsonObject info = QJsonDocument::fromJson(json).object();
+            QCOMPARE(info["rate_hz"].toDouble() - expected, 0.0);
+        }
+    }
+
     void names_that_are_no_utf_8_are_replaced() {
         Recording recording;
         recording.rate_hz = 1;

@@ -36,6 +36,7 @@ private slots:
         std::filesystem::create_symlink("dangling", path("chained"));
         std::filesystem::create_symlink("round", path("round"));
         std::filesystem::create_directory_symlink(path("sub"), path("link"));
+        std::filesystem::create_directory_symlink("later", path("folder-to-come"));
         std::filesystem::create_directory(path("mounted"));
     }
 
@@ -67,6 +68,8 @@ private slots:
         row("link/new", "new", false);
         row("dangling", "new", true);
         row("chained", "sub/../new", true);
+        row("folder-to-come/new", "later/new", true);
+        row("folder-to-come/new", "new", false);
         row("round", "new", false);
     }
 

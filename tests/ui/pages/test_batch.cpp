@@ -8,6 +8,7 @@
 #include "ui/window/page_stack.h"
 
 #include <QPlainTextEdit>
+#include <QTextDocumentFragment>
 
 namespace test_batch {
 
@@ -18,6 +19,12 @@ using vybeg::test::run_cli;
 
 class TestBatch : public BatchJourney {
     Q_OBJECT
+
+    // What the mouse shows at a row.
+    QString tip(int row) {
+        const QString html = model().index(row, 0).data(Qt::ToolTipRole).toString();
+        return QTextDocumentFragment::fromHtml(html).toPlainText();
+    }
 
 private slots:
     void initTestCase() { prepare(); }
@@ -54,7 +61,7 @@ private slots:
         QCOMPARE(text(row, state), QString("no result"));
         QVERIFY2(text(row, reason).contains("broken.wav"), qPrintable(text(row, reason)));
         const QModelIndex cell = model().index(row, 0);
-        QCOMPARE(cell.data(Qt::ToolTipRole).toString(), text(row, reason));
+        QCOMPARE(tip(row), text(row, reason));
         QVERIFY(cell.data(Qt::ForegroundRole).isValid());
         QVERIFY(!model().index(rowOf("HRG-1"), 0).data(Qt::ForegroundRole).isValid());
         table().setCurrentIndex(cell);
@@ -62,13 +69,21 @@ private slots:
         // In the language of the window, at once.
         window_->setLanguage("ru");
         QTRY_COMPARE(batch().windowTitle(), QString("Пакетная обработка"));
-        QCOMPARE(model().index(row, 0).data(Qt::ToolTipRole).toString(),
-                 model().index(row, column("Причина")).data().toString());
+        QCOMPARE(tip(row), model().index(row, column("Причина")).data().toString());
         QVERIFY(model().index(row, column("Причина")).data().toString().contains("файл"));
         QCOMPARE(model().index(row, column("Состояние")).data().toString(),
                  QString("нет результата"));
         VYBEG_MORE(column("Разночастотность\nмГц"), 0);
         QCOMPARE(told(), QString("4 из 4 наборов; без результата: 1"));
+    }
+
+    // Names of files are no HTML, which could load another file.
+    void a_tip_shows_names_as_they_are() {
+        const QString name = "<b>run<img src=x>.wav";
+        home_.file("tags.csv", ("set,file\nA," + name + "\n").toUtf8());
+        open(home_.path("tags.csv"), home_.path("tagged.csv"));
+        run();
+        QVERIFY2(tip(0).contains(name), qPrintable(tip(0)));
     }
 
     void a_click_on_a_header_sorts_by_numbers_with_failures_last() {

@@ -19,6 +19,7 @@
 #include <QTest>
 
 #include <array>
+#include <cmath>
 #include <malloc.h>
 
 namespace test_file_dialogs {
@@ -200,6 +201,28 @@ private slots:
         QTRY_VERIFY(the<MessageBar>().texts().join('\n').contains("let its name end in .npz"));
     }
 
+    void an_ending_that_cannot_be_written_is_refused() {
+        openOne();
+        const auto refused = [this](const QString& path) {
+            return the<MessageBar>().texts().first().contains("the ending \".xlsx\"") &&
+                   !QFile::exists(path);
+        };
+        const QString path = home_.path("written.xlsx");
+        the<MessageBar>().clear();
+        window_->files().savePassportTo(path);
+        QVERIFY(refused(path));
+        the<MessageBar>().clear();
+        window_->files().exportTrackTo(path);
+        QTRY_VERIFY(!the<MessageBar>().texts().isEmpty());
+        QVERIFY(refused(path));
+        the<MessageBar>().clear();
+        window_->files().exportHistoryTo(path, {});
+        QVERIFY(refused(path));
+        the<MessageBar>().clear();
+        window_->files().writeReport({}, "All", path);
+        QVERIFY(refused(path));
+    }
+
     void no_export_takes_the_place_of_an_open_recording() {
         openOne();
         const QString recording = window_->document().currentRecording()->path;
@@ -224,6 +247,30 @@ private slots:
             QVERIFY(bytes() == before);
         }
         QVERIFY(QFile::remove(link));
+    }
+
+    // Of a recording in two files, too.
+    void no_export_takes_the_place_of_a_further_file() {
+        std::array<QByteArray, 2> texts{"t,C\n", "t,D\n"};
+        for (int row = 0; row < 6000; ++row) {
+            for (std::size_t channel = 0; channel < texts.size(); ++channel) {
+                const double value = std::cos(row - 0.5 * static_cast<double>(channel));
+                texts[channel] += QByteArray::number(row / 33333.0, 'g', 12) + "," +
+                                  QByteArray::number(value, 'g', 12) + "\n";
+            }
+        }
+        const QString c = home_.file("part-c.csv", texts[0]);
+        const QString d = home_.file("part-d.csv", texts[1]);
+        OpenOptions options;
+        options.channel_d_file = d.toStdString();
+        document().open({c}, options);
+        QTRY_VERIFY(document().currentRecording() && document().currentRecording()->recording);
+        the<MessageBar>().clear();
+        window_->files().exportTrackTo(d);
+        QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+        QFile file(d);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), texts[1]);
     }
 
     void an_exported_figure_has_its_size_whatever_else_is_in_the_window() {
