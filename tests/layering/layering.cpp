@@ -12,7 +12,7 @@ namespace {
 
 bool isQt(const QString& header) {
     static const QRegularExpression qt(
-        "^(Q[A-Za-z0-9]+(/.*)?|q[a-z0-9_]+\\.h|ui_.*\\.h|.*\\.moc)$");
+        "^(Q[A-Za-z0-9]+(/.*)?|q[a-z0-9_]+\\.h|ui_.*\\.h|.*\\.moc|moc_[a-z0-9_]+\\.cpp)$");
     return qt.match(header).hasMatch();
 }
 

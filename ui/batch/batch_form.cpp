@@ -170,3 +170,5 @@ void BatchForm::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_batch_form.cpp"

@@ -426,3 +426,5 @@ QString BatchTable::tableText(const std::vector<int>& rows, const std::vector<in
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_batch_table.cpp"

@@ -497,3 +497,5 @@ void BatchWindow::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_batch_window.cpp"

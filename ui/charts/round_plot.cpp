@@ -283,3 +283,5 @@ void RoundView::rebuild() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_round_plot.cpp"

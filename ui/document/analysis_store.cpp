@@ -317,3 +317,5 @@ void AnalysisStore::exportTrack(AnalysisId id, const QString& path,
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_analysis_store.cpp"

@@ -377,3 +377,5 @@ std::optional<double> RequestQueue::secondsLeft() const {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_background_jobs.cpp"

@@ -342,3 +342,5 @@ void Document::removeAnalysis(AnalysisId id) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_document.cpp"

@@ -122,3 +122,5 @@ void DriftStore::take(Result<DriftOutcome>&& result) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_drift_store.cpp"

@@ -111,3 +111,5 @@ void DossierModel::startWith(const Dossier& dossier) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_edits.cpp"

@@ -320,3 +320,5 @@ void RecordingStore::learnCarrier(RecordingId id, const Settings& requested, con
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_recording_store.cpp"

@@ -596,3 +596,5 @@ std::optional<Diagnostic> SetStore::otherGyro(const GyroData& session) const {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_set_store.cpp"

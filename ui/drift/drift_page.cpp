@@ -374,3 +374,5 @@ void DriftPage::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_drift_page.cpp"

@@ -144,3 +144,5 @@ void HistoryChoices::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_history_choices.cpp"

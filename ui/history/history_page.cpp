@@ -424,3 +424,5 @@ void HistoryPage::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_history_page.cpp"

@@ -392,3 +392,5 @@ void ImportDialog::accept() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_import_dialog.cpp"

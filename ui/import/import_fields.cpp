@@ -431,3 +431,5 @@ void ImportFields::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_import_fields.cpp"

@@ -444,3 +444,5 @@ void LogDialog::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_log_dialog.cpp"

@@ -187,3 +187,5 @@ void LogFiles::show(std::span<const RecordingRef> logs) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_log_files.cpp"

@@ -77,3 +77,5 @@ void CursorTimes::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_cursor_times.cpp"

@@ -83,3 +83,5 @@ void FileList::paintEvent(QPaintEvent* event) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_file_list.cpp"

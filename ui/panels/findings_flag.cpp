@@ -243,3 +243,5 @@ void FindingsFlag::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_findings_flag.cpp"

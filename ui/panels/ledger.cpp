@@ -474,3 +474,5 @@ void Ledger::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_ledger.cpp"

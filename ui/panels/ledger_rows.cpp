@@ -381,3 +381,5 @@ void LedgerHead::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_ledger_rows.cpp"

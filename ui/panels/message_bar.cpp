@@ -138,3 +138,5 @@ void MessageBar::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_message_bar.cpp"

@@ -136,3 +136,5 @@ void WavePanel::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_wave_panel.cpp"

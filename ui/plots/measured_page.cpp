@@ -33,3 +33,5 @@ XYPlotView* MeasuredPage::addPlot(const char* name, int least_height) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_measured_page.cpp"

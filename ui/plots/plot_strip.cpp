@@ -170,3 +170,5 @@ void PlotStrip::draw(QCPPainter* painter) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_plot_strip.cpp"

@@ -62,3 +62,5 @@ void PlotView::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_plot_view.cpp"

@@ -394,3 +394,5 @@ void SignalView::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_signal_view.cpp"

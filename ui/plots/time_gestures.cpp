@@ -321,3 +321,5 @@ void TimeGestures::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_time_gestures.cpp"

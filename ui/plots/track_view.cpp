@@ -361,3 +361,5 @@ bool TrackView::takeKey(QKeyEvent* event) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_track_view.cpp"

@@ -115,3 +115,5 @@ FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QStrin
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_xy_plot_view.cpp"

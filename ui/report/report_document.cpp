@@ -561,4 +561,5 @@ void ReportWriter::drawNext(const std::shared_ptr<Work>& work) {
 
 }  // namespace vybeg::ui
 
+#include "moc_report_document.cpp"
 #include "report_document.moc"

@@ -337,3 +337,5 @@ void ResidualsPage::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_residuals_page.cpp"

@@ -162,3 +162,5 @@ void askForLimits(DossierModel& dossier, const DisplayUnits& units, QWidget* win
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_dossier_dialogs.cpp"

@@ -327,3 +327,5 @@ void ComparisonView::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_outcome_views.cpp"

@@ -158,3 +158,5 @@ QString ResonatorPage::modelText(ResonatorModel model) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_resonator_page.cpp"

@@ -216,3 +216,5 @@ void SetPanel::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_set_panel.cpp"

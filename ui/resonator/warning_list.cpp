@@ -39,3 +39,5 @@ void WarningList::refresh() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_warning_list.cpp"

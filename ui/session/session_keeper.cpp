@@ -503,3 +503,5 @@ void SessionKeeper::end() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_session_keeper.cpp"

@@ -182,3 +182,5 @@ void SessionBackup::setAside(const QString& path) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_session_writer.cpp"

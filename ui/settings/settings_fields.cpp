@@ -140,3 +140,5 @@ void SettingsFields::translate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_settings_fields.cpp"

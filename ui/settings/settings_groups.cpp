@@ -495,3 +495,5 @@ void CalibrationFields::addTolerance(const Texts& texts, std::optional<double> T
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_settings_groups.cpp"

@@ -209,3 +209,5 @@ void SettingsPanel::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_settings_panel.cpp"

@@ -301,3 +301,5 @@ void SignalsPage::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_signals_page.cpp"

@@ -470,3 +470,5 @@ void SweepPage::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_sweep_page.cpp"

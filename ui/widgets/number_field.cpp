@@ -257,3 +257,5 @@ void dropTyped(QWidget& window) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_number_field.cpp"

@@ -177,3 +177,5 @@ void guardFromWheel(QWidget& panel) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_page_parts.cpp"

@@ -308,3 +308,5 @@ void QuantityTable::layOutAround() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_quantity_table.cpp"

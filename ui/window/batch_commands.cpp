@@ -104,3 +104,5 @@ void BatchCommands::openSet(const MeasurementList& list) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_batch_commands.cpp"

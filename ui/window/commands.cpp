@@ -69,3 +69,5 @@ void Commands::setIcons(const QPalette& palette) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_commands.cpp"

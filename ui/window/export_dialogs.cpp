@@ -332,3 +332,5 @@ void ReportDialog::keep() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_export_dialogs.cpp"

@@ -421,3 +421,5 @@ void FileCommands::savePassportTo(const QString& path) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_file_commands.cpp"

@@ -146,3 +146,5 @@ void FileQuestions::target(const QString& title, const QString& name, const QStr
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_file_questions.cpp"

@@ -122,3 +122,5 @@ void showAbout(QWidget* window, QAction* copy_diagnostics) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_help.cpp"

@@ -379,3 +379,5 @@ QString MainWindow::diagnosticsText() const {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_main_window.cpp"

@@ -123,3 +123,5 @@ void Overview::setTheme(const Theme& theme) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_overview.cpp"

@@ -185,3 +185,5 @@ void PageStack::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_page_stack.cpp"

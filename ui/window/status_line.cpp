@@ -118,3 +118,5 @@ void StatusLine::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_status_line.cpp"

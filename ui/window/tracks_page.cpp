@@ -165,3 +165,5 @@ void TracksPage::setUnits(const DisplayUnits& units) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_tracks_page.cpp"

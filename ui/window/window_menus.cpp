@@ -244,3 +244,5 @@ void WindowMenus::retranslate() {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_window_menus.cpp"

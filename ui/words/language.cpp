@@ -32,3 +32,5 @@ void Language::use(const QString& code) {
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_language.cpp"

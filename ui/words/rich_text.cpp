@@ -200,3 +200,5 @@ void IndexHeader::paintSection(QPainter* painter, const QRect& rect, int section
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_rich_text.cpp"

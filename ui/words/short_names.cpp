@@ -85,3 +85,5 @@ void NameDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 }
 
 }  // namespace vybeg::ui
+
+#include "moc_short_names.cpp"
