@@ -72,6 +72,7 @@ private:
 
     Document& document_;
     QGridLayout* grid_ = nullptr;
+    bool side_by_side_ = true;  // the small plots
     BackgroundJobs job_;
     QString path_;
     bool seen_ = false;
