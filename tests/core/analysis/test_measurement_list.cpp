@@ -4,6 +4,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
+#include "core/recording/samples/open_table.h"
 #include "tests/test_registry.h"
 
 #include <QTemporaryDir>
