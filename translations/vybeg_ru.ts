@@ -6731,6 +6731,10 @@
         <translation>Открыть журналы</translation>
     </message>
     <message>
+        <source>Logs of the set</source>
+        <translation>Журналы набора</translation>
+    </message>
+    <message>
         <source>choose…</source>
         <translation>выберите…</translation>
     </message>
@@ -7464,8 +7468,24 @@
         <translation>Подобрать один резонатор по всем записям набора; если набор пуст — по текущей записи и открытым вместе с ней (F7)</translation>
     </message>
     <message>
-        <source>Logs, read with %1. To tell it otherwise, open them again.</source>
-        <translation>Журналы, прочитаны с %1. Чтобы указать иначе, откройте их снова.</translation>
+        <source>Logs, read with %1.</source>
+        <translation>Журналы, прочитаны с %1.</translation>
+    </message>
+    <message>
+        <source>Calibration and tolerances are those of the panel Analysis.</source>
+        <translation>Калибровка и допуски взяты из панели «Обработка».</translation>
+    </message>
+    <message>
+        <source>Drop logs of the resonator here</source>
+        <translation>Перетащите сюда журналы резонатора</translation>
+    </message>
+    <message>
+        <source>Logs…</source>
+        <translation>Журналы…</translation>
+    </message>
+    <message>
+        <source>Add logs to the set, take some out, or tell otherwise what they are</source>
+        <translation>Добавить журналы в набор, убрать их или указать иначе, что в них</translation>
     </message>
 </context>
 <context>
@@ -7501,6 +7521,10 @@
     <message>
         <source>open logs</source>
         <translation>открыть журналы</translation>
+    </message>
+    <message>
+        <source>logs of the set</source>
+        <translation>журналы набора</translation>
     </message>
 </context>
 <context>

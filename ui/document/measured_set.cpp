@@ -17,6 +17,15 @@ IdentifySettings settingsOfPanel(const SettingsModel& settings) {
     return own;
 }
 
+// Logs hold no samples, and with a phase no carrier is searched.
+SignalSettings byPanel(SignalSettings of_log, const LogChoice& logs, const SettingsModel& panel) {
+    of_log.calibration = panel.settings().calibration;
+    of_log.calibration.offset_auto = false;
+    of_log.calibration.offset_c = of_log.calibration.offset_d = 0;
+    of_log.f0_hz = logs.without_phase() ? panel.settings().f0_hz : std::nullopt;
+    return of_log;
+}
+
 RecordingRef rowOf(const RecordingEntry& entry) {
     return {entry.name.toStdString(), entry.path.toStdU16String(), entry.options};
 }
@@ -47,9 +56,14 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
     measured.settings.model = set.model;
     std::vector<SignalSettings> of_each;
     if (isOfLogs(set)) {
+        if (set.listed->by_panel) {
+            measured.settings.tolerance = settings.tolerance();
+        }
         for (const auto& log : set.listed->members) {
             measured.recordings.push_back(log.second.row);
-            of_each.push_back(log.second.signal);
+            of_each.push_back(set.listed->by_panel
+                                  ? byPanel(log.second.signal, measured.settings.logs, settings)
+                                  : log.second.signal);
         }
     }
     for (const RecordingId id : set.recordings) {

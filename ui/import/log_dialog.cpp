@@ -29,6 +29,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -64,6 +65,28 @@ const char* usualNames(Columns columns) {
     }
 }
 
+QString pathOf(const RecordingRef& log) {
+    return QFileInfo(QString::fromStdU16String(log.path.u16string())).absoluteFilePath();
+}
+
+// The files of its logs, and further ones.
+QStringList filesOf(const MeasurementSet& set, const QStringList& further) {
+    QStringList files = further;
+    for (const RecordingRef& log : set.recordings) {
+        files << pathOf(log);
+        if (!log.open.channel_d_file.empty()) {
+            files << QString::fromStdString(log.open.channel_d_file);
+        }
+    }
+    return files;
+}
+
+// That of a log alone is its file's.
+std::string nameOf(const std::vector<RecordingRef>& logs) {
+    return logs.size() == 1 ? QFileInfo(pathOf(logs.front())).completeBaseName().toStdString()
+                            : std::string();
+}
+
 // Full name of a file that stands beside another one, or is given by its path.
 QString beside(const QString& file, const QString& other) {
     return QFileInfo(QFileInfo(file).absoluteDir(), other).absoluteFilePath();
@@ -71,9 +94,11 @@ QString beside(const QString& file, const QString& other) {
 
 }  // namespace
 
-LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent)
+LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementSet given,
+                     QWidget* parent)
     : QDialog(parent),
-      files_(withName(new LogFiles(job, paths, this), "logFiles")),
+      given_(std::move(given)),
+      files_(withName(new LogFiles(job, filesOf(given_, paths), this), "logFiles")),
       form_(new QFormLayout),
       lacking_(withName(new QLabel(this), "lacking")),
       preview_(new ImportPreview(this)),
@@ -127,6 +152,9 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     keepTranslated(*this, [this] { retranslate(); });
     resize(980, 560);
     kind_->setFocus();
+    if (given_.settings.logs.given()) {
+        showGiven();
+    }
     look();
 }
 
@@ -168,8 +196,10 @@ LogChoice LogDialog::choice() const {
     return told;
 }
 
+// Further logs are read as the first one of the set.
 OpenOptions LogDialog::options() const {
-    OpenOptions told;
+    OpenOptions told = given_.recordings.empty() ? OpenOptions() : given_.recordings.front().open;
+    told.channel_d_file.clear();
     told.rate_hz = rate_->typed();
     return told;
 }
@@ -178,6 +208,10 @@ OpenOptions LogDialog::options() const {
 // their names do.
 QString LogDialog::partnerOf(const QString& file) const {
     if (files_->ofOneChannel() > 2) {
+        const RecordingRef* row = givenRow(file);
+        if (row && !row->open.channel_d_file.empty()) {
+            return QString::fromStdString(row->open.channel_d_file);
+        }
         const auto partner = partner_of(file.toStdU16String());
         return partner ? QString::fromStdU16String(partner->u16string()) : QString();
     }
@@ -192,10 +226,22 @@ std::vector<RecordingRef> LogDialog::logs() const {
         partnerOf(files_->files().first()) == files_->files().first()) {
         std::ranges::reverse(left);  // the first one is of channel D
     }
+    // Those of the set in its order, before further ones.
+    std::ranges::stable_sort(left, {}, [this](const QString& file) {
+        const RecordingRef* row = givenRow(file);
+        return row ? row - given_.recordings.data() : std::ssize(given_.recordings);
+    });
     while (!left.isEmpty()) {
         const QString file = left.takeFirst();
         RecordingRef log{QFileInfo(file).fileName().toStdString(), file.toStdU16String(),
                          options()};
+        if (const RecordingRef* row = givenRow(file)) {
+            log = *row;
+            log.open.channel_d_file.clear();
+            if (rate_->typed() != given_.recordings.front().open.rate_hz) {
+                log.open.rate_hz = rate_->typed();
+            }
+        }
         if (files_->isOfOneChannel(file)) {
             const QString other = partnerOf(file);
             if (other.isEmpty() || other == file ||
@@ -210,16 +256,32 @@ std::vector<RecordingRef> LogDialog::logs() const {
 }
 
 MeasurementSet LogDialog::set() const {
-    MeasurementSet set;
+    MeasurementSet set = given_;
     set.recordings = logs();
-    if (set.recordings.size() == 1) {
-        set.name = QFileInfo(QString::fromStdU16String(set.recordings.front().path.u16string()))
-                       .completeBaseName()
-                       .toStdString();
+    if (given_.name == nameOf(given_.recordings)) {
+        set.name = nameOf(set.recordings);
     }
     set.settings.logs = choice();
-    set.settings.signal.from_s = from_->typed();
+    const std::optional<double> from_s = from_->typed();
+    const bool other_start = from_s != given_.settings.signal.from_s;
+    set.settings.signal.from_s = from_s;
+    if (!given_.settings.of_recordings.empty()) {
+        set.settings.of_recordings.clear();
+        for (const RecordingRef& log : set.recordings) {
+            const RecordingRef* row = givenRow(pathOf(log));
+            const auto place = static_cast<std::size_t>(row ? row - given_.recordings.data() : 0);
+            set.settings.of_recordings.push_back(given_.settings.signal_of(place));
+            if (other_start) {
+                set.settings.of_recordings.back().from_s = from_s;
+            }
+        }
+    }
     return set;
+}
+
+const RecordingRef* LogDialog::givenRow(const QString& file) const {
+    const auto found = std::ranges::find(given_.recordings, file, pathOf);
+    return found == given_.recordings.end() ? nullptr : &*found;
 }
 
 void LogDialog::look() {
@@ -250,7 +312,38 @@ void LogDialog::changeFiles() {
 }
 
 void LogDialog::showKnown() {
-    const LogChoice& known = files_->sound()->look.choice;
+    showAs(files_->sound()->look.choice);
+}
+
+void LogDialog::showGiven() {
+    const LogChoice& told = given_.settings.logs;
+    const PhasorChoice& how = told.phasors;
+    showAs(told);
+    known_shown_ = true;
+    if (told.names != usualNames(columnsOf(told))) {
+        columns_->setText(QString::fromStdString(told.names));
+    }
+    angle_unit_->setCurrentIndex(told.rad_per_angle_unit == 0   ? 0
+                                 : told.rad_per_angle_unit == 1 ? 2
+                                                                : 1);
+    const auto number = [](double value) {
+        return value == 0 ? std::nullopt : std::optional(value);
+    };
+    f_ref_->setValue(number(how.f_ref_hz));
+    order_->setCurrentIndex(how.filter.order);
+    bandwidth_->setValue(number(how.filter.bandwidth_hz));
+    from_->setValue(given_.settings.signal.from_s);
+    if (!given_.recordings.empty()) {
+        const OpenOptions& open = given_.recordings.front().open;
+        rate_->setValue(open.rate_hz);
+        channel_d_->setText(QString::fromStdString(open.channel_d_file));
+        channel_d_->setModified(!open.channel_d_file.empty());
+    }
+    by_person_.insert({kind_, y_sign_, amplitude_});
+    refresh();
+}
+
+void LogDialog::showAs(const LogChoice& known) {
     const PhasorChoice& how = known.phasors;
     const auto show = [this](QComboBox* box, int place) {
         const QSignalBlocker quiet(box);
@@ -393,7 +486,7 @@ void LogDialog::accept() {
 }
 
 void LogDialog::retranslate() {
-    setWindowTitle(tr("Open logs"));
+    setWindowTitle(given_.settings.logs.given() ? tr("Logs of the set") : tr("Open logs"));
     files_->setAccessibleName(tr("Logs"));
     files_->setToolTip(tr("Logs of one resonator, made alike. Delete takes the chosen ones out"));
     const auto name = [this](QWidget* field, const QString& text, const QString& tip) {

@@ -18,7 +18,7 @@ int placeOf(const std::vector<RecordingEntry>& recordings, RecordingId id) {
 template <class Key, class Before>
 ListedSetBy<Key> renamed(const ListedSetBy<Before>& listed,
                          const std::function<std::optional<Key>(Before)>& key) {
-    ListedSetBy<Key> other{listed.settings, {}};
+    ListedSetBy<Key> other{listed.settings, {}, listed.by_panel};
     int without = -static_cast<int>(listed.members.size());  // rows of logs keep their order
     for (const auto& [before, member] : listed.members) {
         other.members.emplace(key(before).value_or(static_cast<Key>(without++)), member);
