@@ -1393,8 +1393,8 @@
         <translation>%1: окончание «%2» не из тех, с которыми здесь можно записать файл: %3.</translation>
     </message>
     <message>
-        <source>%1 is one of the open recordings, and stays as it is. Choose another name.</source>
-        <translation>%1 — одна из открытых записей; она не изменена. Выберите другое имя.</translation>
+        <source>%1 is one of the open files, and stays as it is. Choose another name.</source>
+        <translation>%1 — один из открытых файлов; он не изменён. Выберите другое имя.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. What has gone out there is incomplete.</source>
@@ -6944,6 +6944,18 @@
         <source>Tools</source>
         <translation>Инструменты</translation>
     </message>
+    <message>
+        <source>No recording is open, and this page is about recordings. Open are:</source>
+        <translation>Записи не открыты, а эта страница — о записях. Открыто:</translation>
+    </message>
+    <message>
+        <source>%1: page %2</source>
+        <translation>%1: страница %2</translation>
+    </message>
+    <message>
+        <source>whole-angle logs %1: page %2</source>
+        <translation>журналы полного угла %1: страница %2</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::MessageBar</name>
@@ -7472,8 +7484,8 @@
         <translation>Журналы, прочитаны с %1.</translation>
     </message>
     <message>
-        <source>Calibration and tolerances are those of the panel Analysis.</source>
-        <translation>Калибровка и допуски взяты из панели «Обработка».</translation>
+        <source>Calibration and tolerances are those of the panel Analysis, which stands beside the page Tracks.</source>
+        <translation>Калибровка и допуски взяты из панели «Обработка», которая стоит у страницы «Ряды».</translation>
     </message>
     <message>
         <source>Drop logs of the resonator here</source>

@@ -331,9 +331,8 @@ MessageRow message_row(ErrorCode code) {
          VYBEG_MESSAGE("Message",
                        "%1: the ending \"%2\" is none of those that can be written here: %3.")},
         {output_is_recording, "output-is-recording", no_output,
-         VYBEG_MESSAGE(
-             "Message",
-             "%1 is one of the open recordings, and stays as it is. Choose another name.")},
+         VYBEG_MESSAGE("Message",
+                       "%1 is one of the open files, and stays as it is. Choose another name.")},
         {output_incomplete, "output-incomplete", no_output,
          VYBEG_MESSAGE("Message",
                        "%1 cannot be written: %2. What has gone out there is incomplete.")},

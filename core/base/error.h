@@ -81,7 +81,7 @@ enum class ErrorCode {
     // The output cannot be written: exit status 5.
     output_failed,          // args: reason
     output_format_unknown,  // args: ending
-    output_is_recording,    // one of those that are open
+    output_is_recording,    // one of those that are open, or a log
     output_incomplete,      // args: reason. A part has gone out to a device or a pipe.
     // Ctrl-C, SIGTERM or Cancel: exit status 130.
     interrupted_midway,  // args: finished sets, all sets

@@ -157,7 +157,9 @@ void SetPanel::refresh() {
         facts << tr("Logs, read with %1.").arg(logText(set->listed->settings.logs));
     }
     facts << (of_logs && set->listed->by_panel
-                  ? tr("Calibration and tolerances are those of the panel Analysis.")
+                  ? tr("Calibration and tolerances are those of the panel Analysis, which stands "
+                       "beside "
+                       "the page Tracks.")
                   : tr("Settings and conditions are those of the measurement list; the panel "
                        "Analysis does not change them."));
     listed_->setText(facts.join(QLatin1Char(' ')));

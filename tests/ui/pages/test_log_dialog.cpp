@@ -15,6 +15,7 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/session/session_keeper.h"
+#include "ui/settings/settings_panel.h"
 #include "ui/widgets/number_field.h"
 #include "ui/window/file_commands.h"
 
@@ -27,6 +28,7 @@
 #include <QListWidget>
 #include <QPointer>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTableWidget>
 #include <QTest>
 
@@ -254,6 +256,36 @@ private slots:
         settings.calibration.kappa = 4;
         document().setSettings(settings);
         QCOMPARE(sets().measured(*sets().current()).settings.signal.calibration.kappa, listed);
+    }
+
+    // The welcome asked for a recording, without a way to the page of the logs' resonator.
+    void without_a_recording_the_tracks_say_where_the_results_are() {
+        window_->files().openLogs({phasors("alone")});
+        opened();
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        acceptAndWait();
+        auto& tabs = childOf<QTabBar>(*window_, "pages");
+        auto& opened_text = childOf<QLabel>(*window_, "opened");
+        tabs.setCurrentIndex(0);
+        QVERIFY(opened_text.isVisible() && tabs.isVisible());
+        QVERIFY2(opened_text.text().contains("alone.phasors"), qPrintable(opened_text.text()));
+        // Calibration and tolerances hold for the logs.
+        QVERIFY(childOf<SettingsPanel>(*window_).isVisible());
+        emit opened_text.linkActivated("resonator");
+        QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
+        window_->files().savePassportTo(home_.path("alone.phasors.csv"));
+        QTRY_VERIFY(
+            !childOf<MessageBar>(*window_).texts().filter("one of the open files").isEmpty());
+        document().undoStack().undo();
+        tabs.setCurrentIndex(0);
+        QVERIFY(!opened_text.isVisible() && !tabs.isVisible());
+        const QString turning = home_.file("turn.csv", "t,theta_deg\n0,0\n1,1\n2,2\n");
+        document().drift().open({turning});
+        tabs.setCurrentIndex(0);
+        QVERIFY(opened_text.isVisible() && tabs.isVisible());
+        QVERIFY2(opened_text.text().contains("turn.csv"), qPrintable(opened_text.text()));
+        QVERIFY(!childOf<SettingsPanel>(*window_).isVisible());
     }
 
     void undo_and_session_keep_the_logs() {

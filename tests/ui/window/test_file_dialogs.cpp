@@ -215,9 +215,9 @@ private slots:
             QFileInfo(recording).path() + "/./" + QFileInfo(recording).fileName();
         for (const QString& path : {recording, around, link}) {
             window_->files().exportTrackTo(path);
-            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open files"));
             QVERIFY(!exportPlotsTo(*window_, path));
-            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open files"));
             window_->files().savePassportTo(path);
             QVERIFY(!document().busy());
             deliverPosted();
