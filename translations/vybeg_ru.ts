@@ -5421,6 +5421,62 @@
 <context>
     <name>vybeg::ui::DriftPanel</name>
     <message>
+        <source>Separator</source>
+        <translation>Разделитель</translation>
+    </message>
+    <message>
+        <source>What stands between the columns of a text file</source>
+        <translation>Что стоит между столбцами текстового файла</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>запятая</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>точка с запятой</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>табуляция</translation>
+    </message>
+    <message>
+        <source>spaces</source>
+        <translation>пробелы</translation>
+    </message>
+    <message>
+        <source>vertical bar</source>
+        <translation>вертикальная черта</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Десятичный знак</translation>
+    </message>
+    <message>
+        <source>Of the numbers in a text file</source>
+        <translation>Чисел в текстовом файле</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>точка</translation>
+    </message>
+    <message>
+        <source>Lines to skip</source>
+        <translation>Пропустить строк</translation>
+    </message>
+    <message>
+        <source>Lines of a text file above its first row of numbers</source>
+        <translation>Строк текстового файла над первой строкой чисел</translation>
+    </message>
+    <message>
+        <source>Time column</source>
+        <translation>Столбец времени</translation>
+    </message>
+    <message>
+        <source>Column of a text file that is the time, counted from 1; 0: none</source>
+        <translation>Столбец текстового файла, в котором время, считая с 1; 0: нет</translation>
+    </message>
+    <message>
         <source>Drop whole-angle logs of one gyro here</source>
         <translation>Перетащите сюда журналы интегрирующего режима одного гироскопа</translation>
     </message>
@@ -6954,7 +7010,7 @@
     </message>
     <message>
         <source>whole-angle logs %1: page %2</source>
-        <translation>журналы полного угла %1: страница %2</translation>
+        <translation>журналы интегрирующего режима %1: страница %2</translation>
     </message>
 </context>
 <context>
