@@ -1837,6 +1837,10 @@
         <translation>%1: фазоры C вращаются относительно опорной частоты на %2, фазоры D — на %3, как если бы Y одного из каналов имел другой знак. Запишите оба канала с одним знаком Y или смените его знак в файле. Числа верны, только если опорная частота лежит посередине между двумя модами.</translation>
     </message>
     <message>
+        <source>%1: channel %2 beats in its amplitude and not in its phase, while the phase of channel %3 turns: the reference follows channel %2, as that of a phase-locked loop does, and has taken its frequency away. The numbers do not hold. Give --phasors common with a column of the reference&apos;s frequency (F) or phase (P), or log with a fixed reference.</source>
+        <translation>%1: в канале %2 биения видны по амплитуде, но не по фазе, а фаза канала %3 поворачивается: опорный сигнал следует за каналом %2, как в петле ФАПЧ, и его частота потеряна. Числа неверны. Укажите --phasors common и столбец частоты (F) или фазы (P) опорного сигнала либо записывайте с неподвижной опорной частотой.</translation>
+    </message>
+    <message>
         <source>%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than noise explains: a column has an offset, or a gain of its own, or the wave turns far within a row. The numbers may be off by more than their uncertainties. Calibrate the columns, or log faster.</source>
         <translation>%1: около %3 с сумма R² + S² + Q² отличается от E² на %2 %, больше, чем объясняет шум: в столбце есть сдвиг или своё усиление, либо за одну строку волна поворачивается далеко. Числа могут быть неверны больше, чем на свои неопределённости. Откалибруйте столбцы или записывайте журнал чаще.</translation>
     </message>

@@ -231,6 +231,13 @@ MessageRow message_row(DiagnosticKind kind) {
                        "if Y of one had the other sign. Export both channels with one sign of Y, "
                        "or exchange its sign in the file. The numbers hold only if the reference "
                        "lies in the middle between two modes.")},
+        {reference_follows, "reference-follows", serious,
+         VYBEG_MESSAGE("Message",
+                       "%1: channel %2 beats in its amplitude and not in its phase, while the "
+                       "phase of channel %3 turns: the reference follows channel %2, as that of a "
+                       "phase-locked loop does, and has taken its frequency away. The numbers do "
+                       "not hold. Give --phasors common with a column of the reference's frequency "
+                       "(F) or phase (P), or log with a fixed reference.")},
         {powers_apart, "powers-apart", serious,
          VYBEG_MESSAGE("Message",
                        "%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than "

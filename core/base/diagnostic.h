@@ -65,6 +65,7 @@ enum class DiagnosticKind {
     turn_one_way,                 // args: the fourth harmonic that channels within tolerance make
     angle_of_quarter,             // args: log. Its angle is wrapped at a quarter of a turn.
     phasors_mirrored,             // args: recording, rates of C and of D from the reference
+    reference_follows,            // args: recording, the channel that it follows, the other one
     powers_apart,            // args: recording, R^2 + S^2 + Q^2 less E^2 (% of it), at time (s)
     residual_above_noise,    // args: chi^2 per degree of freedom. Deviations enlarged.
     residual_below_noise,    // args: chi^2 per degree of freedom. Deviations too large.

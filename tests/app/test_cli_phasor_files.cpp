@@ -202,6 +202,42 @@ private slots:
         QVERIFY2(told.err.contains("as if Y of one had the other sign"), told.err);
     }
 
+    // An oscillator locked to one channel: what turns of it stands nowhere in the file.
+    void a_reference_that_follows_a_channel_is_told_data() {
+        QTest::addColumn<bool>("of_d");
+        QTest::newRow("C") << false;
+        QTest::newRow("D") << true;
+    }
+    void a_reference_that_follows_a_channel_is_told() {
+        QFETCH(bool, of_d);
+        const QByteArray log = log_of_run(0, {4, 30, 150}, Frame::fixed);
+        QList<QByteArray> lines = log.split('\n');
+        Complex loop = 0;
+        for (qsizetype row = 1; row + 1 < lines.size(); ++row) {
+            QList<QByteArray> fields = lines[row].split(',');
+            const Complex c(fields[1].toDouble(), fields[2].toDouble());
+            const Complex d(fields[3].toDouble(), fields[4].toDouble());
+            // Follows within three rows, and not the noise of each.
+            const Complex& followed = of_d ? d : c;
+            loop = row == 1 ? followed : loop + (followed - loop) / 3.0;
+            const Complex back = std::conj(loop / std::abs(loop));
+            const std::vector<double> values{(c * back).real(), (c * back).imag(),
+                                             (d * back).real(), (d * back).imag()};
+            for (qsizetype k = 0; k < 4; ++k) {
+                fields[k + 1] = QByteArray::number(values[static_cast<std::size_t>(k)], 'g', 15);
+            }
+            lines[row] = fields.join(',');
+        }
+        write("followed.csv", lines.join('\n'));
+        const Outcome told = identify_fixed({"followed.csv"}, {"--lock-in", "4,30Hz"});
+        const char* const channel =
+            of_d ? "the reference follows channel D" : "the reference follows channel C";
+        QVERIFY2(told.err.contains(channel), told.err);
+        write("free.csv", log);
+        const Outcome free = identify_fixed({"free.csv"}, {"--lock-in", "4,30Hz"});
+        QVERIFY2(!free.err.contains("reference follows"), free.err);
+    }
+
     void noise_is_no_wave() {
         QByteArray noise = "t,Xc,Yc,Xd,Yd\n";
         std::mt19937 generator(7);
