@@ -1945,12 +1945,12 @@
         <translation>%1: столбца «%2» нет; в файле есть %3. Назовите другие.</translation>
     </message>
     <message>
-        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. Give it with --angle-unit: deg or rad.</source>
-        <translation>%1: в столбце «%2» не указана единица углов. Задайте её (--angle-unit): deg или rad.</translation>
+        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. Give it with --angle-unit: deg, rad or cyc.</source>
+        <translation>%1: в столбце «%2» не указана единица углов. Задайте её (--angle-unit): deg, rad или cyc.</translation>
     </message>
     <message>
-        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. Choose degrees or radians.</source>
-        <translation>%1: в столбце «%2» не указана единица углов. Выберите градусы или радианы.</translation>
+        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. Choose degrees, radians or turns.</source>
+        <translation>%1: в столбце «%2» не указана единица углов. Выберите градусы, радианы или обороты.</translation>
     </message>
     <message>
         <source>%1: the wave turns by %2 degrees, too little to tell the second and the fourth harmonic of the drift from the turn itself. Let it turn by 180 degrees or more.</source>
@@ -1961,12 +1961,12 @@
         <translation>%1: сумма R² + S² + Q² составляет %2 % от E², а должна быть равна E². Один из столбцов записан в других единицах или содержит другую величину: E — это |c|² + |d|², R — |c|² − |d|², S и Q — удвоенные действительная и мнимая части c d*.</translation>
     </message>
     <message>
-        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. Give it with --angle-unit: deg or rad.</source>
-        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Задайте её параметром --angle-unit: deg или rad.</translation>
+        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. Give it with --angle-unit: deg, rad or cyc.</source>
+        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Задайте её параметром --angle-unit: deg, rad или cyc.</translation>
     </message>
     <message>
-        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. Choose degrees or radians.</source>
-        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Выберите градусы или радианы.</translation>
+        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. Choose degrees, radians or turns.</source>
+        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Выберите градусы, радианы или обороты.</translation>
     </message>
     <message>
         <source>%1: the wave turns by 45 degrees or more from row to row, and its angle is wrapped: how far it turned is unknown. Log it faster, or write down the whole angle.</source>
@@ -2009,7 +2009,7 @@
         <translation>%1 — журнал интегрирующего режима, а не запись: в нём угол стоячей волны по времени. Его открывает страница «Дрейф».</translation>
     </message>
     <message>
-        <source>%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording has a set of its own.</source>
+        <source>%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. A recording has a set of its own.</source>
         <translation>%1 — не журнал: журналы — таблицы в виде текста, NPZ, MAT или HDF5. У записи отдельный набор.</translation>
     </message>
 </context>
@@ -4591,6 +4591,10 @@
         <translation>отсчёты с кадра %1 не декодируются</translation>
     </message>
     <message>
+        <source>times that do not rise: name their column as t in --columns</source>
+        <translation>времена, которые не возрастают: назовите их столбец t в --columns</translation>
+    </message>
+    <message>
         <source>%1 is missing</source>
         <translation>нет %1</translation>
     </message>
@@ -5424,6 +5428,10 @@
 </context>
 <context>
     <name>vybeg::ui::DriftPanel</name>
+    <message>
+        <source>turns</source>
+        <translation>обороты</translation>
+    </message>
     <message>
         <source>Separator</source>
         <translation>Разделитель</translation>
@@ -6746,6 +6754,10 @@
 </context>
 <context>
     <name>vybeg::ui::LogDialog</name>
+    <message>
+        <source>turns</source>
+        <translation>обороты</translation>
+    </message>
     <message>
         <source>Its columns are not known by their names: choose what they are.</source>
         <translation>По именам столбцы не распознаны: выберите, что в них.</translation>

@@ -177,16 +177,17 @@ MessageRow message_row(ErrorCode code) {
                        "%1 is a whole-angle log, no recording: it holds the angle of a standing "
                        "wave over time. The page Drift opens it.")},
         {no_log, "no-log", bad_input,
-         VYBEG_MESSAGE("Message",
-                       "%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording has a "
-                       "set of its own.")},
+         VYBEG_MESSAGE(
+             "Message",
+             "%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. A recording has a "
+             "set of its own.")},
         {angle_unit_unknown, "angle-unit-unknown", bad_input,
          VYBEG_MESSAGE("Message",
                        "%1: column \"%2\" does not tell the unit of its angles. Give it with "
-                       "--angle-unit: deg or rad."),
-         VYBEG_MESSAGE(
-             "Message",
-             "%1: column \"%2\" does not tell the unit of its angles. Choose degrees or radians.")},
+                       "--angle-unit: deg, rad or cyc."),
+         VYBEG_MESSAGE("Message",
+                       "%1: column \"%2\" does not tell the unit of its angles. Choose degrees, "
+                       "radians or turns.")},
         {file_changed, "file-changed", bad_input,
          VYBEG_MESSAGE("Message",
                        "%1 changed while it was read: its size or the time of its last change is "
@@ -284,11 +285,11 @@ MessageRow message_row(ErrorCode code) {
          VYBEG_MESSAGE("Message",
                        "%1: each time the angle reaches an end, it comes back by %2 degrees. A "
                        "wave's angle comes back by 90, 180 or 360 degrees, so its unit is another "
-                       "one. Give it with --angle-unit: deg or rad."),
+                       "one. Give it with --angle-unit: deg, rad or cyc."),
          VYBEG_MESSAGE("Message",
                        "%1: each time the angle reaches an end, it comes back by %2 degrees. A "
                        "wave's angle comes back by 90, 180 or 360 degrees, so its unit is another "
-                       "one. Choose degrees or radians.")},
+                       "one. Choose degrees, radians or turns.")},
         {turn_too_fast, "turn-too-fast", impossible,
          VYBEG_MESSAGE(
              "Message",

@@ -35,7 +35,7 @@ namespace vybeg::ui {
 namespace {
 
 // As the entries of the lists; the first one is what the file tells.
-constexpr std::array angle_units{0.0, std::numbers::pi / 180, 1.0};
+constexpr std::array angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 constexpr std::array<std::optional<double>, 5> log_time_units{std::nullopt, 1.0, 1e-3, 1e-6, 1e-9};
 constexpr std::array<std::optional<char>, 6> log_delimiters{std::nullopt, ',', ';', '\t', ' ', '|'};
 constexpr std::array<std::optional<bool>, 3> decimal_commas{std::nullopt, false, true};
@@ -272,7 +272,7 @@ void DriftPanel::retranslate() {
     name(angle_unit_, tr("Angle in"),
          tr("Unit of the angle, where the name of its column does not tell it"));
     const QString from_file = tr("as the file says");
-    setTexts(*angle_unit_, {from_file, tr("degrees"), tr("radians")});
+    setTexts(*angle_unit_, {from_file, tr("degrees"), tr("radians"), tr("turns")});
     name(time_unit_, tr("Time in"), tr("Unit of the time in a text file"));
     setTexts(*time_unit_, {from_file, tr("s"), tr("ms"), tr("µs"), tr("ns")});
     name(delimiter_, tr("Separator"), tr("What stands between the columns of a text file"));

@@ -29,6 +29,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -40,7 +41,8 @@ namespace {
 // What the columns are, in the order of the list.
 enum class Columns { unknown, powers, waves, fixed, common, pll };
 
-constexpr double degree = std::numbers::pi / 180;
+// As the entries of the list; the first one is what the file tells.
+constexpr std::array log_angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 constexpr int most_stages = 8;
 
 Columns columnsOf(const LogChoice& choice) {
@@ -118,7 +120,7 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementS
     columns_ = rows.words("columns");
     channel_d_ = rows.words("channel_d_file");
     choose_ = channel_d_->addAction(QIcon(), QLineEdit::TrailingPosition);
-    angle_unit_ = rows.list("angle_unit", 3);
+    angle_unit_ = rows.list("angle_unit", static_cast<int>(log_angle_units.size()));
     f_ref_ = rows.number("f_ref", bounds("f-ref"));
     y_sign_ = rows.list("y_sign", 3);
     amplitude_ = rows.list("amplitude", 3);
@@ -177,8 +179,8 @@ LogChoice LogDialog::choice() const {
     if (told.names.empty() && (chosen == Columns::powers || chosen == Columns::waves)) {
         told.names = usualNames(chosen);
     }
-    const std::array angle_units{0.0, degree, 1.0};
-    told.rad_per_angle_unit = angle_units.at(static_cast<std::size_t>(angle_unit_->currentIndex()));
+    told.rad_per_angle_unit =
+        log_angle_units.at(static_cast<std::size_t>(angle_unit_->currentIndex()));
     if (!isOfPhasors()) {
         return chosen == Columns::unknown ? LogChoice{} : told;
     }
@@ -323,9 +325,9 @@ void LogDialog::showGiven() {
     if (told.names != usualNames(columnsOf(told))) {
         columns_->setText(QString::fromStdString(told.names));
     }
-    angle_unit_->setCurrentIndex(told.rad_per_angle_unit == 0   ? 0
-                                 : told.rad_per_angle_unit == 1 ? 2
-                                                                : 1);
+    const auto* const unit = std::ranges::find(log_angle_units, told.rad_per_angle_unit);
+    angle_unit_->setCurrentIndex(
+        unit == log_angle_units.end() ? 0 : static_cast<int>(unit - log_angle_units.begin()));
     const auto number = [](double value) {
         return value == 0 ? std::nullopt : std::optional(value);
     };
@@ -505,7 +507,7 @@ void LogDialog::retranslate() {
     choose_->setIcon(themedIcon(QStringLiteral("open"), palette()));
     choose_->setToolTip(tr("Choose the file"));
     name(angle_unit_, tr("Unit of angles"), tr("Of θ, or of the phase columns"));
-    setTexts(*angle_unit_, {choose, tr("degrees"), tr("radians")});
+    setTexts(*angle_unit_, {choose, tr("degrees"), tr("radians"), tr("turns")});
     name(f_ref_, tr("Reference"), tr("Frequency of the reference, which the file does not tell"));
     name(y_sign_, tr("Sign of Y"),
          tr("The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and "

@@ -4,6 +4,7 @@
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/numerics/statistics.h"
+#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/zip_directory.h"
 #include "core/recording/open/file_format.h"
@@ -12,6 +13,8 @@
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_format.h"
 #include "core/recording/text/text_reading.h"
+#include "core/recording/variables/mat_format.h"
+#include "core/recording/variables/mat_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -292,6 +295,71 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
     return table;
 }
 
+// Of a table without names only columns that are told by number, or by their order.
+int place_in(const std::vector<Channel>& headings, std::span<const ColumnWish> wishes,
+             std::size_t wish) {
+    TextFormat format;
+    format.columns = static_cast<int>(headings.size());
+    format.headings = headings;
+    const std::size_t order = wishes.front().told ? order_of(wishes, wish, format)
+                                                  : std::numeric_limits<std::size_t>::max();
+    return place_of(format, wishes[wish], order);
+}
+
+// A table of numbers whose columns the file holds side by side.
+Result<LogTable> read_array(const FileBytes& file, const std::vector<NamedColumn>& array,
+                            const OpenOptions& options, std::span<const ColumnWish> wishes) {
+    std::vector<Channel> headings;
+    for (const NamedColumn& each : array) {
+        headings.push_back(each.heading);
+    }
+    LogTable table = empty_table(wishes);
+    const Channel* time = nullptr;
+    std::size_t rows = array.empty() ? 0 : static_cast<std::size_t>(array.front().column.frames());
+    for (std::size_t k = 0; k < wishes.size(); ++k) {
+        const int place = place_in(headings, wishes, k);
+        if (place < 0 && (wishes[k].role.needed || wishes[k].told)) {
+            return missing_column(file, wishes[k], headings);
+        }
+        if (place < 0) {
+            continue;
+        }
+        const auto& [heading, column] = array[static_cast<std::size_t>(place)];
+        std::vector<double> values(static_cast<std::size_t>(column.frames()));
+        TRY(read_column(column, 0, values));
+        rows = std::min(rows, values.size());
+        if (is_time(wishes[k])) {
+            time = &heading;
+            table.time_s = std::move(values);
+        } else {
+            table.columns[k] = {wishes[k].role.name, plain_text(heading.name),
+                                plain_text(heading.unit), std::move(values)};
+        }
+    }
+    if (time == nullptr && !options.rate_hz) {
+        return file.error(ErrorCode::rate_unknown);
+    }
+    table.time_s.resize(rows);
+    const double unit_s =
+        time == nullptr ? 1 / *options.rate_hz : seconds_per(time_unit(*time)).value_or(1);
+    for (std::size_t row = 0; row < rows; ++row) {
+        table.time_s[row] =
+            unit_s * (time == nullptr ? static_cast<double>(row) : table.time_s[row]);
+    }
+    for (LogColumn& column : table.columns) {
+        column.values.resize(column.values.empty() ? 0 : rows);
+    }
+    if (time != nullptr && normal_name(time->name) == "timestamp") {
+        TRY(count_ticks(file, options, table));
+    }
+    if (!std::ranges::is_sorted(table.time_s)) {
+        return file.unsupported("table", VYBEG_MESSAGE("Words",
+                                                       "times that do not rise: name their column "
+                                                       "as t in --columns"));
+    }
+    return table;
+}
+
 // The file, or the one text that it has packed.
 Result<File> unpacked(File file) {
     const auto head = TRY(file_head(*file));
@@ -361,13 +429,22 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
     const auto file = TRY(unpacked(packed));
     const auto head = TRY(file_head(*file));
     const FileFormat* const format = find_format(head, *file);
-    if (!options.text && format && format->has_variables) {
+    std::vector<NamedColumn> array;
+    if (!options.text && is_npy(head)) {
+        auto columns = TRY(npy_columns(file));
+        array = std::move(columns);
+    } else if (!options.text && is_mat5(head)) {
+        auto columns = TRY(moku_columns(file, job));
+        array = std::move(columns);
+    }
+    if (array.empty() && !options.text && format && format->has_variables) {
         return read_variables(path, options, wishes, job);
     }
-    if (!options.text && (!format || !format->is_text)) {
+    if (array.empty() && !options.text && (!format || !format->is_text)) {
         return file->error(ErrorCode::no_log);
     }
-    auto table = TRY(read_text(file, options, wishes, job));
+    auto table = TRY(array.empty() ? read_text(file, options, wishes, job)
+                                   : read_array(*file, array, options, wishes));
     double last = -std::numeric_limits<double>::infinity();
     keep_rows(table, [&](std::size_t row) {
         const double before = std::exchange(last, table.time_s[row]);

@@ -79,6 +79,12 @@ Error too_few_channels(const FileBytes& file, int found) {
                        partner ? partner->filename().string() : std::string("FILE")});
 }
 
+Error holds_phasors(const FileBytes& file) {
+    return file.error(ErrorCode::holds_log,
+                      {words(VYBEG_MESSAGE("Words", "phasors of a phasemeter or a lock-in")),
+                       "--phasors fixed|common|pll --y-sign +|- --amplitude peak|rms"});
+}
+
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {
     if (found < (wants_one_channel(options) ? 1 : channels_needed)) {
         return too_few_channels(file, found);

@@ -24,6 +24,9 @@ bool wants_one_channel(const OpenOptions& options);
 // that lies beside it and may hold the other one.
 Error too_few_channels(const FileBytes& file, int found);
 
+// The error of a file that holds phasors of a phasemeter or a lock-in: holds_log.
+Error holds_phasors(const FileBytes& file);
+
 // Checks that both chosen channels exist among the `found` channels of the file. Errors:
 // too_few_channels, channel_out_of_range.
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options);

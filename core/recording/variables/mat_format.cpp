@@ -87,7 +87,7 @@ std::optional<NumberType> number_type(std::uint32_t element_type) {
         case int8: return NumberType::i8;
         case 2: return NumberType::u8;
         case 3: return NumberType::i16;
-        case 4: return NumberType::u16;
+        case uint16: return NumberType::u16;
         case int32: return NumberType::i32;
         case uint32: return NumberType::u32;
         case 7: return NumberType::f32;

@@ -42,12 +42,14 @@ inline constexpr std::int64_t tag_bytes = 8;
 // Types of elements (table 1-1) besides those of number_type().
 enum ElementType : std::uint32_t {
     int8 = 1,
+    uint16 = 4,
     int32 = 5,
     uint32 = 6,
     float64 = 9,
     matrix = 14,
     compressed = 15,
-    utf8 = 16
+    utf8 = 16,
+    utf16 = 17
 };
 
 // Classes of arrays (table 1-3) besides those of class_type().

@@ -317,7 +317,7 @@ private slots:
         QTest::keyClick(&columns, Qt::Key_Return);
         wait();
         QVERIFY(!the<QLabel>("driftFault").isVisible());
-        QVERIFY2(messages().contains("Choose degrees or radians"), qPrintable(messages()));
+        QVERIFY2(messages().contains("Choose degrees, radians or turns"), qPrintable(messages()));
         auto& unit = the<QComboBox>("driftAngleUnit");
         unit.setCurrentIndex(2);
         emit unit.activated(2);
