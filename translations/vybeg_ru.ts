@@ -1905,6 +1905,10 @@
         <translation>%1: указана частота дискретизации %2 Гц, а по столбцу времени она равна %3 Гц. Выберите единицу времени или задайте верную из двух частот.</translation>
     </message>
     <message>
+        <source>%1 holds no channel: it has no column or variable of several numbers that is no time. A recording holds the two pick-offs C and D.</source>
+        <translation>%1: каналов нет: ни в одном столбце и ни в одной переменной, кроме времени, нет нескольких чисел. В записи два измерительных канала, C и D.</translation>
+    </message>
+    <message>
         <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, name it: --channel-d %4.</source>
         <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, укажите его: --channel-d %4.</translation>
     </message>

@@ -101,6 +101,10 @@ MessageRow message_row(ErrorCode code) {
          VYBEG_MESSAGE("Message", "%1: %2 lines are to be skipped, and the file has only %3.")},
         {column_out_of_range, "column-out-of-range", bad_input,
          VYBEG_MESSAGE("Message", "%1: there is no column %2 to be the time; the file has %3.")},
+        {no_channels, "no-channels", bad_input,
+         VYBEG_MESSAGE("Message",
+                       "%1 holds no channel: it has no column or variable of several numbers that "
+                       "is no time. A recording holds the two pick-offs C and D.")},
         {too_few_channels, "too-few-channels", bad_input,
          VYBEG_MESSAGE("Message",
                        "%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where "

@@ -18,20 +18,21 @@ enum class ErrorCode {
     file_permission,
     file_is_directory,
     file_empty,
-    file_read_failed,      // args: reason
-    file_not_regular,      // a pipe, a socket or a device
-    format_unknown,        // neither a known binary format nor text
-    format_damaged,        // args: format, reason
-    format_unsupported,    // args: format, what in it is not read
-    format_limit,          // args: format, what in it is beyond which limit, what to do
-    text_not_a_number,     // args: line, column, the text found there
-    text_no_data,          // no line with at least two numbers
-    text_time_backwards,   // args: line, the time there, the time before it
-    rates_differ,          // args: rate that the file states, rate of its times (Hz)
-    text_decimal_commas,   // args: a line. Commas separate columns and decimals.
-    text_no_table,         // args: options, first line that is no row, what it reads
-    text_lines_missing,    // args: lines to skip, lines found
-    column_out_of_range,   // args: column asked for, columns found
+    file_read_failed,     // args: reason
+    file_not_regular,     // a pipe, a socket or a device
+    format_unknown,       // neither a known binary format nor text
+    format_damaged,       // args: format, reason
+    format_unsupported,   // args: format, what in it is not read
+    format_limit,         // args: format, what in it is beyond which limit, what to do
+    text_not_a_number,    // args: line, column, the text found there
+    text_no_data,         // no line with at least two numbers
+    text_time_backwards,  // args: line, the time there, the time before it
+    rates_differ,         // args: rate that the file states, rate of its times (Hz)
+    text_decimal_commas,  // args: a line. Commas separate columns and decimals.
+    text_no_table,        // args: options, first line that is no row, what it reads
+    text_lines_missing,   // args: lines to skip, lines found
+    column_out_of_range,  // args: column asked for, columns found
+    no_channels,
     too_few_channels,      // args: channels found, channels needed, file that may hold the other
     header_missing,        // args: name without ending of the file that describes the samples
     parts_differ,          // args: another file, what differs, of the one, of the other

@@ -73,6 +73,9 @@ bool wants_one_channel(const OpenOptions& options) {
 }
 
 Error too_few_channels(const FileBytes& file, int found) {
+    if (found <= 0) {
+        return file.error(ErrorCode::no_channels);
+    }
     const auto partner = partner_of(file.path());
     return file.error(ErrorCode::too_few_channels,
                       {count_arg(found), count_arg(channels_needed),
