@@ -4595,6 +4595,10 @@
         <translation>отсчёты с кадра %1 не декодируются</translation>
     </message>
     <message>
+        <source>several chunks without a field timestamp</source>
+        <translation>несколько частей (chunk) без поля timestamp</translation>
+    </message>
+    <message>
         <source>times that do not rise: name their column as t in --columns</source>
         <translation>времена, которые не возрастают: назовите их столбец t в --columns</translation>
     </message>

@@ -11,6 +11,7 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
+#include "core/recording/text/labone_rows.h"
 #include "core/recording/text/text_format.h"
 #include "core/recording/text/text_reading.h"
 #include "core/recording/variables/mat_format.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -306,27 +308,69 @@ int place_in(const std::vector<Channel>& headings, std::span<const ColumnWish> w
     return place_of(format, wishes[wish], order);
 }
 
-// A table of numbers whose columns the file holds side by side.
-Result<LogTable> read_array(const FileBytes& file, const std::vector<NamedColumn>& array,
-                            const OpenOptions& options, std::span<const ColumnWish> wishes) {
-    std::vector<Channel> headings;
-    for (const NamedColumn& each : array) {
-        headings.push_back(each.heading);
+// A table of numbers that is neither lines nor variables.
+struct ArrayTable {
+    std::vector<Channel> headings;  // of its columns
+    std::function<Result<std::vector<double>>(std::size_t column)> read;
+};
+
+ArrayTable table_of(std::vector<NamedColumn> columns) {
+    ArrayTable table;
+    for (const NamedColumn& each : columns) {
+        table.headings.push_back(each.heading);
     }
+    table.read = [columns = std::move(columns)](std::size_t place) -> Result<std::vector<double>> {
+        const SampleColumn& column = columns[place].column;
+        std::vector<double> values(static_cast<std::size_t>(column.frames()));
+        TRY(read_column(column, 0, values));
+        return values;
+    };
+    return table;
+}
+
+ArrayTable table_of(std::vector<LaboneField> fields) {
+    ArrayTable table;
+    for (const LaboneField& each : fields) {
+        table.headings.push_back({each.name, ""});
+    }
+    table.read = [fields = std::move(fields)](std::size_t place) {
+        return Result(fields[place].values);
+    };
+    return table;
+}
+
+// The table of a file that holds one; without columns: it holds none.
+Result<ArrayTable> find_array(const File& file, std::string_view head, const JobControl& job) {
+    if (is_npy(head)) {
+        auto columns = TRY(npy_columns(file));
+        return table_of(std::move(columns));
+    }
+    if (is_mat5(head)) {
+        auto columns = TRY(moku_columns(file, job));
+        return table_of(std::move(columns));
+    }
+    if (is_labone_rows(head)) {
+        auto fields = TRY(read_labone_rows(file, job));
+        return table_of(std::move(fields));
+    }
+    return ArrayTable();
+}
+
+Result<LogTable> read_array(const FileBytes& file, const ArrayTable& array,
+                            const OpenOptions& options, std::span<const ColumnWish> wishes) {
     LogTable table = empty_table(wishes);
     const Channel* time = nullptr;
-    std::size_t rows = array.empty() ? 0 : static_cast<std::size_t>(array.front().column.frames());
+    std::size_t rows = std::numeric_limits<std::size_t>::max();
     for (std::size_t k = 0; k < wishes.size(); ++k) {
-        const int place = place_in(headings, wishes, k);
+        const int place = place_in(array.headings, wishes, k);
         if (place < 0 && (wishes[k].role.needed || wishes[k].told)) {
-            return missing_column(file, wishes[k], headings);
+            return missing_column(file, wishes[k], array.headings);
         }
         if (place < 0) {
             continue;
         }
-        const auto& [heading, column] = array[static_cast<std::size_t>(place)];
-        std::vector<double> values(static_cast<std::size_t>(column.frames()));
-        TRY(read_column(column, 0, values));
+        const Channel& heading = array.headings[static_cast<std::size_t>(place)];
+        auto values = TRY(array.read(static_cast<std::size_t>(place)));
         rows = std::min(rows, values.size());
         if (is_time(wishes[k])) {
             time = &heading;
@@ -429,22 +473,16 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
     const auto file = TRY(unpacked(packed));
     const auto head = TRY(file_head(*file));
     const FileFormat* const format = find_format(head, *file);
-    std::vector<NamedColumn> array;
-    if (!options.text && is_npy(head)) {
-        auto columns = TRY(npy_columns(file));
-        array = std::move(columns);
-    } else if (!options.text && is_mat5(head)) {
-        auto columns = TRY(moku_columns(file, job));
-        array = std::move(columns);
-    }
-    if (array.empty() && !options.text && format && format->has_variables) {
+    const auto array = TRY(options.text ? ArrayTable() : find_array(file, head, job));
+    const bool is_array = !array.headings.empty();
+    if (!is_array && !options.text && format && format->has_variables) {
         return read_variables(path, options, wishes, job);
     }
-    if (array.empty() && !options.text && (!format || !format->is_text)) {
+    if (!is_array && !options.text && (!format || !format->is_text)) {
         return file->error(ErrorCode::no_log);
     }
-    auto table = TRY(array.empty() ? read_text(file, options, wishes, job)
-                                   : read_array(*file, array, options, wishes));
+    auto table = TRY(is_array ? read_array(*file, array, options, wishes)
+                              : read_text(file, options, wishes, job));
     double last = -std::numeric_limits<double>::infinity();
     keep_rows(table, [&](std::size_t row) {
         const double before = std::exchange(last, table.time_s[row]);

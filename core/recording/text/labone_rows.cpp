@@ -1,0 +1,99 @@
+#include "core/recording/text/labone_rows.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_lines.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr double missing_value = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view first_name = "chunk";
+constexpr std::size_t values_from = 4;  // place of the first one in a line
+
+void fill_up(std::vector<LaboneField>& fields) {
+    std::size_t longest = 0;
+    for (const LaboneField& field : fields) {
+        longest = std::max(longest, field.values.size());
+    }
+    for (LaboneField& field : fields) {
+        field.values.resize(longest, missing_value);
+    }
+}
+
+void add_line(const std::vector<std::string_view>& parts, std::vector<LaboneField>& fields) {
+    const std::string name(trimmed(parts[values_from - 1]));
+    auto field = std::ranges::find(fields, name, &LaboneField::name);
+    if (field == fields.end()) {
+        // Chunks before this one did not have it.
+        std::size_t before = std::numeric_limits<std::size_t>::max();
+        for (const LaboneField& each : fields) {
+            before = std::min(before, each.values.size());
+        }
+        fields.push_back({name, std::vector<double>(fields.empty() ? 0 : before, missing_value)});
+        field = std::prev(fields.end());
+    }
+    const auto size = parse_number(trimmed(parts[values_from - 2]));
+    const std::size_t count = parts.size() - values_from;
+    const std::size_t told = size && *size >= 0 && *size < static_cast<double>(count)
+                                 ? static_cast<std::size_t>(*size)
+                                 : count;
+    for (std::size_t k = values_from; k < values_from + told; ++k) {
+        field->values.push_back(parse_number(trimmed(parts[k])).value_or(missing_value));
+    }
+}
+
+}  // namespace
+
+bool is_labone_rows(std::string_view head) {
+    const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
+    return line.starts_with(first_name) && line.find("fieldname") != std::string_view::npos;
+}
+
+Result<std::vector<LaboneField>> read_labone_rows(std::shared_ptr<const FileBytes> file,
+                                                  const JobControl& job) {
+    TextLines lines(file);
+    const auto heading = TRY(lines.next());
+    std::vector<LaboneField> fields;
+    if (!heading || heading->size() <= first_name.size()) {
+        return fields;
+    }
+    const char delimiter = (*heading)[first_name.size()];
+    std::string chunk;
+    int chunks = 0;
+    while (true) {
+        const auto line = TRY(lines.next());
+        if (!line) {
+            break;
+        }
+        TRY(job.go_on());
+        std::vector<std::string_view> parts;
+        for (std::size_t at = 0; at <= line->size();) {
+            const std::size_t end = std::min(line->find(delimiter, at), line->size());
+            parts.push_back(line->substr(at, end - at));
+            at = end + 1;
+        }
+        if (parts.size() <= values_from) {
+            continue;
+        }
+        if (chunks == 0 || parts[0] != chunk) {
+            chunk = parts[0];
+            ++chunks;
+            fill_up(fields);
+        }
+        add_line(parts, fields);
+    }
+    fill_up(fields);
+    if (chunks > 1 && std::ranges::find(fields, "timestamp", &LaboneField::name) == fields.end()) {
+        return file->unsupported(
+            "LabOne", VYBEG_MESSAGE("Words", "several chunks without a field timestamp"));
+    }
+    return fields;
+}
+
+}  // namespace vybeg
