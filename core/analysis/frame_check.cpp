@@ -9,7 +9,7 @@
 namespace vybeg {
 namespace {
 
-using Phasors = std::vector<std::complex<double>>;
+using ChannelRows = std::vector<std::complex<double>>;
 
 // How a channel moves, relative to its size.
 struct ChannelMotion {
@@ -20,7 +20,7 @@ struct ChannelMotion {
 };
 
 // Rms of log |z| about a straight line, weighted as the phasors' noise has it.
-double beat_of(const Phasors& z) {
+double beat_of(const ChannelRows& z) {
     double weight = 0;
     double k_mean = 0;
     double log_mean = 0;
@@ -50,7 +50,7 @@ double beat_of(const Phasors& z) {
     return std::sqrt(std::max(left, 0.0) / weight);
 }
 
-ChannelMotion motion_of(const Phasors& z) {
+ChannelMotion motion_of(const ChannelRows& z) {
     std::complex<double> sum = 0;
     for (const auto& each : z) {
         sum += each * std::abs(each);
@@ -89,12 +89,13 @@ bool is_followed(const ChannelMotion& channel, const ChannelMotion& other) {
 
 }  // namespace
 
-std::optional<Diagnostic> mirrored_channel(const Phasors& c, const Phasors& d, double step_s) {
+std::optional<Diagnostic> mirrored_channel(const ChannelRows& c, const ChannelRows& d,
+                                           double step_s) {
     constexpr double alike = 0.25;
     constexpr double certain = 10;
     std::array<double, 2> rates{};
     for (const std::size_t channel : {0, 1}) {
-        const Phasors& z = channel == 0 ? c : d;
+        const ChannelRows& z = channel == 0 ? c : d;
         std::complex<double> sum = 0;
         for (std::size_t k = 1; k < z.size(); ++k) {
             sum += z[k] * std::conj(z[k - 1]);
@@ -117,7 +118,7 @@ std::optional<Diagnostic> mirrored_channel(const Phasors& c, const Phasors& d, d
     return std::nullopt;
 }
 
-std::optional<Diagnostic> followed_channel(const Phasors& c, const Phasors& d) {
+std::optional<Diagnostic> followed_channel(const ChannelRows& c, const ChannelRows& d) {
     constexpr std::size_t few = 50;
     if (c.size() < few) {
         return std::nullopt;
