@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -16,37 +17,36 @@ constexpr double missing_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view first_name = "chunk";
 constexpr std::size_t values_from = 4;  // place of the first one in a line
 
-void fill_up(std::vector<LaboneField>& fields) {
-    std::size_t longest = 0;
-    for (const LaboneField& field : fields) {
-        longest = std::max(longest, field.values.size());
-    }
-    for (LaboneField& field : fields) {
-        field.values.resize(longest, missing_value);
-    }
-}
+// Fields of all chunks so far.
+struct LaboneFields {
+    std::vector<LaboneField> each;
+    std::size_t before = 0;  // values of each before the present chunk
 
-void add_line(const std::vector<std::string_view>& parts, std::vector<LaboneField>& fields) {
-    const std::string name(trimmed(parts[values_from - 1]));
-    auto field = std::ranges::find(fields, name, &LaboneField::name);
-    if (field == fields.end()) {
-        // Chunks before this one did not have it.
-        std::size_t before = std::numeric_limits<std::size_t>::max();
-        for (const LaboneField& each : fields) {
-            before = std::min(before, each.values.size());
+    void begin_chunk() {
+        for (const LaboneField& field : each) {
+            before = std::max(before, field.values.size());
         }
-        fields.push_back({name, std::vector<double>(fields.empty() ? 0 : before, missing_value)});
-        field = std::prev(fields.end());
+        for (LaboneField& field : each) {
+            field.values.resize(before, missing_value);
+        }
     }
-    const auto size = parse_number(trimmed(parts[values_from - 2]));
-    const std::size_t count = parts.size() - values_from;
-    const std::size_t told = size && *size >= 0 && *size < static_cast<double>(count)
-                                 ? static_cast<std::size_t>(*size)
-                                 : count;
-    for (std::size_t k = values_from; k < values_from + told; ++k) {
-        field->values.push_back(parse_number(trimmed(parts[k])).value_or(missing_value));
+
+    void add(const std::vector<std::string_view>& parts) {
+        const std::string name(trimmed(parts[values_from - 1]));
+        auto field = std::ranges::find(each, name, &LaboneField::name);
+        if (field == each.end()) {
+            each.push_back({name, std::vector<double>(before, missing_value)});
+            field = std::prev(each.end());
+        }
+        const auto size = parse_number(trimmed(parts[values_from - 2]));
+        const std::size_t count = parts.size() - values_from;
+        const bool told = size && *size >= 0 && *size < static_cast<double>(count);
+        const std::size_t end = values_from + (told ? static_cast<std::size_t>(*size) : count);
+        for (std::size_t k = values_from; k < end; ++k) {
+            field->values.push_back(parse_number(trimmed(parts[k])).value_or(missing_value));
+        }
     }
-}
+};
 
 }  // namespace
 
@@ -59,9 +59,9 @@ Result<std::vector<LaboneField>> read_labone_rows(std::shared_ptr<const FileByte
                                                   const JobControl& job) {
     TextLines lines(file);
     const auto heading = TRY(lines.next());
-    std::vector<LaboneField> fields;
+    LaboneFields fields;
     if (!heading || heading->size() <= first_name.size()) {
-        return fields;
+        return std::move(fields.each);
     }
     const char delimiter = (*heading)[first_name.size()];
     std::string chunk;
@@ -84,16 +84,18 @@ Result<std::vector<LaboneField>> read_labone_rows(std::shared_ptr<const FileByte
         if (chunks == 0 || parts[0] != chunk) {
             chunk = parts[0];
             ++chunks;
-            fill_up(fields);
+            fields.begin_chunk();
         }
-        add_line(parts, fields);
+        fields.add(parts);
     }
-    fill_up(fields);
-    if (chunks > 1 && std::ranges::find(fields, "timestamp", &LaboneField::name) == fields.end()) {
+    fields.begin_chunk();
+    const bool timed =
+        std::ranges::find(fields.each, "timestamp", &LaboneField::name) != fields.each.end();
+    if (chunks > 1 && !timed) {
         return file->unsupported(
             "LabOne", VYBEG_MESSAGE("Words", "several chunks without a field timestamp"));
     }
-    return fields;
+    return std::move(fields.each);
 }
 
 }  // namespace vybeg
