@@ -349,7 +349,7 @@ QWidget* DriftPage::buildContent() {
     harmonics_section_ = addSection(*numbers, {harmonics_, agreement_});
     resonator_section_ = addSection(*numbers, {resonator_, statistical_});
     numbers->addStretch(1);
-    fill(new QHBoxLayout(content), {}, 4, {{plot_, 3}, {scrolled(numbers), 2}});
+    fill(new QHBoxLayout(content), {}, 4, {{plot_, 1}, {scrolled(numbers), 1}});
     return content;
 }
 
