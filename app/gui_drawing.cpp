@@ -335,7 +335,7 @@ bool is_whole(const Document& document) {
 // Sets that the session brings without a result that still holds.
 void identify_the_rest(Document& document) {
     for (const RecordingSet& set : document.sets().all()) {
-        if ((ui::isOfLogs(set) || !set.recordings.empty()) && !document.sets().outcome(set)) {
+        if (ui::hasMembers(set) && !document.sets().outcome(set)) {
             document.sets().identifySet(set.id);
         }
     }

@@ -21,6 +21,53 @@ bool sameRecordings(const std::vector<RecordingId>& a, const std::vector<Recordi
     return std::ranges::is_permutation(a, b);
 }
 
+// Likewise: the same files, read in the same way.
+bool sameLogs(const std::vector<RecordingRef>& a, const std::vector<RecordingRef>& b) {
+    return std::ranges::is_permutation(a, b,
+                                       [](const RecordingRef& one, const RecordingRef& other) {
+                                           return one.path == other.path && one.open == other.open;
+                                       });
+}
+
+std::vector<RecordingRef> logsOf(const RecordingSet& set) {
+    std::vector<RecordingRef> logs;
+    if (isOfLogs(set)) {
+        for (const auto& member : set.listed->members) {
+            logs.push_back(member.second.row);
+        }
+    }
+    return logs;
+}
+
+bool sameMembers(const RecordingSet& a, const RecordingSet& b) {
+    return sameRecordings(a.recordings, b.recordings) && sameLogs(logsOf(a), logsOf(b));
+}
+
+// Outcomes of one set, which has recordings or logs for good.
+bool sameMembers(const ResonatorOutcome& a, const ResonatorOutcome& b) {
+    return sameRecordings(a.recordings, b.recordings) &&
+           (!a.recordings.empty() || sameLogs(a.set.recordings, b.set.recordings));
+}
+
+bool isOf(const ResonatorOutcome& outcome, const RecordingSet& set) {
+    return isOfLogs(set) ? sameLogs(outcome.set.recordings, logsOf(set))
+                         : sameRecordings(outcome.recordings, set.recordings);
+}
+
+std::shared_ptr<const ListedSet> followingPanel(const ListedSet& listed) {
+    auto following = std::make_shared<ListedSet>(listed);
+    following->by_panel = true;
+    return following;
+}
+
+QStringList pathsOf(const MeasurementSet& set) {
+    QStringList paths;
+    for (const RecordingRef& recording : set.recordings) {
+        paths << QString::fromStdU16String(recording.path.u16string());
+    }
+    return paths;
+}
+
 bool contains(const std::vector<RecordingId>& ids, RecordingId id) {
     return std::ranges::find(ids, id) != ids.end();
 }
@@ -53,6 +100,15 @@ std::vector<RecordingId> openEachOnce(const MeasurementList& list, RecordingStor
     return recordings.openOnce(wanted);
 }
 
+// Logs hold no samples, and with a phase no carrier is searched.
+SignalSettings byPanel(SignalSettings of_log, const LogChoice& logs, const SettingsModel& panel) {
+    of_log.calibration = panel.settings().calibration;
+    of_log.calibration.offset_auto = false;
+    of_log.calibration.offset_c = of_log.calibration.offset_d = 0;
+    of_log.f0_hz = logs.without_phase() ? panel.settings().f0_hz : std::nullopt;
+    return of_log;
+}
+
 // All that belongs to the identification of a set: recordings with their conditions, and the
 // settings, which are those of its measurement list or of the panel. Precondition: its recordings
 // are open.
@@ -64,9 +120,14 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
     measured.settings.model = set.model;
     std::vector<SignalSettings> of_each;
     if (isOfLogs(set)) {
+        if (set.listed->by_panel) {
+            measured.settings.tolerance = settings.tolerance();
+        }
         for (const auto& log : set.listed->members) {
             measured.recordings.push_back(log.second.row);
-            of_each.push_back(log.second.signal);
+            of_each.push_back(set.listed->by_panel
+                                  ? byPanel(log.second.signal, measured.settings.logs, settings)
+                                  : log.second.signal);
         }
     }
     for (const RecordingId id : set.recordings) {
@@ -216,8 +277,7 @@ void SetStore::restore(const State& state) {
     std::vector<RecordingSet> sets = state.sets;
     for (RecordingSet& set : sets) {
         std::erase_if(set.recordings, [this](RecordingId id) { return !recordings_.find(id); });
-        if (const RecordingSet* now = find(set.id);
-            now && sameRecordings(now->recordings, set.recordings)) {
+        if (const RecordingSet* now = find(set.id); now && sameMembers(*now, set)) {
             set.outcomes = now->outcomes;
             set.kept = now->kept;
         } else {
@@ -289,7 +349,7 @@ void SetStore::setKept(SetId id, KeptResult kept) {
 
 void SetStore::edited(RecordingSet& set) {
     queue_.forget(queue_.keyOfSet(set.id));
-    if (!set.outcomes.empty() && !sameRecordings(set.outcomes.back()->recordings, set.recordings)) {
+    if (!set.outcomes.empty() && !isOf(*set.outcomes.back(), set)) {
         set.outcomes.erase(set.outcomes.begin(), set.outcomes.end() - 1);
     }
     emit changed();
@@ -397,19 +457,33 @@ void SetStore::open(const MeasurementList& list) {
     enter(std::move(sets), [] { return tr("sets of the list"); });
 }
 
-void SetStore::openLogs(MeasurementSet set) {
-    Calibration calibration = settings_.settings().calibration;
-    calibration.offset_auto = false;  // of samples
-    calibration.offset_c = calibration.offset_d = 0;
-    set.settings.signal.calibration = calibration;
-    set.settings.tolerance = settings_.tolerance();
-    QStringList paths;
-    for (const RecordingRef& log : set.recordings) {
-        paths << QString::fromStdU16String(log.path.u16string());
-    }
-    enter(openSets({{}, {std::move(set)}, {}}, recordings_), [] { return tr("open logs"); });
+void SetStore::openLogs(const MeasurementSet& set) {
+    std::vector<RecordingSet> sets = openSets({{}, {set}, {}}, recordings_);
+    sets.front().listed = followingPanel(*sets.front().listed);
+    enter(std::move(sets), [] { return tr("open logs"); });
     identifySet(current_);
-    emit opened(paths);
+    emit opened(pathsOf(set));
+}
+
+void SetStore::setLogs(SetId id, const MeasurementSet& set) {
+    RecordingSet* now = entry(id);
+    if (!now || !isOfLogs(*now)) {
+        return;
+    }
+    const QStringList before = pathsOf(measured(*now));
+    RecordingSet other = std::move(openSets({{}, {set}, {}}, recordings_).front());
+    other.listed = now->listed->by_panel ? followingPanel(*other.listed) : other.listed;
+    step([] { return tr("logs of the set"); },
+         [&] {
+             now->name = other.name;
+             now->listed = other.listed;
+             edited(*now);
+         });
+    QStringList further = pathsOf(set);
+    further.removeIf([&before](const QString& path) { return before.contains(path); });
+    if (!further.isEmpty()) {
+        emit opened(further);
+    }
 }
 
 void SetStore::enter(std::vector<RecordingSet> sets, UndoSteps::Words words) {
@@ -435,7 +509,7 @@ MeasurementSet SetStore::measured(const RecordingSet& set) const {
 bool SetStore::canIdentify() const {
     const RecordingSet* set = current();
     if (set && isOfLogs(*set)) {
-        return true;
+        return hasMembers(*set);
     }
     const std::vector<RecordingId> ids =
         set && !set->recordings.empty() ? set->recordings : recordings_.openedTogether();
@@ -486,7 +560,7 @@ void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
         RecordingSet& set = *entry(id);
         // Older ones of other recordings, or of the same settings, have no use any more.
         std::erase_if(set.outcomes, [&](const auto& older) {
-            return !sameRecordings(older->recordings, result->recordings) ||
+            return !sameMembers(*older, *result) ||
                    older->identification.settings == result->identification.settings;
         });
         set.outcomes.push_back(std::make_shared<const ResonatorOutcome>(std::move(*result)));
@@ -500,8 +574,7 @@ void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
 }
 
 bool SetStore::outOfDate(const RecordingSet& set, const ResonatorOutcome& outcome) const {
-    return !sameRecordings(outcome.recordings, set.recordings) ||
-           outcome.identification.settings != measured(set).settings;
+    return !isOf(outcome, set) || outcome.identification.settings != measured(set).settings;
 }
 
 std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RecordingSet& set) const {
@@ -520,6 +593,11 @@ KeptResult SetStore::kept(const RecordingSet& set) const {
 
 SetResult SetStore::underPresentConditions(const RecordingSet& set,
                                            const ResonatorOutcome& outcome) const {
+    if (isOfLogs(set)) {  // the list's conditions of a log do not change
+        SetResult result = outcome;
+        result.set.name = set.name.toStdString();
+        return result;
+    }
     RecordingSet ordered = set;
     ordered.recordings = outcome.recordings;
     SetResult result = outcome;
