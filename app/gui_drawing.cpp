@@ -17,6 +17,7 @@
 #include "core/output/output_file.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
+#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
 #include "core/track/events.h"
 #include "ui/document/document.h"

@@ -2005,7 +2005,7 @@
     </message>
     <message>
         <source>%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. A recording has a set of its own.</source>
-        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPZ, MAT или HDF5. У записи отдельный набор.</translation>
+        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPY, NPZ, MAT или HDF5. У записи отдельный набор.</translation>
     </message>
 </context>
 <context>

@@ -158,8 +158,7 @@ void SetPanel::refresh() {
     }
     facts << (of_logs && set->listed->by_panel
                   ? tr("Calibration and tolerances are those of the panel Analysis, which stands "
-                       "beside "
-                       "the page Tracks.")
+                       "beside the page Tracks.")
                   : tr("Settings and conditions are those of the measurement list; the panel "
                        "Analysis does not change them."));
     listed_->setText(facts.join(QLatin1Char(' ')));
