@@ -234,9 +234,10 @@ ROW(reference_follows, serious,
     VYBEG_MESSAGE("Message",
                   "%1: channel %2 beats in its amplitude and not in its phase, while the phase of "
                   "channel %3 turns: the reference follows channel %2, as that of a phase-locked "
-                  "loop does, and has taken its frequency away. The numbers do not hold. Give "
-                  "--phasors common with a column of the reference's frequency (F) or phase (P), "
-                  "or log with a fixed reference."))
+                  "loop does, and has taken its frequency away. The numbers do not hold. {Give "
+                  "--phasors common with|Choose phasors of an oscillator that moves, with} a "
+                  "column of the reference's frequency (F) or phase (P), or log with a fixed "
+                  "reference."))
 // Per cent of E^2.
 ROW(powers_apart, serious,
     VYBEG_MESSAGE("Message",

@@ -196,13 +196,10 @@ QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder) {
     }
     const Others others =
         listed.members.empty() ? Others() : listed.members.begin()->second.row.others;
-    QJsonObject json{{settings_key, settingsToJson(identify_settings(), listed.settings)},
-                     {columns_key, textsToJson(others, &Others::value_type::first)},
-                     {members_key, members}};
-    if (listed.by_panel) {
-        json[by_panel_key] = true;
-    }
-    return json;
+    return {{settings_key, settingsToJson(identify_settings(), listed.settings)},
+            {columns_key, textsToJson(others, &Others::value_type::first)},
+            {by_panel_key, listed.by_panel ? QJsonValue(true) : QJsonValue::Undefined},
+            {members_key, members}};
 }
 
 Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder) {
