@@ -17,6 +17,7 @@
 #include "core/output/output_file.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
+#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
 #include "core/track/events.h"
 #include "ui/document/document.h"
@@ -335,7 +336,7 @@ bool is_whole(const Document& document) {
 // Sets that the session brings without a result that still holds.
 void identify_the_rest(Document& document) {
     for (const RecordingSet& set : document.sets().all()) {
-        if ((ui::isOfLogs(set) || !set.recordings.empty()) && !document.sets().outcome(set)) {
+        if (ui::hasMembers(set) && !document.sets().outcome(set)) {
             document.sets().identifySet(set.id);
         }
     }

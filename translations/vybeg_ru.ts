@@ -1488,8 +1488,8 @@
         <translation>%1: окончание «%2» не из тех, с которыми здесь можно записать файл: %3.</translation>
     </message>
     <message>
-        <source>%1 is one of the open recordings, and stays as it is. Choose another name.</source>
-        <translation>%1 — одна из открытых записей; она не изменена. Выберите другое имя.</translation>
+        <source>%1 is one of the open files, and stays as it is. Choose another name.</source>
+        <translation>%1 — один из открытых файлов; он не изменён. Выберите другое имя.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. What has gone out there is incomplete.</source>
@@ -1876,6 +1876,10 @@
         <translation>%1: комплексные амплитуды C вращаются относительно опорной частоты на %2, а D — на %3, как если бы Y одного из каналов имел другой знак. Запишите оба канала с одним знаком Y или смените его знак в файле. Числа верны, только если опорная частота лежит посередине между двумя модами.</translation>
     </message>
     <message>
+        <source>%1: channel %2 beats in its amplitude and not in its phase, while the phase of channel %3 turns: the reference follows channel %2, as that of a phase-locked loop does, and has taken its frequency away. The numbers do not hold. {Give --phasors common with|Choose phasors of an oscillator that moves, with} a column of the reference&apos;s frequency (F) or phase (P), or log with a fixed reference.</source>
+        <translation>%1: в канале %2 биения видны по амплитуде, но не по фазе, а фаза канала %3 поворачивается: опорный сигнал следует за каналом %2, как в петле ФАПЧ, и его частота потеряна. Числа неверны. Выберите комплексные амплитуды относительно перестраиваемого генератора и укажите столбец частоты (F) или фазы (P) опорного сигнала либо записывайте с неподвижной опорной частотой.</translation>
+    </message>
+    <message>
         <source>%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than noise explains: a column has an offset, or a gain of its own, or the wave turns far within a row. The numbers may be off by more than their uncertainties. Calibrate the columns, or log faster.</source>
         <translation>%1: около %3 с сумма R² + S² + Q² отличается от E² на %2 %, больше, чем объясняет шум: в столбце есть сдвиг или своё усиление, либо за одну строку волна поворачивается далеко. Числа могут быть неверны больше, чем на свои неопределённости. Откалибруйте столбцы или записывайте журнал чаще.</translation>
     </message>
@@ -1928,6 +1932,10 @@
         <translation>%1: указана частота дискретизации %2 Гц, а по столбцу времени она равна %3 Гц. Выберите единицу времени или задайте верную из двух частот.</translation>
     </message>
     <message>
+        <source>%1 holds no channel: it has no column or variable of several numbers that is no time. A recording holds the two pick-offs C and D.</source>
+        <translation>%1: каналов нет: ни в одном столбце и ни в одной переменной, кроме времени, нет нескольких чисел. В записи два измерительных канала, C и D.</translation>
+    </message>
+    <message>
         <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import (%4)}.</source>
         <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, перетащите в окно оба файла вместе или выберите его в окне «Импорт» (%4).</translation>
     </message>
@@ -1952,8 +1960,8 @@
         <translation>%1: столбца «%2» нет; в файле есть %3. Назовите другие.</translation>
     </message>
     <message>
-        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. {Give it with --angle-unit: deg or rad|Choose degrees or radians}.</source>
-        <translation>%1: в столбце «%2» не указана единица углов. Выберите градусы или радианы.</translation>
+        <source>%1: column &quot;%2&quot; does not tell the unit of its angles. {Give it with --angle-unit: deg, rad or cyc|Choose degrees, radians or turns}.</source>
+        <translation>%1: в столбце «%2» не указана единица углов. Выберите градусы, радианы или обороты.</translation>
     </message>
     <message>
         <source>%1: the wave turns by %2 degrees, too little to tell the second and the fourth harmonic of the drift from the turn itself. Let it turn by 180 degrees or more.</source>
@@ -1964,8 +1972,8 @@
         <translation>%1: сумма R² + S² + Q² составляет %2 % от E², а должна быть равна E². Один из столбцов записан в других единицах или содержит другую величину: E — это |c|² + |d|², R — |c|² − |d|², S и Q — удвоенные действительная и мнимая части c d*.</translation>
     </message>
     <message>
-        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. {Give it with --angle-unit: deg or rad|Choose degrees or radians}.</source>
-        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Выберите градусы или радианы.</translation>
+        <source>%1: each time the angle reaches an end, it comes back by %2 degrees. A wave&apos;s angle comes back by 90, 180 or 360 degrees, so its unit is another one. {Give it with --angle-unit: deg, rad or cyc|Choose degrees, radians or turns}.</source>
+        <translation>%1: дойдя до края, угол каждый раз возвращается на %2 градуса. Угол волны возвращается на 90, 180 или 360 градусов, так что единица у него другая. Выберите градусы, радианы или обороты.</translation>
     </message>
     <message>
         <source>%1: the wave turns by 45 degrees or more from row to row, and its angle is wrapped: how far it turned is unknown. Log it faster, or write down the whole angle.</source>
@@ -1996,8 +2004,8 @@
         <translation>%1 — журнал интегрирующего режима, а не запись: в нём угол стоячей волны по времени. Его открывает страница «Дрейф».</translation>
     </message>
     <message>
-        <source>%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording has a set of its own.</source>
-        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPZ, MAT или HDF5. У записи отдельный набор.</translation>
+        <source>%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. A recording has a set of its own.</source>
+        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPY, NPZ, MAT или HDF5. У записи отдельный набор.</translation>
     </message>
 </context>
 <context>
@@ -4499,6 +4507,14 @@
         <translation>отсчёты с кадра %1 не декодируются</translation>
     </message>
     <message>
+        <source>several chunks without a field timestamp</source>
+        <translation>несколько частей (chunk) без поля timestamp</translation>
+    </message>
+    <message>
+        <source>times that do not rise: name their column as t in --columns</source>
+        <translation>времена, которые не возрастают: назовите их столбец t в --columns</translation>
+    </message>
+    <message>
         <source>%1 is missing</source>
         <translation>нет %1</translation>
     </message>
@@ -5332,6 +5348,66 @@
 </context>
 <context>
     <name>vybeg::ui::DriftPanel</name>
+    <message>
+        <source>turns</source>
+        <translation>обороты</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Разделитель</translation>
+    </message>
+    <message>
+        <source>What stands between the columns of a text file</source>
+        <translation>Что стоит между столбцами текстового файла</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>запятая</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>точка с запятой</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>табуляция</translation>
+    </message>
+    <message>
+        <source>spaces</source>
+        <translation>пробелы</translation>
+    </message>
+    <message>
+        <source>vertical bar</source>
+        <translation>вертикальная черта</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Десятичный знак</translation>
+    </message>
+    <message>
+        <source>Of the numbers in a text file</source>
+        <translation>Чисел в текстовом файле</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>точка</translation>
+    </message>
+    <message>
+        <source>Lines to skip</source>
+        <translation>Пропустить строк</translation>
+    </message>
+    <message>
+        <source>Lines of a text file above its first row of numbers</source>
+        <translation>Строк текстового файла над первой строкой чисел</translation>
+    </message>
+    <message>
+        <source>Time column</source>
+        <translation>Столбец времени</translation>
+    </message>
+    <message>
+        <source>Column of a text file that is the time, counted from 1; 0: none</source>
+        <translation>Столбец текстового файла, в котором время, считая с 1; 0: нет</translation>
+    </message>
     <message>
         <source>Drop whole-angle logs of one gyro here</source>
         <translation>Перетащите сюда журналы интегрирующего режима одного гироскопа</translation>
@@ -6599,6 +6675,10 @@
 <context>
     <name>vybeg::ui::LogDialog</name>
     <message>
+        <source>turns</source>
+        <translation>обороты</translation>
+    </message>
+    <message>
         <source>Its columns are not known by their names: choose what they are.</source>
         <translation>По именам столбцы не распознаны: выберите, что в них.</translation>
     </message>
@@ -6641,6 +6721,10 @@
     <message>
         <source>Open logs</source>
         <translation>Открыть журналы</translation>
+    </message>
+    <message>
+        <source>Logs of the set</source>
+        <translation>Журналы набора</translation>
     </message>
     <message>
         <source>choose…</source>
@@ -6851,6 +6935,18 @@
     <message>
         <source>Tools</source>
         <translation>Инструменты</translation>
+    </message>
+    <message>
+        <source>No recording is open, and this page is about recordings. Open are:</source>
+        <translation>Записи не открыты, а эта страница — о записях. Открыто:</translation>
+    </message>
+    <message>
+        <source>%1: page %2</source>
+        <translation>%1: страница %2</translation>
+    </message>
+    <message>
+        <source>whole-angle logs %1: page %2</source>
+        <translation>журналы интегрирующего режима %1: страница %2</translation>
     </message>
 </context>
 <context>
@@ -7362,8 +7458,24 @@
         <translation>Подобрать один резонатор по всем записям набора; если набор пуст — по текущей записи и открытым вместе с ней (F7)</translation>
     </message>
     <message>
-        <source>Logs, read with %1. To tell it otherwise, open them again.</source>
-        <translation>Журналы, прочитаны с %1. Чтобы указать иначе, откройте их снова.</translation>
+        <source>Logs, read with %1.</source>
+        <translation>Журналы, прочитаны с %1.</translation>
+    </message>
+    <message>
+        <source>Calibration and tolerances are those of the panel Analysis, which stands beside the page Tracks.</source>
+        <translation>Калибровка и допуски взяты из панели «Обработка», которая стоит у страницы «Ряды».</translation>
+    </message>
+    <message>
+        <source>Drop logs of the resonator here</source>
+        <translation>Перетащите сюда журналы резонатора</translation>
+    </message>
+    <message>
+        <source>Logs…</source>
+        <translation>Журналы…</translation>
+    </message>
+    <message>
+        <source>Add logs to the set, take some out, or tell otherwise what they are</source>
+        <translation>Добавить журналы в набор, убрать их или указать иначе, что в них</translation>
     </message>
 </context>
 <context>
@@ -7399,6 +7511,10 @@
     <message>
         <source>open logs</source>
         <translation>открыть журналы</translation>
+    </message>
+    <message>
+        <source>logs of the set</source>
+        <translation>журналы набора</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "core/analysis/phasor_log.h"
 
+#include "core/analysis/frame_check.h"
 #include "core/analysis/power_log.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
@@ -301,35 +302,6 @@ void drop_missing(LogRows& rows) {
     rows.d.resize(kept);
 }
 
-// Both channels hold the same two modes: only with a sign of Y of their own, or with the reference
-// just between modes each of which is in one channel, do they turn against each other.
-void look_for_mirror(double step_s, LogRows& rows) {
-    constexpr double alike = 0.25;
-    constexpr double certain = 10;
-    std::array<double, 2> rates{};
-    for (const std::size_t channel : {0, 1}) {
-        const std::vector<Complex>& z = channel == 0 ? rows.c : rows.d;
-        Complex sum = 0;
-        for (std::size_t k = 1; k < z.size(); ++k) {
-            sum += z[k] * std::conj(z[k - 1]);
-        }
-        double across = 0;
-        for (std::size_t k = 1; k < z.size(); ++k) {
-            const double off = (z[k] * std::conj(z[k - 1]) * std::conj(sum)).imag();
-            across += off * off;
-        }
-        const double angle = std::arg(sum);
-        if (std::abs(angle) < certain * std::sqrt(across) / std::norm(sum)) {
-            return;
-        }
-        rates[channel] = angle / (2 * pi * step_s);
-    }
-    if (std::abs(rates[0] + rates[1]) < alike * std::abs(rates[0] - rates[1])) {
-        rows.warnings.push_back({DiagnosticKind::phasors_mirrored,
-                                 {number_arg(rates[0], 3, "Hz"), number_arg(rates[1], 3, "Hz")}});
-    }
-}
-
 // Brings the reference to the mean frequency: a mean over rows that turn is smaller than they are.
 void centre(double step_s, LogRows& rows) {
     Complex sum = 0;
@@ -516,9 +488,24 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     for (double& t : rows.time_s) {
         t -= filter.delay_s();
     }
+    const auto rows_in = [&](double window_s) {
+        return std::clamp<std::size_t>(
+            static_cast<std::size_t>(std::lround(window_s / step_s)), 1,
+            std::max<std::size_t>(rows.time_s.size() / least_windows, 1));
+    };
+    // The noise shows where that of neighbours is not the same.
+    const std::size_t apart = rows_in(std::max(usual_window_s, settled * filter.delay_s()));
     PhasorLog log;
-    look_for_mirror(step_s, rows);
     log.warnings = std::move(rows.warnings);
+    if (auto mirrored = mirrored_channel(rows.c, rows.d, step_s)) {
+        log.warnings.push_back(std::move(*mirrored));
+    }
+    if (choice.phasors.frame != PhasorFrame::pll) {
+        const PhasorRun as_referred = windows_of_rows(rows, apart, step_s);
+        if (auto followed = followed_channel(as_referred.c, as_referred.d)) {
+            log.warnings.push_back(std::move(*followed));
+        }
+    }
     centre(step_s, rows);
     if (choice.phasors.frame == PhasorFrame::fixed) {
         const Complex response = filter.response(rows.f_ref_hz - told_hz);
@@ -528,13 +515,6 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
         }
     }
     calibrate(signal.calibration, rows);
-    const auto rows_in = [&](double window_s) {
-        return std::clamp<std::size_t>(
-            static_cast<std::size_t>(std::lround(window_s / step_s)), 1,
-            std::max<std::size_t>(rows.time_s.size() / least_windows, 1));
-    };
-    // The noise shows where that of neighbours is not the same.
-    const std::size_t apart = rows_in(std::max(usual_window_s, settled * filter.delay_s()));
     const PhasorRun settled_run = windows_of_rows(rows, apart, step_s);
     const auto [settled_correlation, settled_share] = correlation_of(filter, apart, step_s);
     const double neighbours = settled_correlation.size() > 1 ? settled_correlation[1] : 0;

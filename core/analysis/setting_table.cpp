@@ -287,11 +287,12 @@ Rows<S> log_rows(Part part) {
             [](const std::string& from) { return Result(from == not_set ? std::string() : from); },
             [](const std::string& names) { return names.empty() ? not_set : names; }, any_value),
         choice_row<S>(
-            {"angle-unit", "deg|rad", "Unit of theta where the file does not tell it"},
+            {"angle-unit", "deg|rad|cyc",
+             "Unit of theta, or of the phases, where the file does not tell it; cyc: whole turns"},
             [=](auto& s) -> auto& { return part(s).rad_per_angle_unit; },
             std::array{std::pair{not_set.c_str(), 0.0}, std::pair{"deg", std::numbers::pi / 180},
-                       std::pair{"rad", 1.0}},
-            "it is deg or rad"),
+                       std::pair{"rad", 1.0}, std::pair{"cyc", 2 * std::numbers::pi}},
+            "it is deg, rad or cyc"),
         choice_row<S>(
             {"phasors", "fixed|common|pll",
              "The files are logs of a lock-in or a phasemeter, with the columns Xc,Yc,Xd,Yd: "

@@ -230,6 +230,14 @@ ROW(phasors_mirrored, serious,
         "%1: the phasors of C turn at %2 from the reference, those of D at %3, as if Y of one had "
         "the other sign. Export both channels with one sign of Y, or exchange its sign in the "
         "file. The numbers hold only if the reference lies in the middle between two modes."))
+ROW(reference_follows, serious,
+    VYBEG_MESSAGE("Message",
+                  "%1: channel %2 beats in its amplitude and not in its phase, while the phase of "
+                  "channel %3 turns: the reference follows channel %2, as that of a phase-locked "
+                  "loop does, and has taken its frequency away. The numbers do not hold. {Give "
+                  "--phasors common with|Choose phasors of an oscillator that moves, with} a "
+                  "column of the reference's frequency (F) or phase (P), or log with a fixed "
+                  "reference."))
 // Per cent of E^2.
 ROW(powers_apart, serious,
     VYBEG_MESSAGE("Message",

@@ -65,6 +65,10 @@ ROW(text_lines_missing, bad_input,
     VYBEG_MESSAGE("Message", "%1: %2 lines are to be skipped, and the file has only %3."))
 ROW(column_out_of_range, bad_input,
     VYBEG_MESSAGE("Message", "%1: there is no column %2 to be the time; the file has %3."))
+ROW(no_channels, bad_input,
+    VYBEG_MESSAGE("Message",
+                  "%1 holds no channel: it has no column or variable of several numbers that is no "
+                  "time. A recording holds the two pick-offs C and D."))
 // %4: a file that may hold the other channel.
 ROW(too_few_channels, bad_input,
     VYBEG_MESSAGE("Message",
@@ -111,7 +115,7 @@ ROW(column_missing, bad_input,
 ROW(angle_unit_unknown, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1: column \"%2\" does not tell the unit of its angles. {Give it with "
-                  "--angle-unit: deg or rad|Choose degrees or radians}."))
+                  "--angle-unit: deg, rad or cyc|Choose degrees, radians or turns}."))
 // %2: what it holds in place of samples; %3: options to read it with.
 ROW(holds_log, bad_input,
     VYBEG_MESSAGE(
@@ -126,8 +130,8 @@ ROW(holds_angle, bad_input,
                   "over time. The {command drift reads|page Drift opens} it."))
 ROW(no_log, bad_input,
     VYBEG_MESSAGE("Message",
-                  "%1 is no log: logs are tables as text, NPZ, MAT or HDF5. A recording has a set "
-                  "of its own."))
+                  "%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. A recording has a "
+                  "set of its own."))
 ROW(file_changed, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1 changed while it was read: its size or the time of its last change is "
@@ -215,7 +219,7 @@ ROW(angle_unit_wrong, impossible,
     VYBEG_MESSAGE("Message",
                   "%1: each time the angle reaches an end, it comes back by %2 degrees. A wave's "
                   "angle comes back by 90, 180 or 360 degrees, so its unit is another one. {Give "
-                  "it with --angle-unit: deg or rad|Choose degrees or radians}."))
+                  "it with --angle-unit: deg, rad or cyc|Choose degrees, radians or turns}."))
 ROW(turn_too_fast, impossible,
     VYBEG_MESSAGE(
         "Message",
@@ -255,7 +259,7 @@ ROW(output_format_unknown, no_output,
                   "%1: the ending \"%2\" is none of those that can be written here: %3."))
 ROW(output_is_recording, no_output,
     VYBEG_MESSAGE("Message",
-                  "%1 is one of the open recordings, and stays as it is. Choose another name."))
+                  "%1 is one of the open files, and stays as it is. Choose another name."))
 // A part has gone out to a device or a pipe.
 ROW(output_incomplete, no_output,
     VYBEG_MESSAGE("Message", "%1 cannot be written: %2. What has gone out there is incomplete."))

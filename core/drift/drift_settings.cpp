@@ -29,10 +29,12 @@ Row columns_row() {
 
 Row angle_unit_row() {
     return choice_row<DriftSettings>(
-        {"angle-unit", "deg|rad", "Unit of theta where the file does not tell it"},
+        {"angle-unit", "deg|rad|cyc",
+         "Unit of theta where the file does not tell it; cyc: whole turns"},
         [](auto& s) -> auto& { return s.reading.rad_per_angle_unit; },
-        std::array{std::pair{"deg", std::numbers::pi / 180}, std::pair{"rad", 1.0}},
-        "it is deg or rad");
+        std::array{std::pair{"deg", std::numbers::pi / 180}, std::pair{"rad", 1.0},
+                   std::pair{"cyc", 2 * std::numbers::pi}},
+        "it is deg, rad or cyc");
 }
 
 // Gain ratio and skew, which the drift of an angle knows.

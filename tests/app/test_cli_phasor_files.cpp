@@ -73,6 +73,42 @@ private slots:
         }
     }
 
+    // LabOne's long form: a line for each field, with its values side by side.
+    void fields_of_labone_stand_in_lines() {
+        const QByteArray both = log_of_run(0, {4, 30, 150}, Frame::fixed);
+        write("lines.csv", both);
+        for (const int channel : {0, 1}) {
+            QByteArray x = "0;700000000000;100000;x";
+            QByteArray y = "0;700000000000;100000;y";
+            QByteArray ticks = "0;700000000000;100000;timestamp";
+            for (const QByteArray& line : both.split('\n').mid(1)) {
+                const QList<QByteArray> f = line.split(',');
+                if (f.size() >= 5) {
+                    x += ';' + f[1 + 2 * channel];
+                    y += ';' + f[2 + 2 * channel];
+                    ticks +=
+                        ';' + QByteArray::number(7e11 + std::round(f[0].toDouble() * 6e7), 'f', 0);
+                }
+            }
+            write(QString("dev1_demods_%1_long.csv").arg(channel),
+                  "chunk;timestamp;size;fieldname;v0\n" + x + '\n' + y + '\n' + ticks + '\n');
+        }
+        const QStringList choice =
+            words("identify -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak");
+        const auto tau = [&](const QStringList& files) {
+            const Outcome read = run(choice + files);
+            if (read.status != 0) {
+                qWarning("%s", read.err.constData());
+            }
+            return json_of(read)["runs"][0]["wave"]["tau_s"].toObject();
+        };
+        const QJsonObject told = tau({"lines.csv"});
+        const QJsonObject found = tau({"dev1_demods_0_long.csv", "--channel-d",
+                                       "dev1_demods_1_long.csv", "--rate", "222.22"});
+        VYBEG_CLOSE(found["value"].toDouble(), told["value"].toDouble(),
+                    0.1 * told["sd"].toDouble());
+    }
+
     // The rest of the longer one was left out without a word.
     void a_channel_that_ends_earlier_is_told() {
         QByteArray c = "t,X,Y\n";
@@ -202,6 +238,42 @@ private slots:
         QVERIFY2(told.err.contains("as if Y of one had the other sign"), told.err);
     }
 
+    // An oscillator locked to one channel: what turns of it stands nowhere in the file.
+    void a_reference_that_follows_a_channel_is_told_data() {
+        QTest::addColumn<bool>("of_d");
+        QTest::newRow("C") << false;
+        QTest::newRow("D") << true;
+    }
+    void a_reference_that_follows_a_channel_is_told() {
+        QFETCH(bool, of_d);
+        const QByteArray log = log_of_run(0, {4, 30, 150}, Frame::fixed);
+        QList<QByteArray> lines = log.split('\n');
+        Complex loop = 0;
+        for (qsizetype row = 1; row + 1 < lines.size(); ++row) {
+            QList<QByteArray> fields = lines[row].split(',');
+            const Complex c(fields[1].toDouble(), fields[2].toDouble());
+            const Complex d(fields[3].toDouble(), fields[4].toDouble());
+            // Follows within three rows, and not the noise of each.
+            const Complex& followed = of_d ? d : c;
+            loop = row == 1 ? followed : loop + (followed - loop) / 3.0;
+            const Complex back = std::conj(loop / std::abs(loop));
+            const std::vector<double> values{(c * back).real(), (c * back).imag(),
+                                             (d * back).real(), (d * back).imag()};
+            for (qsizetype k = 0; k < 4; ++k) {
+                fields[k + 1] = QByteArray::number(values[static_cast<std::size_t>(k)], 'g', 15);
+            }
+            lines[row] = fields.join(',');
+        }
+        write("followed.csv", lines.join('\n'));
+        const Outcome told = identify_fixed({"followed.csv"}, {"--lock-in", "4,30Hz"});
+        const char* const channel =
+            of_d ? "the reference follows channel D" : "the reference follows channel C";
+        QVERIFY2(told.err.contains(channel), told.err);
+        write("free.csv", log);
+        const Outcome free = identify_fixed({"free.csv"}, {"--lock-in", "4,30Hz"});
+        QVERIFY2(!free.err.contains("reference follows"), free.err);
+    }
+
     void noise_is_no_wave() {
         QByteArray noise = "t,Xc,Yc,Xd,Yd\n";
         std::mt19937 generator(7);
@@ -243,8 +315,88 @@ private slots:
         const double f_hz = run["wave"]["f_hz"]["value"].toDouble();
         // The mean of the whole log; the frequency wanders by some mHz.
         VYBEG_LESS(std::abs(f_hz - 250000.0176), 3e-3);
+        // Means of the file: 0.09134 and 0.09031 V.
+        const Outcome track = this->run({"analyze", zip, "-o", "-", "--phasors", "pll", "--y-sign",
+                                         "+", "--amplitude", "peak", "--to", "60"});
+        VYBEG_EQUAL(track.status, 0, track.err);
+        double c = 0;
+        double d = 0;
+        int rows = 0;
+        for (const QByteArray& line : track.out.split('\n')) {
+            const QList<QByteArray> f = line.split(',');
+            if (line.startsWith('#') || f.size() < 4 || std::isnan(f[3].toDouble())) {
+                continue;
+            }
+            const double a = f[1].toDouble();
+            const double b = f[2].toDouble();
+            const double angle = f[3].toDouble();
+            if (a > 0) {
+                c += std::hypot(a * std::cos(angle), b * std::sin(angle));
+                d += std::hypot(a * std::sin(angle), b * std::cos(angle));
+                ++rows;
+            }
+        }
+        VYBEG_AT_LEAST(rows, 1000);
+        VYBEG_CLOSE(c / rows, 0.09134, 2e-5);
+        VYBEG_CLOSE(d / rows, 0.09031, 2e-5);
         const QJsonObject input = json_of(read)["inputs"][0].toObject();
         VYBEG_LESS(std::abs(input["rate_hz"].toDouble() - 37.2529), 1e-3);
+    }
+
+    // Moku's converter names the columns in MAT, and in NPY none: as it writes them.
+    void arrays_of_moku() {
+        const LockIn lock_in{4, 30, 150};
+        write("moku.csv", log_of_run(0, lock_in, Frame::pll));
+        run_python(folder_.path().toStdString(), QStringLiteral(R"(
+import scipy.io
+log = np.loadtxt('moku.csv', delimiter=',', skiprows=1)
+t, xc, yc, xd, yd, pc, pd = log.T
+f = np.full(len(t), 5300.1)
+data = np.column_stack([t, f, f, pc, xc, yc, f, f, pd, xd, yd])
+names = ['Time (s)']
+for k in (1, 2):
+    names += [f'Input {k} {what}' for what in
+              ('Set Frequency (Hz)', 'Frequency (Hz)', 'Phase (cyc)', 'I (V)', 'Q (V)')]
+scipy.io.savemat('MokuPhasemeterData.mat', {'moku': {
+    'comment': '% Moku:Pro Phasemeter\r\n% ' + ', '.join(names) + '\r\n', 'data': data,
+    'legend': np.array(names, dtype=object), 'version': '3.3', 'timestamp': '2026-01-01'}})
+header = str({'descr': '<f8', 'fortran_order': False, 'shape': data.shape})
+with open('MokuPhasemeterData.npy', 'wb') as out:
+    out.write(b'\x93NUMPY\x01\x00' + (86).to_bytes(2, 'little') + header.encode().ljust(85) +
+              b'\n' + data.tobytes())
+np.save('plain.npy', data)
+)"));
+        const QStringList choice =
+            words("identify -o - --phasors pll --y-sign + --amplitude peak --f-ref 5300.1");
+        const auto wave = [&](const QStringList& more) {
+            const Outcome read = run(choice + more);
+            if (read.status != 0) {
+                qWarning("%s", read.err.constData());
+            }
+            return json_of(read)["runs"][0]["wave"].toObject();
+        };
+        const QJsonObject told = wave({"moku.csv"});
+        for (const QString ending : {"mat", "npy"}) {
+            const QString file = "MokuPhasemeterData." + ending;
+            const QJsonObject found = wave({file});
+            for (const QString name : {"f_hz", "tau_s"}) {
+                const double sd = told[name]["sd"].toDouble();
+                VYBEG_CLOSE(found[name]["value"].toDouble(), told[name]["value"].toDouble(),
+                            0.01 * sd);
+            }
+            // As recordings they are none.
+            const Outcome refused = run({"info", file});
+            QCOMPARE(refused.status, 3);
+            QVERIFY2(refused.err.contains("it holds phasors"), refused.err);
+        }
+        // An array of another program has no names: they are told by numbers.
+        const Outcome untold = run(choice + QStringList{"plain.npy"});
+        QCOMPARE(untold.status, 3);
+        QVERIFY2(untold.err.contains("there is no column"), untold.err);
+        const QJsonObject found =
+            wave(words("plain.npy --columns t=1,Xc=5,Yc=6,Pc=4,Xd=10,Yd=11,Pd=9 --angle-unit cyc"));
+        VYBEG_CLOSE(found["tau_s"]["value"].toDouble(), told["tau_s"]["value"].toDouble(),
+                    0.01 * told["tau_s"]["sd"].toDouble());
     }
 
     // /000/dev3000/demods/0/sample/x of HDF5, dev3000.demods(1).sample.x of MAT.

@@ -232,8 +232,10 @@ flat = {'C': c, 'D': d, 'fs': fs, 'x': np.arange(9, dtype='i2')}
 sio.savemat('v4', flat, format='4')
 sio.savemat('v5', run)
 sio.savemat('v7', run, do_compression=True)
+sio.savemat('legend', {'moku': {'data': np.stack([c, d], 1), 'fs': fs,
+                                'legend': np.array(['A (V)', 'B (V)'], object)}})
 )",
-                        {"v4", "v5", "v7"});
+                        {"v4", "v5", "v7", "legend"});
 }
 
 Files mat73_files() {

@@ -149,9 +149,15 @@ void Document::openAngleLogs(int together) {
 
 void Document::openIntoSet(const QStringList& paths) {
     Arriving arriving{sets_.current() ? sets_.current()->id : SetId::none, {}};
+    const bool of_logs = sets_.current() && isOfLogs(*sets_.current());
+    QStringList logs;
     for (const QString& path : paths) {
         if (is_measurement_list(path.toStdU16String())) {
             sets_.openList(path, {});
+            continue;
+        }
+        if (of_logs) {
+            logs << path;
             continue;
         }
         const RecordingEntry* open = recordings_.findPath(QFileInfo(path).absoluteFilePath());
@@ -162,6 +168,9 @@ void Document::openIntoSet(const QStringList& paths) {
         if (std::ranges::find(arriving.ids, open->id) == arriving.ids.end()) {
             arriving.ids.push_back(open->id);
         }
+    }
+    if (!logs.isEmpty()) {
+        askForLogs(arriving.into, logs);
     }
     arriving_.push_back(std::move(arriving));
     takeArrived();

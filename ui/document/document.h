@@ -100,8 +100,10 @@ public:
     const DossierModel& dossier() const { return dossier_; }
 
     // Files from outside into the current set, once they are open: one that is no recording leaves
-    // the set as it is.
+    // the set as it is. Those for a set of logs are asked about.
     void openIntoSet(const QStringList& paths);
+    // What the logs of a set are, with further ones.
+    void askForLogs(SetId id, const QStringList& further = {}) { emit logsWanted(id, further); }
     SetStore& sets() { return sets_; }
     const SetStore& sets() const { return sets_; }
 
@@ -126,6 +128,7 @@ signals:
     void finished(AnalysisId analysis_id, double seconds);
     void opened(const QString& path);
     void foundLog(const QString& path);  // a file that was to be opened as a recording
+    void logsWanted(SetId id, const QStringList& further);
     void reported(const Message& message);
     void settled(Topic topic);  // messages of this topic hold no more
 

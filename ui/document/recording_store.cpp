@@ -25,6 +25,7 @@ bool isFixableByImportOptions(ErrorCode code) {
         case ErrorCode::text_no_table:
         case ErrorCode::text_lines_missing:
         case ErrorCode::column_out_of_range:
+        case ErrorCode::no_channels:
         case ErrorCode::too_few_channels:
         case ErrorCode::parts_differ:
         case ErrorCode::rates_differ:

@@ -4,8 +4,8 @@
 #include "core/output/identify_json.h"
 #include "core/output/output_file.h"
 #include "core/output/passport_json.h"
+#include "ui/document/measured_set.h"
 
-#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -21,120 +21,55 @@ bool sameRecordings(const std::vector<RecordingId>& a, const std::vector<Recordi
     return std::ranges::is_permutation(a, b);
 }
 
+// Likewise: the same files, read in the same way.
+bool sameLogs(const std::vector<RecordingRef>& a, const std::vector<RecordingRef>& b) {
+    return std::ranges::is_permutation(a, b,
+                                       [](const RecordingRef& one, const RecordingRef& other) {
+                                           return one.path == other.path && one.open == other.open;
+                                       });
+}
+
+std::vector<RecordingRef> logsOf(const RecordingSet& set) {
+    std::vector<RecordingRef> logs;
+    if (isOfLogs(set)) {
+        for (const auto& member : set.listed->members) {
+            logs.push_back(member.second.row);
+        }
+    }
+    return logs;
+}
+
+bool sameMembers(const RecordingSet& a, const RecordingSet& b) {
+    return sameRecordings(a.recordings, b.recordings) && sameLogs(logsOf(a), logsOf(b));
+}
+
+// Outcomes of one set, which has recordings or logs for good.
+bool sameMembers(const ResonatorOutcome& a, const ResonatorOutcome& b) {
+    return sameRecordings(a.recordings, b.recordings) &&
+           (!a.recordings.empty() || sameLogs(a.set.recordings, b.set.recordings));
+}
+
+bool isOf(const ResonatorOutcome& outcome, const RecordingSet& set) {
+    return isOfLogs(set) ? sameLogs(outcome.set.recordings, logsOf(set))
+                         : sameRecordings(outcome.recordings, set.recordings);
+}
+
+std::shared_ptr<const ListedSet> followingPanel(const ListedSet& listed) {
+    auto following = std::make_shared<ListedSet>(listed);
+    following->by_panel = true;
+    return following;
+}
+
+QStringList pathsOf(const MeasurementSet& set) {
+    QStringList paths;
+    for (const RecordingRef& recording : set.recordings) {
+        paths << QString::fromStdU16String(recording.path.u16string());
+    }
+    return paths;
+}
+
 bool contains(const std::vector<RecordingId>& ids, RecordingId id) {
     return std::ranges::find(ids, id) != ids.end();
-}
-
-// The window is the identification's own: that of the tracks has another purpose.
-IdentifySettings settingsOfPanel(const SettingsModel& settings) {
-    IdentifySettings own;
-    own.signal = settings.settings();
-    own.tolerance = settings.tolerance();
-    return own;
-}
-
-RecordingRef rowOf(const RecordingEntry& entry) {
-    return {entry.name.toStdString(), entry.path.toStdU16String(), entry.options};
-}
-
-// Ids of the recordings of all sets of recordings in their order; those that are not open yet are
-// opened together.
-std::vector<RecordingId> openEachOnce(const MeasurementList& list, RecordingStore& recordings) {
-    std::vector<RecordingToOpen> wanted;
-    for (const MeasurementSet& set : list.sets) {
-        if (set.settings.logs.given()) {
-            continue;
-        }
-        for (const RecordingRef& row : set.recordings) {
-            const QString path = QString::fromStdU16String(row.path.u16string());
-            wanted.push_back({QDir::cleanPath(QFileInfo(path).absoluteFilePath()), row.open});
-        }
-    }
-    return recordings.openOnce(wanted);
-}
-
-// All that belongs to the identification of a set: recordings with their conditions, and the
-// settings, which are those of its measurement list or of the panel. Precondition: its recordings
-// are open.
-MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& settings,
-                             const RecordingStore& recordings) {
-    MeasurementSet measured;
-    measured.name = set.name.toStdString();
-    measured.settings = set.listed ? set.listed->settings : settingsOfPanel(settings);
-    measured.settings.model = set.model;
-    std::vector<SignalSettings> of_each;
-    if (isOfLogs(set)) {
-        for (const auto& log : set.listed->members) {
-            measured.recordings.push_back(log.second.row);
-            of_each.push_back(log.second.signal);
-        }
-    }
-    for (const RecordingId id : set.recordings) {
-        const ListedMember* listed = nullptr;
-        if (set.listed) {
-            const auto found = set.listed->members.find(id);
-            listed = found == set.listed->members.end() ? nullptr : &found->second;
-        }
-        const RecordingEntry& entry = *recordings.find(id);
-        measured.recordings.push_back(listed ? listed->row : rowOf(entry));
-        measured.recordings.back().sha256 = entry.sha256.toStdString();
-        of_each.push_back(listed ? listed->signal : measured.settings.signal);
-    }
-    if (!of_each.empty()) {
-        measured.settings.signal = of_each.front();
-        const auto differs = [&](const auto& each) { return each != of_each.front(); };
-        if (std::ranges::any_of(of_each, differs)) {
-            measured.settings.of_recordings = std::move(of_each);
-        }
-    }
-    return measured;
-}
-
-// Files that a set of a list names more than once.
-QStringList namedTwice(const MeasurementSet& set) {
-    QStringList files;
-    const auto& rows = set.recordings;
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        const auto same = [&](const RecordingRef& earlier) {
-            return earlier.path == rows[k].path && earlier.open == rows[k].open;
-        };
-        const QString file = QString::fromStdString(rows[k].file);
-        if (std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(k), same) &&
-            !files.contains(file)) {
-            files << file;
-        }
-    }
-    return files;
-}
-
-// Opens the recordings of a measurement list, but no logs, and makes a set of the document of each
-// of its sets, still without ids. A recording that is open already, read in the same way, is taken
-// as it is.
-std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& recordings) {
-    const std::vector<RecordingId> ids = openEachOnce(list, recordings);
-    std::size_t next = 0;
-    std::vector<RecordingSet> sets;
-    for (const MeasurementSet& measured : list.sets) {
-        RecordingSet set;
-        set.name = QString::fromStdString(measured.name);
-        set.model = measured.settings.model;
-        ListedSet listed{measured.settings, {}};
-        listed.settings.of_recordings.clear();
-        const bool of_logs = measured.settings.logs.given();
-        const auto count = static_cast<int>(measured.recordings.size());
-        for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
-            const auto id =
-                of_logs ? static_cast<RecordingId>(static_cast<int>(k) - count) : ids[next++];
-            listed.members.insert_or_assign(
-                id, ListedMember{measured.recordings[k], measured.settings.signal_of(k)});
-            if (!of_logs && !contains(set.recordings, id)) {
-                set.recordings.push_back(id);
-            }
-        }
-        set.listed = std::make_shared<const ListedSet>(std::move(listed));
-        sets.push_back(std::move(set));
-    }
-    return sets;
 }
 
 // What the window says of the gyro, where the list of the set says nothing.
@@ -216,8 +151,7 @@ void SetStore::restore(const State& state) {
     std::vector<RecordingSet> sets = state.sets;
     for (RecordingSet& set : sets) {
         std::erase_if(set.recordings, [this](RecordingId id) { return !recordings_.find(id); });
-        if (const RecordingSet* now = find(set.id);
-            now && sameRecordings(now->recordings, set.recordings)) {
+        if (const RecordingSet* now = find(set.id); now && sameMembers(*now, set)) {
             set.outcomes = now->outcomes;
             set.kept = now->kept;
         } else {
@@ -289,7 +223,7 @@ void SetStore::setKept(SetId id, KeptResult kept) {
 
 void SetStore::edited(RecordingSet& set) {
     queue_.forget(queue_.keyOfSet(set.id));
-    if (!set.outcomes.empty() && !sameRecordings(set.outcomes.back()->recordings, set.recordings)) {
+    if (!set.outcomes.empty() && !isOf(*set.outcomes.back(), set)) {
         set.outcomes.erase(set.outcomes.begin(), set.outcomes.end() - 1);
     }
     emit changed();
@@ -397,19 +331,33 @@ void SetStore::open(const MeasurementList& list) {
     enter(std::move(sets), [] { return tr("sets of the list"); });
 }
 
-void SetStore::openLogs(MeasurementSet set) {
-    Calibration calibration = settings_.settings().calibration;
-    calibration.offset_auto = false;  // of samples
-    calibration.offset_c = calibration.offset_d = 0;
-    set.settings.signal.calibration = calibration;
-    set.settings.tolerance = settings_.tolerance();
-    QStringList paths;
-    for (const RecordingRef& log : set.recordings) {
-        paths << QString::fromStdU16String(log.path.u16string());
-    }
-    enter(openSets({{}, {std::move(set)}, {}}, recordings_), [] { return tr("open logs"); });
+void SetStore::openLogs(const MeasurementSet& set) {
+    std::vector<RecordingSet> sets = openSets({{}, {set}, {}}, recordings_);
+    sets.front().listed = followingPanel(*sets.front().listed);
+    enter(std::move(sets), [] { return tr("open logs"); });
     identifySet(current_);
-    emit opened(paths);
+    emit opened(pathsOf(set));
+}
+
+void SetStore::setLogs(SetId id, const MeasurementSet& set) {
+    RecordingSet* now = entry(id);
+    if (!now || !isOfLogs(*now)) {
+        return;
+    }
+    const QStringList before = pathsOf(measured(*now));
+    RecordingSet other = std::move(openSets({{}, {set}, {}}, recordings_).front());
+    other.listed = now->listed->by_panel ? followingPanel(*other.listed) : other.listed;
+    step([] { return tr("logs of the set"); },
+         [&] {
+             now->name = other.name;
+             now->listed = other.listed;
+             edited(*now);
+         });
+    QStringList further = pathsOf(set);
+    further.removeIf([&before](const QString& path) { return before.contains(path); });
+    if (!further.isEmpty()) {
+        emit opened(further);
+    }
 }
 
 void SetStore::enter(std::vector<RecordingSet> sets, UndoSteps::Words words) {
@@ -435,7 +383,7 @@ MeasurementSet SetStore::measured(const RecordingSet& set) const {
 bool SetStore::canIdentify() const {
     const RecordingSet* set = current();
     if (set && isOfLogs(*set)) {
-        return true;
+        return hasMembers(*set);
     }
     const std::vector<RecordingId> ids =
         set && !set->recordings.empty() ? set->recordings : recordings_.openedTogether();
@@ -486,7 +434,7 @@ void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
         RecordingSet& set = *entry(id);
         // Older ones of other recordings, or of the same settings, have no use any more.
         std::erase_if(set.outcomes, [&](const auto& older) {
-            return !sameRecordings(older->recordings, result->recordings) ||
+            return !sameMembers(*older, *result) ||
                    older->identification.settings == result->identification.settings;
         });
         set.outcomes.push_back(std::make_shared<const ResonatorOutcome>(std::move(*result)));
@@ -500,8 +448,7 @@ void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
 }
 
 bool SetStore::outOfDate(const RecordingSet& set, const ResonatorOutcome& outcome) const {
-    return !sameRecordings(outcome.recordings, set.recordings) ||
-           outcome.identification.settings != measured(set).settings;
+    return !isOf(outcome, set) || outcome.identification.settings != measured(set).settings;
 }
 
 std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RecordingSet& set) const {
@@ -520,6 +467,11 @@ KeptResult SetStore::kept(const RecordingSet& set) const {
 
 SetResult SetStore::underPresentConditions(const RecordingSet& set,
                                            const ResonatorOutcome& outcome) const {
+    if (isOfLogs(set)) {  // the list's conditions of a log do not change
+        SetResult result = outcome;
+        result.set.name = set.name.toStdString();
+        return result;
+    }
     RecordingSet ordered = set;
     ordered.recordings = outcome.recordings;
     SetResult result = outcome;

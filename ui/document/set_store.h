@@ -62,7 +62,9 @@ public:
     void open(const MeasurementList& list);
     // A set of logs, which it identifies with calibration and tolerances of the panel; a step of
     // undo.
-    void openLogs(MeasurementSet set);
+    void openLogs(const MeasurementSet& set);
+    // Other logs of a set of logs, or the same read otherwise; a step of undo.
+    void setLogs(SetId id, const MeasurementSet& set);
     // All that belongs to the identification of a set.
     MeasurementSet measured(const RecordingSet& set) const;
 

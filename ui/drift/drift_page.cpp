@@ -26,16 +26,20 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 
 namespace vybeg::ui {
 
 namespace {
 
 // As the entries of the lists; the first one is what the file tells.
-constexpr std::array angle_units{0.0, std::numbers::pi / 180, 1.0};
+constexpr std::array angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 constexpr std::array<std::optional<double>, 5> log_time_units{std::nullopt, 1.0, 1e-3, 1e-6, 1e-9};
+constexpr std::array<std::optional<char>, 6> log_delimiters{std::nullopt, ',', ';', '\t', ' ', '|'};
+constexpr std::array<std::optional<bool>, 3> decimal_commas{std::nullopt, false, true};
 
 template <class List, class Value>
 int placeIn(const List& list, const Value& value) {
@@ -54,20 +58,22 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
       form_(new QFormLayout),
       columns_(withName(new QLineEdit(this), "driftColumns")),
       fault_(withName(new QLabel(this), "driftFault")),
-      angle_unit_(withName(new QComboBox(this), "driftAngleUnit")),
-      time_unit_(withName(new QComboBox(this), "driftTimeUnit")),
+      angle_unit_(makeList("driftAngleUnit", angle_units.size())),
+      time_unit_(makeList("driftTimeUnit", log_time_units.size())),
+      delimiter_(makeList("driftDelimiter", log_delimiters.size())),
+      decimal_(makeList("driftDecimal", decimal_commas.size())),
+      skip_lines_(makeNumber("driftSkipLines")),
+      time_column_(makeNumber("driftTimeColumn")),
       rate_(makeNumber("driftRate")),
       kappa_(makeNumber("driftKappa")),
       skew_(makeNumber("driftSkew")) {
     logs_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     logs_->setHint([] { return tr("Drop whole-angle logs of one gyro here"); });
     fault_->setWordWrap(true);
-    angle_unit_->addItems(QStringList(static_cast<qsizetype>(angle_units.size())));
-    time_unit_->addItems(QStringList(static_cast<qsizetype>(log_time_units.size())));
-    for (QComboBox* box : {angle_unit_, time_unit_}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(6);
-    }
+    skip_lines_->setInteger(true);
+    skip_lines_->setLimits(bounds_in(open_settings(), "skip-lines"));
+    time_column_->setInteger(true);
+    time_column_->setLimits(0, std::numeric_limits<int>::max());
     rate_->setLimits(bounds_in(open_settings(), "rate"));
     kappa_->setLimits(tolerance_bounds);
     kappa_->setStep(0.001);
@@ -88,7 +94,8 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     add(columns_);
     form_->addRow(fault_);
     for (QWidget* field :
-         std::initializer_list<QWidget*>{angle_unit_, time_unit_, rate_, kappa_, skew_}) {
+         std::initializer_list<QWidget*>{angle_unit_, time_unit_, rate_, delimiter_, decimal_,
+                                         skip_lines_, time_column_, kappa_, skew_}) {
         add(field);
     }
     auto* layout = fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {logs_, buttons});
@@ -107,14 +114,27 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
             settings.reading.rad_per_angle_unit = angle_units.at(static_cast<std::size_t>(place));
         });
     });
-    connect(time_unit_, &QComboBox::activated, this, [this](int place) {
-        edit([place](DriftSettings& settings) {
-            std::optional<TextChoice>& text = settings.reading.open.text;
-            TextChoice choice = text.value_or(TextChoice{});
-            choice.time_unit_s = log_time_units.at(static_cast<std::size_t>(place));
-            text = choice == TextChoice{} ? std::nullopt : std::optional(choice);
+    const auto chooses = [this](QComboBox* box, const auto& list, auto member) {
+        connect(box, &QComboBox::activated, this, [this, &list, member](int place) {
+            editText(
+                [&](TextChoice& text) { text.*member = list.at(static_cast<std::size_t>(place)); });
         });
-    });
+    };
+    chooses(time_unit_, log_time_units, &TextChoice::time_unit_s);
+    chooses(delimiter_, log_delimiters, &TextChoice::delimiter);
+    chooses(decimal_, decimal_commas, &TextChoice::decimal_comma);
+    const auto counts = [this](NumberField* field, auto member) {
+        connect(field, &NumberField::valueEdited, this,
+                [this, member](const std::optional<double>& number) {
+                    editText([&](TextChoice& text) {
+                        auto& value = text.*member;
+                        using Whole = typename std::decay_t<decltype(value)>::value_type;
+                        value = number ? std::optional(static_cast<Whole>(*number)) : std::nullopt;
+                    });
+                });
+    };
+    counts(skip_lines_, &TextChoice::lines_to_skip);
+    counts(time_column_, &TextChoice::time_column);
     const auto edits = [this](NumberField* field, const auto& member) {
         connect(field, &NumberField::valueEdited, this, [this, member](auto value) {
             edit([&](DriftSettings& settings) { member(settings) = value; });
@@ -134,6 +154,24 @@ NumberField* DriftPanel::makeNumber(const char* name) {
     auto* field = withName(new NumberField(this), name);
     field->setOptional(true);
     return field;
+}
+
+// The first of the entries is what the file tells.
+QComboBox* DriftPanel::makeList(const char* name, std::size_t entries) {
+    auto* box = withName(new QComboBox(this), name);
+    box->addItems(QStringList(static_cast<qsizetype>(entries)));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(6);
+    return box;
+}
+
+void DriftPanel::editText(const std::function<void(TextChoice&)>& change) {
+    edit([&change](DriftSettings& settings) {
+        std::optional<TextChoice>& text = settings.reading.open.text;
+        TextChoice choice = text.value_or(TextChoice{});
+        change(choice);
+        text = choice == TextChoice{} ? std::nullopt : std::optional(choice);
+    });
 }
 
 void DriftPanel::edit(const std::function<void(DriftSettings&)>& change) {
@@ -191,9 +229,16 @@ void DriftPanel::refresh() {
         columns_->setText(columns);
         showFault({});
     }
-    const std::optional<TextChoice>& text = settings.reading.open.text;
+    const TextChoice text = settings.reading.open.text.value_or(TextChoice{});
     angle_unit_->setCurrentIndex(placeIn(angle_units, settings.reading.rad_per_angle_unit));
-    time_unit_->setCurrentIndex(placeIn(log_time_units, text ? text->time_unit_s : std::nullopt));
+    time_unit_->setCurrentIndex(placeIn(log_time_units, text.time_unit_s));
+    delimiter_->setCurrentIndex(placeIn(log_delimiters, text.delimiter));
+    decimal_->setCurrentIndex(placeIn(decimal_commas, text.decimal_comma));
+    const auto show = [](NumberField* field, const auto& number) {
+        field->setValue(number ? std::optional(static_cast<double>(*number)) : std::nullopt);
+    };
+    show(skip_lines_, text.lines_to_skip);
+    show(time_column_, text.time_column);
     rate_->setValue(settings.reading.open.rate_hz);
     kappa_->setValue(settings.tolerance.kappa);
     skew_->setValue(settings.tolerance.skew_deg);
@@ -228,9 +273,21 @@ void DriftPanel::retranslate() {
     name(angle_unit_, tr("Angle in"),
          tr("Unit of the angle, where the name of its column does not tell it"));
     const QString from_file = tr("as the file says");
-    setTexts(*angle_unit_, {from_file, tr("degrees"), tr("radians")});
+    setTexts(*angle_unit_, {from_file, tr("degrees"), tr("radians"), tr("turns")});
     name(time_unit_, tr("Time in"), tr("Unit of the time in a text file"));
     setTexts(*time_unit_, {from_file, tr("s"), tr("ms"), tr("µs"), tr("ns")});
+    name(delimiter_, tr("Separator"), tr("What stands between the columns of a text file"));
+    setTexts(*delimiter_, {from_file, tr("comma"), tr("semicolon"), tr("tab"), tr("spaces"),
+                           tr("vertical bar")});
+    name(decimal_, tr("Decimal sign"), tr("Of the numbers in a text file"));
+    setTexts(*decimal_, {from_file, tr("point"), tr("comma")});
+    name(skip_lines_, tr("Lines to skip"),
+         tr("Lines of a text file above its first row of numbers"));
+    name(time_column_, tr("Time column"),
+         tr("Column of a text file that is the time, counted from 1; 0: none"));
+    for (NumberField* field : {skip_lines_, time_column_}) {
+        field->setPlaceholderText(from_file);
+    }
     name(rate_, tr("Rate"), tr("Rows a second, of a file without times"));
     rate_->setUnit(tr("Hz"));
     name(kappa_, tr("κ ±"),
@@ -293,7 +350,7 @@ QWidget* DriftPage::buildContent() {
     harmonics_section_ = addSection(*numbers, {harmonics_, agreement_});
     resonator_section_ = addSection(*numbers, {resonator_, statistical_});
     numbers->addStretch(1);
-    fill(new QHBoxLayout(content), {}, 4, {{plot_, 3}, {scrolled(numbers), 2}});
+    fill(new QHBoxLayout(content), {}, 4, {{plot_, 1}, {scrolled(numbers), 1}});
     return content;
 }
 

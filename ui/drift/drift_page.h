@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/plots/measured_page.h"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -34,7 +35,10 @@ signals:
 
 private:
     NumberField* makeNumber(const char* name);
+    QComboBox* makeList(const char* name, std::size_t entries);
     void edit(const std::function<void(DriftSettings&)>& change);
+    // How a text file is read; nothing that is told is no choice.
+    void editText(const std::function<void(TextChoice&)>& change);
     void editColumns();
     void showFault(const QString& sentence);
     void refreshLogs();
@@ -51,6 +55,10 @@ private:
     QLabel* fault_;
     QComboBox* angle_unit_;
     QComboBox* time_unit_;
+    QComboBox* delimiter_;
+    QComboBox* decimal_;
+    NumberField* skip_lines_;
+    NumberField* time_column_;
     NumberField* rate_;
     NumberField* kappa_;
     NumberField* skew_;

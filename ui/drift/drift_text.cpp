@@ -119,7 +119,7 @@ QString logName(const WholeAngleDrift& drift, std::size_t log) {
 QStringList logHeaders(const WholeAngleDrift& drift) {
     QStringList headers;
     if (drift.logs.size() > 1) {
-        headers << DriftWords::tr("All logs");
+        headers << DriftWords::tr("All logs").replace(QLatin1Char(' '), QChar(QChar::Nbsp));
         for (std::size_t k = 0; k < drift.logs.size(); ++k) {
             headers << logName(drift, k);
         }

@@ -29,6 +29,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -39,7 +41,8 @@ namespace {
 // What the columns are, in the order of the list.
 enum class Columns { unknown, powers, waves, fixed, common, pll };
 
-constexpr double degree = std::numbers::pi / 180;
+// As the entries of the list; the first one is what the file tells.
+constexpr std::array log_angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 constexpr int most_stages = 8;
 
 Columns columnsOf(const LogChoice& choice) {
@@ -64,6 +67,28 @@ const char* usualNames(Columns columns) {
     }
 }
 
+QString pathOf(const RecordingRef& log) {
+    return QFileInfo(QString::fromStdU16String(log.path.u16string())).absoluteFilePath();
+}
+
+// The files of its logs, and further ones.
+QStringList filesOf(const MeasurementSet& set, const QStringList& further) {
+    QStringList files = further;
+    for (const RecordingRef& log : set.recordings) {
+        files << pathOf(log);
+        if (!log.open.channel_d_file.empty()) {
+            files << QString::fromStdString(log.open.channel_d_file);
+        }
+    }
+    return files;
+}
+
+// That of a log alone is its file's.
+std::string nameOf(const std::vector<RecordingRef>& logs) {
+    return logs.size() == 1 ? QFileInfo(pathOf(logs.front())).completeBaseName().toStdString()
+                            : std::string();
+}
+
 // Full name of a file that stands beside another one, or is given by its path.
 QString beside(const QString& file, const QString& other) {
     return QFileInfo(QFileInfo(file).absoluteDir(), other).absoluteFilePath();
@@ -71,9 +96,11 @@ QString beside(const QString& file, const QString& other) {
 
 }  // namespace
 
-LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent)
+LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementSet given,
+                     QWidget* parent)
     : QDialog(parent),
-      files_(withName(new LogFiles(job, paths, this), "logFiles")),
+      given_(std::move(given)),
+      files_(withName(new LogFiles(job, filesOf(given_, paths), this), "logFiles")),
       form_(new QFormLayout),
       lacking_(withName(new QLabel(this), "lacking")),
       preview_(new ImportPreview(this)),
@@ -93,7 +120,7 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     columns_ = rows.words("columns");
     channel_d_ = rows.words("channel_d_file");
     choose_ = channel_d_->addAction(QIcon(), QLineEdit::TrailingPosition);
-    angle_unit_ = rows.list("angle_unit", 3);
+    angle_unit_ = rows.list("angle_unit", static_cast<int>(log_angle_units.size()));
     f_ref_ = rows.number("f_ref", bounds("f-ref"));
     y_sign_ = rows.list("y_sign", 3);
     amplitude_ = rows.list("amplitude", 3);
@@ -127,6 +154,9 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* par
     keepTranslated(*this, [this] { retranslate(); });
     resize(980, 560);
     kind_->setFocus();
+    if (given_.settings.logs.given()) {
+        showGiven();
+    }
     look();
 }
 
@@ -149,8 +179,8 @@ LogChoice LogDialog::choice() const {
     if (told.names.empty() && (chosen == Columns::powers || chosen == Columns::waves)) {
         told.names = usualNames(chosen);
     }
-    const std::array angle_units{0.0, degree, 1.0};
-    told.rad_per_angle_unit = angle_units.at(static_cast<std::size_t>(angle_unit_->currentIndex()));
+    told.rad_per_angle_unit =
+        log_angle_units.at(static_cast<std::size_t>(angle_unit_->currentIndex()));
     if (!isOfPhasors()) {
         return chosen == Columns::unknown ? LogChoice{} : told;
     }
@@ -168,8 +198,10 @@ LogChoice LogDialog::choice() const {
     return told;
 }
 
+// Further logs are read as the first one of the set.
 OpenOptions LogDialog::options() const {
-    OpenOptions told;
+    OpenOptions told = given_.recordings.empty() ? OpenOptions() : given_.recordings.front().open;
+    told.channel_d_file.clear();
     told.rate_hz = rate_->typed();
     return told;
 }
@@ -178,6 +210,10 @@ OpenOptions LogDialog::options() const {
 // their names do.
 QString LogDialog::partnerOf(const QString& file) const {
     if (files_->ofOneChannel() > 2) {
+        const RecordingRef* row = givenRow(file);
+        if (row && !row->open.channel_d_file.empty()) {
+            return QString::fromStdString(row->open.channel_d_file);
+        }
         const auto partner = partner_of(file.toStdU16String());
         return partner ? QString::fromStdU16String(partner->u16string()) : QString();
     }
@@ -192,10 +228,22 @@ std::vector<RecordingRef> LogDialog::logs() const {
         partnerOf(files_->files().first()) == files_->files().first()) {
         std::ranges::reverse(left);  // the first one is of channel D
     }
+    // Those of the set in its order, before further ones.
+    std::ranges::stable_sort(left, {}, [this](const QString& file) {
+        const RecordingRef* row = givenRow(file);
+        return row ? row - given_.recordings.data() : std::ssize(given_.recordings);
+    });
     while (!left.isEmpty()) {
         const QString file = left.takeFirst();
         RecordingRef log{QFileInfo(file).fileName().toStdString(), file.toStdU16String(),
                          options()};
+        if (const RecordingRef* row = givenRow(file)) {
+            log = *row;
+            log.open.channel_d_file.clear();
+            if (rate_->typed() != given_.recordings.front().open.rate_hz) {
+                log.open.rate_hz = rate_->typed();
+            }
+        }
         if (files_->isOfOneChannel(file)) {
             const QString other = partnerOf(file);
             if (other.isEmpty() || other == file ||
@@ -210,16 +258,32 @@ std::vector<RecordingRef> LogDialog::logs() const {
 }
 
 MeasurementSet LogDialog::set() const {
-    MeasurementSet set;
+    MeasurementSet set = given_;
     set.recordings = logs();
-    if (set.recordings.size() == 1) {
-        set.name = QFileInfo(QString::fromStdU16String(set.recordings.front().path.u16string()))
-                       .completeBaseName()
-                       .toStdString();
+    if (given_.name == nameOf(given_.recordings)) {
+        set.name = nameOf(set.recordings);
     }
     set.settings.logs = choice();
-    set.settings.signal.from_s = from_->typed();
+    const std::optional<double> from_s = from_->typed();
+    const bool other_start = from_s != given_.settings.signal.from_s;
+    set.settings.signal.from_s = from_s;
+    if (!given_.settings.of_recordings.empty()) {
+        set.settings.of_recordings.clear();
+        for (const RecordingRef& log : set.recordings) {
+            const RecordingRef* row = givenRow(pathOf(log));
+            const auto place = static_cast<std::size_t>(row ? row - given_.recordings.data() : 0);
+            set.settings.of_recordings.push_back(given_.settings.signal_of(place));
+            if (other_start) {
+                set.settings.of_recordings.back().from_s = from_s;
+            }
+        }
+    }
     return set;
+}
+
+const RecordingRef* LogDialog::givenRow(const QString& file) const {
+    const auto found = std::ranges::find(given_.recordings, file, pathOf);
+    return found == given_.recordings.end() ? nullptr : &*found;
 }
 
 void LogDialog::look() {
@@ -250,7 +314,38 @@ void LogDialog::changeFiles() {
 }
 
 void LogDialog::showKnown() {
-    const LogChoice& known = files_->sound()->look.choice;
+    showAs(files_->sound()->look.choice);
+}
+
+void LogDialog::showGiven() {
+    const LogChoice& told = given_.settings.logs;
+    const PhasorChoice& how = told.phasors;
+    showAs(told);
+    known_shown_ = true;
+    if (told.names != usualNames(columnsOf(told))) {
+        columns_->setText(QString::fromStdString(told.names));
+    }
+    const auto* const unit = std::ranges::find(log_angle_units, told.rad_per_angle_unit);
+    angle_unit_->setCurrentIndex(
+        unit == log_angle_units.end() ? 0 : static_cast<int>(unit - log_angle_units.begin()));
+    const auto number = [](double value) {
+        return value == 0 ? std::nullopt : std::optional(value);
+    };
+    f_ref_->setValue(number(how.f_ref_hz));
+    order_->setCurrentIndex(how.filter.order);
+    bandwidth_->setValue(number(how.filter.bandwidth_hz));
+    from_->setValue(given_.settings.signal.from_s);
+    if (!given_.recordings.empty()) {
+        const OpenOptions& open = given_.recordings.front().open;
+        rate_->setValue(open.rate_hz);
+        channel_d_->setText(QString::fromStdString(open.channel_d_file));
+        channel_d_->setModified(!open.channel_d_file.empty());
+    }
+    by_person_.insert({kind_, y_sign_, amplitude_});
+    refresh();
+}
+
+void LogDialog::showAs(const LogChoice& known) {
     const PhasorChoice& how = known.phasors;
     const auto show = [this](QComboBox* box, int place) {
         const QSignalBlocker quiet(box);
@@ -393,7 +488,7 @@ void LogDialog::accept() {
 }
 
 void LogDialog::retranslate() {
-    setWindowTitle(tr("Open logs"));
+    setWindowTitle(given_.settings.logs.given() ? tr("Logs of the set") : tr("Open logs"));
     files_->setAccessibleName(tr("Logs"));
     files_->setToolTip(tr("Logs of one resonator, made alike. Delete removes the chosen ones"));
     const auto name = [this](QWidget* field, const QString& text, const QString& tip) {
@@ -412,7 +507,7 @@ void LogDialog::retranslate() {
     choose_->setIcon(themedIcon(QStringLiteral("open"), palette()));
     choose_->setToolTip(tr("Choose the file"));
     name(angle_unit_, tr("Unit of angles"), tr("Of θ, or of the phase columns"));
-    setTexts(*angle_unit_, {choose, tr("degrees"), tr("radians")});
+    setTexts(*angle_unit_, {choose, tr("degrees"), tr("radians"), tr("turns")});
     name(f_ref_, tr("Reference"), tr("Frequency of the reference, which the file does not tell"));
     name(y_sign_, tr("Sign of Y"),
          tr("The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and "

@@ -19,13 +19,16 @@ namespace vybeg::ui {
 class ImportPreview;
 
 // Asks what logs are that take the place of recordings: looks at the files in the background and
-// shows a field for each fact that they do not hold. The window stays free.
+// shows a field for each fact that they do not hold. The window stays free. Of a set that is there
+// it shows the logs and what was told of them.
 class LogDialog : public QDialog {
     Q_OBJECT
 
 public:
     // `job` must outlive the dialog; of one job only one dialog may be open.
-    LogDialog(BackgroundJobs& job, const QStringList& paths, QWidget* parent = nullptr);
+    // `given`: the set, which may be empty; `paths`: further logs.
+    LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementSet given = {},
+              QWidget* parent = nullptr);
     ~LogDialog() override;
 
     // Further logs of the same resonator, made alike.
@@ -62,6 +65,12 @@ private:
     void refresh();
     void retranslate();
 
+    // The set's own row of a file of channel C; null: the file is a further one.
+    const RecordingRef* givenRow(const QString& file) const;
+    void showGiven();
+    void showAs(const LogChoice& known);
+
+    const MeasurementSet given_;
     LogFiles* files_;
     LogChoice looked_with_;
     std::set<QComboBox*> by_person_;  // where a person chose: what the files tell stays out

@@ -59,6 +59,7 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
       remove_(new QToolButton(this)),
       members_(withName(new FileList(6, this), "members")),
       listed_(withName(new QLabel(this), "listed")),
+      logs_(withName(new QPushButton(this), "editLogs")),
       model_label_(new QLabel(this)),
       model_(withName(new QComboBox(this), "model")),
       identify_(withName(new QPushButton(this), "identify")) {
@@ -73,7 +74,8 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
 
     auto* names = fill(new QHBoxLayout, {{sets_, 1}, add_, remove_});
     auto* choices = fill(new QHBoxLayout, {model_label_, {model_, 1}});
-    fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {names, members_, listed_, choices, identify_});
+    fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3,
+         {names, members_, listed_, logs_, choices, identify_});
 
     connect(sets_, &QComboBox::activated, this, [this](int row) {
         document_.sets().setCurrent(static_cast<SetId>(sets_->itemData(row).toInt()));
@@ -88,19 +90,25 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(add_, &QToolButton::clicked, this, [this] { document_.sets().add(); });
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.sets().remove(document_.sets().current()->id); });
-    members_->setHint([] {
-        return tr(
-            "Drop recordings of one resonator here, best started at "
-            "four angles");
+    members_->setHint([this] {
+        const RecordingSet* set = document_.sets().current();
+        return set && isOfLogs(*set)
+                   ? tr("Drop logs of the resonator here")
+                   : tr("Drop recordings of one resonator here, best started at four angles");
     });
     connect(members_, &FileList::dropped, &document_, &Document::openIntoSet);
-    connect(members_, &FileList::removalWanted, this, [this] {
+    connect(members_, &FileList::removalWanted, this, [this](const QStringList& chosen) {
+        const RecordingSet* set = document_.sets().current();
+        if (set && isOfLogs(*set)) {
+            removeLogs(*set, chosen);
+            return;
+        }
         for (QListWidgetItem* item : members_->selectedItems()) {
-            if (item->data(Qt::CheckStateRole).isValid()) {  // logs have none
-                item->setCheckState(Qt::Unchecked);
-            }
+            item->setCheckState(Qt::Unchecked);
         }
     });
+    connect(logs_, &QPushButton::clicked, this,
+            [this] { document_.askForLogs(document_.sets().current()->id); });
     connect(members_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         const auto id = static_cast<RecordingId>(item->data(Qt::UserRole).toInt());
         // Queued, because the response of the document fills the list again.
@@ -142,14 +150,39 @@ void SetPanel::refresh() {
     sets_->setEnabled(set != nullptr);
     remove_->setEnabled(set != nullptr);
     refreshMembers(set);
+    const bool of_logs = set && isOfLogs(*set);
     listed_->setVisible(set && set->listed);
-    listed_->setText(set && isOfLogs(*set)
-                         ? tr("Logs, read with %1. To tell it otherwise, open them again.")
-                               .arg(logText(set->listed->settings.logs))
-                         : tr("Settings and conditions are those of the measurement list; the "
-                              "panel Analysis does not change them."));
+    QStringList facts;
+    if (of_logs) {
+        facts << tr("Logs, read with %1.").arg(logText(set->listed->settings.logs));
+    }
+    facts << (of_logs && set->listed->by_panel
+                  ? tr("Calibration and tolerances are those of the panel Analysis, which stands "
+                       "beside the page Tracks.")
+                  : tr("Settings and conditions are those of the measurement list; the panel "
+                       "Analysis does not change them."));
+    listed_->setText(facts.join(QLatin1Char(' ')));
+    logs_->setVisible(of_logs);
     model_->setCurrentIndex(set ? static_cast<int>(set->model) : 0);
     identify_->setEnabled(document_.sets().canIdentify());
+}
+
+void SetPanel::removeLogs(const RecordingSet& set, const QStringList& paths) {
+    MeasurementSet other = document_.sets().measured(set);
+    std::vector<SignalSettings> signal;
+    std::vector<RecordingRef> left;
+    for (std::size_t k = 0; k < other.recordings.size(); ++k) {
+        const RecordingRef& log = other.recordings[k];
+        if (!paths.contains(QString::fromStdU16String(log.path.u16string()))) {
+            signal.push_back(other.settings.signal_of(k));
+            left.push_back(log);
+        }
+    }
+    if (!other.settings.of_recordings.empty()) {
+        other.settings.of_recordings = std::move(signal);
+    }
+    other.recordings = std::move(left);
+    document_.sets().setLogs(set.id, other);
 }
 
 // All open recordings; those of the set are checked. Of a set of logs these, as they are.
@@ -167,8 +200,9 @@ void SetPanel::refreshMembers(const RecordingSet* set) {
     if (set && isOfLogs(*set)) {
         for (const auto& member : listed->members) {
             const RecordingRef& log = member.second.row;
-            add(QString::fromStdString(log.name()), QString::fromStdU16String(log.path.u16string()),
-                conditionsText(log));
+            const QString path = QString::fromStdU16String(log.path.u16string());
+            add(QString::fromStdString(log.name()), path, conditionsText(log))
+                ->setData(Qt::UserRole, path);
         }
     } else {
         for (const RecordingEntry& entry : document_.recordings()) {
@@ -193,6 +227,8 @@ void SetPanel::retranslate() {
     setWords(*remove_, tr("Remove the set"), tr("Remove the set; its recordings stay open"));
     setWords(*members_, tr("Recordings of the set"),
              tr("The open recordings; those of one resonator are checked"));
+    logs_->setText(tr("Logs…"));
+    logs_->setToolTip(tr("Add logs to the set, take some out, or tell otherwise what they are"));
     model_label_->setText(tr("Model"));
     setWords(*model_, tr("Model of the resonator"), tr("What the fit assumes of the channels"));
     const QString names[] = {tr("Automatic"), tr("Structured: calibrated pick-offs"),

@@ -23,6 +23,7 @@ public:
 private:
     void refresh();
     void refreshMembers(const RecordingSet* set);
+    void removeLogs(const RecordingSet& set, const QStringList& paths);
     void retranslate();
 
     Document& document_;
@@ -31,6 +32,7 @@ private:
     QToolButton* remove_;
     FileList* members_;  // the open recordings, those of the set checked; Delete unchecks
     QLabel* listed_;     // where the settings are from
+    QPushButton* logs_;  // asks what the logs of the set are
     QLabel* model_label_;
     QComboBox* model_;
     QPushButton* identify_;

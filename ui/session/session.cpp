@@ -26,6 +26,7 @@ const QString cursors_key = QStringLiteral("cursors_s");
 // What a measurement list says of a set.
 const QString columns_key = QStringLiteral("other_columns");
 const QString members_key = QStringLiteral("members");
+const QString by_panel_key = QStringLiteral("by_panel");
 const QString place_key = QStringLiteral("recording");
 const QString signal_key = QStringLiteral("signal");
 const QString file_key = QStringLiteral("file");
@@ -197,12 +198,13 @@ QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder) {
         listed.members.empty() ? Others() : listed.members.begin()->second.row.others;
     return {{settings_key, settingsToJson(identify_settings(), listed.settings)},
             {columns_key, textsToJson(others, &Others::value_type::first)},
+            {by_panel_key, listed.by_panel ? QJsonValue(true) : QJsonValue::Undefined},
             {members_key, members}};
 }
 
 Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder) {
     auto settings = TRY(settingsFromJson(identify_settings(), json[settings_key].toObject()));
-    ListedSetBy<int> listed{std::move(settings), {}};
+    ListedSetBy<int> listed{std::move(settings), {}, json[by_panel_key].toBool()};
     const QJsonArray columns = json[columns_key].toArray();
     for (const auto& value : json[members_key].toArray()) {
         auto member = TRY(memberFromJson(value.toObject(), columns, folder));
@@ -370,7 +372,7 @@ int placeOf(const std::vector<RecordingEntry>& recordings, RecordingId id) {
 template <class Key, class Before>
 ListedSetBy<Key> renamed(const ListedSetBy<Before>& listed,
                          const std::function<std::optional<Key>(Before)>& key) {
-    ListedSetBy<Key> other{listed.settings, {}};
+    ListedSetBy<Key> other{listed.settings, {}, listed.by_panel};
     int without = -static_cast<int>(listed.members.size());  // rows of logs keep their order
     for (const auto& [before, member] : listed.members) {
         other.members.emplace(key(before).value_or(static_cast<Key>(without++)), member);

@@ -325,7 +325,7 @@ void SessionKeeper::identifyAgain() {
         const bool complete = std::ranges::none_of(absent_, [&set](const Absent& absent) {
             return std::ranges::count(absent.sets, set.id) > 0;
         });
-        if (set.kept.up_to_date && complete && (isOfLogs(set) || !set.recordings.empty()) &&
+        if (set.kept.up_to_date && complete && hasMembers(set) &&
             std::ranges::all_of(set.recordings, is_open)) {
             document_.sets().identifySet(set.id);
         }

@@ -40,6 +40,8 @@ struct ListedSetBy {
     // Negative or of no member of the set: a row whose recording is not in it. Logs, which no
     // document opens, are all such rows, in their order.
     std::map<Key, ListedMember> members;
+    // Of logs that no list names: calibration and tolerances are those of the panel.
+    bool by_panel = false;
 };
 
 using ListedSet = ListedSetBy<RecordingId>;
@@ -63,6 +65,11 @@ struct RecordingSet {
 // Whether it has logs in place of recordings: they are the rows of `listed`.
 inline bool isOfLogs(const RecordingSet& set) {
     return set.listed && set.listed->settings.logs.given();
+}
+
+// Whether it has what an identification needs, recordings or logs.
+inline bool hasMembers(const RecordingSet& set) {
+    return isOfLogs(set) ? !set.listed->members.empty() : !set.recordings.empty();
 }
 
 // Whether it shows something without an open recording.

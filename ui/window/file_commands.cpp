@@ -91,6 +91,7 @@ FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView
       window_(window) {
     connect(&document_, &Document::foundLog, this,
             [this](const QString& path) { openLogs({path}); });
+    connect(&document_, &Document::logsWanted, this, &FileCommands::editLogs);
     connect(&session_, &SessionKeeper::fileWanted, this,
             [this](std::size_t absent, const QString& name) {
                 ask_.file(FileQuestions::tr("Where is %1?").arg(name), {},
@@ -279,15 +280,25 @@ void FileCommands::askForLogs() {
     ask_.logs([this](const QStringList& files) { openLogs(files); });
 }
 
-void FileCommands::openLogs(const QStringList& paths) {
+void FileCommands::editLogs(SetId id, const QStringList& further) {
     if (logs_ && logs_->isVisible()) {
-        logs_->add(paths);
+        logs_->add(further);
         return;
     }
-    auto* dialog = new LogDialog(imports_, paths, window_);
+    const RecordingSet* set = document_.sets().find(id);
+    auto* dialog = new LogDialog(imports_, further,
+                                 set ? document_.sets().measured(*set) : MeasurementSet(), window_);
     logs_ = dialog;
     connect(dialog, &LogDialog::filesWanted, &ask_, &FileQuestions::parts);
-    connect(dialog, &LogDialog::chosen, &document_.sets(), &SetStore::openLogs);
+    connect(dialog, &LogDialog::chosen, this, [this, id](const MeasurementSet& chosen) {
+        SetStore& sets = document_.sets();
+        if (sets.find(id)) {
+            sets.setLogs(id, chosen);
+            sets.identifySet(id);
+        } else {
+            sets.openLogs(chosen);
+        }
+    });
     dialog->open();
 }
 

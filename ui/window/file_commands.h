@@ -56,7 +56,9 @@ public:
     void askWhereToPutPassport();
     void openImport(const QString& path, const OpenOptions& options);
     // By a dialog, which takes the logs of several calls while it is open: one set.
-    void openLogs(const QStringList& paths);
+    void openLogs(const QStringList& paths) { editLogs(SetId::none, paths); }
+    // The logs of a set, with further ones; without a set a new one.
+    void editLogs(SetId id, const QStringList& further);
 
     // By the ending of the path.
     void exportTrackTo(const QString& path);

@@ -11,6 +11,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
 #include "ui/resonator/resonator_page.h"
+#include "ui/resonator/set_panel.h"
 #include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/signals/signals_page.h"
@@ -58,6 +59,34 @@ QString titleOf(const Document& document, const QString& session) {
     }
     parts << QStringLiteral("Vybeg");
     return parts.join(QStringLiteral(" — "));
+}
+
+QString linkTo(Page page) {
+    return QStringLiteral("<a href=\"%1\">%2</a>").arg(pageWord(page), pageTitle(page));
+}
+
+// What is open that is no recording, and the pages of its results; empty: nothing.
+QString openedText(const Document& document) {
+    QStringList opened;
+    for (const RecordingSet& set : document.sets().all()) {
+        if (hasContent(set)) {
+            opened << MainWindow::tr("%1: page %2")
+                          .arg(setName(document, set).toHtmlEscaped(), linkTo(Page::resonator));
+        }
+    }
+    QStringList logs;
+    for (const DriftLog& log : document.drift().logs()) {
+        logs << log.name().toHtmlEscaped();
+    }
+    if (!logs.isEmpty()) {
+        opened << MainWindow::tr("whole-angle logs %1: page %2")
+                      .arg(logs.join(QStringLiteral(", ")), linkTo(Page::drift));
+    }
+    if (!opened.isEmpty()) {
+        opened.prepend(
+            MainWindow::tr("No recording is open, and this page is about recordings. Open are:"));
+    }
+    return opened.join(QStringLiteral("<br>"));
 }
 
 }  // namespace
@@ -189,6 +218,7 @@ void MainWindow::connectDocument() {
     });
     connect(&document_.drift(), &DriftStore::opened, this,
             [this] { pages_->showPage(Page::drift); });
+    connect(&document_.drift(), &DriftStore::changed, this, &MainWindow::showCurrentRecording);
     connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
         if (document_.sets().passport()) {
             pages_->showPage(Page::resonator);
@@ -228,6 +258,7 @@ void MainWindow::connectPanels() {
     const auto show_resonator = [this] { pages_->showPage(Page::resonator); };
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
     connect(pages_, &PageStack::pageShown, this, &MainWindow::showPanels);
+    connect(welcome_, &WelcomePage::pageWanted, pages_, &PageStack::showPage);
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
     connect(welcome_, &WelcomePage::recentChosen, this, open);
     connect(welcome_, &WelcomePage::demonstrationWanted, files_, &FileCommands::openDemonstration);
@@ -280,12 +311,13 @@ void MainWindow::connectPanels() {
 }
 
 void MainWindow::showCurrentRecording() {
-    const bool empty =
-        document_.recordings().empty() && std::ranges::none_of(document_.sets().all(), hasContent);
-    if (empty) {
+    const bool recordings = !document_.recordings().empty();
+    if (!recordings) {
         welcome_->setRecent(menus_->recentFiles()->paths());
+        welcome_->setOpened(openedText(document_));
     }
-    pages_->setWelcome(empty);
+    pages_->setOpen(recordings, std::ranges::any_of(document_.sets().all(), hasContent),
+                    !document_.drift().logs().empty());
     showTitle();
     commands_->refresh();
 }

@@ -134,6 +134,7 @@ void MainWindow::retranslate() {
     commands_->retranslate();
     menus_->retranslate();
     tools_->setAccessibleName(tr("Tools"));
+    showCurrentRecording();  // names pages
 }
 
 }  // namespace vybeg::ui

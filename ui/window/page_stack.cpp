@@ -22,6 +22,7 @@ namespace vybeg::ui {
 
 WelcomePage::WelcomePage(QWidget* parent)
     : QWidget(parent),
+      opened_(withName(new QLabel(this), "opened")),
       text_(new QLabel(this)),
       open_(new QPushButton(this)),
       demonstration_(withName(new QPushButton(this), "demonstration")),
@@ -29,6 +30,10 @@ WelcomePage::WelcomePage(QWidget* parent)
       recent_(withName(new QListWidget(this), "recent")) {
     text_->setAlignment(Qt::AlignCenter);
     text_->setWordWrap(true);
+    opened_->setAlignment(Qt::AlignCenter);
+    opened_->setWordWrap(true);
+    opened_->setTextFormat(Qt::RichText);
+    opened_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     recent_->setMaximumWidth(640);
     recent_->setAlternatingRowColors(true);
     recent_->setTextElideMode(Qt::ElideMiddle);
@@ -36,12 +41,17 @@ WelcomePage::WelcomePage(QWidget* parent)
     auto* buttons = fill(new QHBoxLayout, {LayoutPart(1), open_, demonstration_, LayoutPart(1)});
     auto* files = fill(new QVBoxLayout, {recent_name_, {recent_, 1}});
     auto* middle = fill(new QHBoxLayout, {LayoutPart(1), {files, 4}, LayoutPart(1)});
-    auto* layout = fill(new QVBoxLayout(this), {LayoutPart(2), text_});
+    auto* layout = fill(new QVBoxLayout(this), {LayoutPart(2), opened_, text_});
     layout->addSpacing(12);
     layout->addLayout(buttons);
     layout->addSpacing(18);
     layout->addLayout(middle, 4);
     layout->addStretch(1);
+    connect(opened_, &QLabel::linkActivated, this, [this](const QString& word) {
+        if (const auto page = pageOfWord(word)) {
+            emit pageWanted(*page);
+        }
+    });
     connect(open_, &QPushButton::clicked, this, &WelcomePage::openWanted);
     connect(demonstration_, &QPushButton::clicked, this, &WelcomePage::demonstrationWanted);
     connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
@@ -49,6 +59,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     });
     connect(recent_, &QListWidget::itemClicked, recent_, &QListWidget::itemActivated);
     setRecent({});
+    setOpened({});
     keepTranslated(*this, [this] { retranslate(); });
 }
 
@@ -66,6 +77,11 @@ void WelcomePage::setRecent(const QStringList& paths) {
     recent_->setVisible(!paths.isEmpty());
 }
 
+void WelcomePage::setOpened(const QString& text) {
+    opened_->setText(text);
+    opened_->setVisible(!text.isEmpty());
+}
+
 void WelcomePage::retranslate() {
     text_->setText(
         tr("<p style='font-size:large'>Drop a recording of a free decay here</p>"
@@ -81,11 +97,14 @@ void WelcomePage::retranslate() {
 
 namespace {
 
+// What a page shows.
+enum class About { recordings, sets, other };
+
 struct PageRow {
     const char* word;
     const char* title;  // of context "Pages"
     PageNeeds needs;
-    bool of_recordings = true;  // without one the welcome stands in its place
+    About about = About::recordings;
 };
 
 // As Page.
@@ -99,9 +118,9 @@ constexpr std::array page_rows{
     PageRow{
         "residuals", QT_TRANSLATE_NOOP("Pages", "Residuals"), {.sidebar = true, .ledger = true}},
     PageRow{"windows", QT_TRANSLATE_NOOP("Pages", "Windows"), {.sidebar = true, .ledger = true}},
-    PageRow{"resonator", QT_TRANSLATE_NOOP("Pages", "Resonator"), {}},
-    PageRow{"drift", QT_TRANSLATE_NOOP("Pages", "Drift"), {}, false},
-    PageRow{"history", QT_TRANSLATE_NOOP("Pages", "History"), {}, false},
+    PageRow{"resonator", QT_TRANSLATE_NOOP("Pages", "Resonator"), {}, About::sets},
+    PageRow{"drift", QT_TRANSLATE_NOOP("Pages", "Drift"), {}, About::other},
+    PageRow{"history", QT_TRANSLATE_NOOP("Pages", "History"), {}, About::other},
 };
 static_assert(page_rows.size() == static_cast<std::size_t>(Page::history) + 1);
 
@@ -120,6 +139,10 @@ std::optional<Page> pageOfWord(const QString& word) {
         page_rows, [&word](const PageRow& row) { return word == QLatin1String(row.word); });
     return found == page_rows.end() ? std::nullopt
                                     : std::optional(static_cast<Page>(found - page_rows.begin()));
+}
+
+QString pageTitle(Page page) {
+    return QCoreApplication::translate("Pages", rowOf(page).title);
 }
 
 PageStack::PageStack(QWidget* welcome, QWidget* parent)
@@ -143,9 +166,11 @@ void PageStack::add(QWidget* page) {
     retranslate();
 }
 
-void PageStack::setWelcome(bool shown) {
-    if (welcome_ != shown) {
-        welcome_ = shown;
+void PageStack::setOpen(bool recordings, bool sets, bool angle_logs) {
+    if (recordings_ != recordings || sets_ != sets || angle_logs_ != angle_logs) {
+        recordings_ = recordings;
+        sets_ = sets;
+        angle_logs_ = angle_logs;
         showTab();
     }
 }
@@ -160,24 +185,25 @@ Page PageStack::page() const {
 }
 
 bool PageStack::welcomes() const {
-    return welcome_ && rowOf(page()).of_recordings;
+    const About about = rowOf(page()).about;
+    return about != About::other && !recordings_ && !(about == About::sets && sets_);
 }
 
 PageNeeds PageStack::needs() const {
-    return welcomes() ? PageNeeds() : rowOf(page()).needs;
+    const PageNeeds& needs = rowOf(page()).needs;
+    return welcomes() ? PageNeeds{.sidebar = needs.sidebar && sets_} : needs;
 }
 
 // Page 0 of the stack is the welcome.
 void PageStack::showTab() {
-    tabs_->setVisible(!welcomes());
+    tabs_->setVisible(!welcomes() || sets_ || angle_logs_);
     stack_->setCurrentIndex(welcomes() ? 0 : tabs_->currentIndex() + 1);
     emit pageShown();
 }
 
 void PageStack::retranslate() {
     for (int tab = 0; tab < tabs_->count(); ++tab) {
-        tabs_->setTabText(
-            tab, QCoreApplication::translate("Pages", rowOf(static_cast<Page>(tab)).title));
+        tabs_->setTabText(tab, pageTitle(static_cast<Page>(tab)));
         tabs_->setTabToolTip(tab, QKeySequence(QKeyCombination(Qt::CTRL, Qt::Key(Qt::Key_1 + tab)))
                                       .toString(QKeySequence::NativeText));
     }

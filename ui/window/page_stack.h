@@ -12,7 +12,11 @@ class QTabBar;
 
 namespace vybeg::ui {
 
-// What stands in the middle of the window while no recording is open: ways to open one.
+// The pages in the order of their tabs.
+enum class Page { tracks, samples, residuals, windows, resonator, drift, history };
+
+// What stands in the middle of the window in place of a page that has nothing to show: ways to open
+// a recording, and what is open that has another page.
 class WelcomePage : public QWidget {
     Q_OBJECT
 
@@ -21,8 +25,11 @@ public:
 
     // Paths of the last files, the newest first.
     void setRecent(const QStringList& paths);
+    // Rich text, whose links are words of pages; empty: nothing is open.
+    void setOpened(const QString& text);
 
 signals:
+    void pageWanted(Page page);
     void openWanted();
     void demonstrationWanted();
     void recentChosen(const QString& path);
@@ -30,15 +37,13 @@ signals:
 private:
     void retranslate();
 
+    QLabel* opened_;
     QLabel* text_;
     QPushButton* open_;
     QPushButton* demonstration_;
     QLabel* recent_name_;
     QListWidget* recent_;
 };
-
-// The pages in the order of their tabs. All but the last two are about the open recordings.
-enum class Page { tracks, samples, residuals, windows, resonator, drift, history };
 
 // What a page shows around itself: a page shows only what acts on it.
 struct PageNeeds {
@@ -51,9 +56,11 @@ struct PageNeeds {
 // The word of a page in a session, and the page of a word; nothing for another word.
 QString pageWord(Page page);
 std::optional<Page> pageOfWord(const QString& word);
+// As on its tab.
+QString pageTitle(Page page);
 
 // The middle of the window: pages, and their tabs, which stand elsewhere. While no recording is
-// open, the welcome stands in the place of those about recordings.
+// open, the welcome stands in the place of those about recordings; while nothing is, alone.
 class PageStack : public QWidget {
     Q_OBJECT
 
@@ -62,10 +69,12 @@ public:
 
     // Adds the next page in the order of Page.
     void add(QWidget* page);
-    void setWelcome(bool shown);
+    // What is open: recordings, sets that show something without them, whole-angle logs.
+    void setOpen(bool recordings, bool sets, bool angle_logs);
     void showPage(Page page);
     Page page() const;
-    // Of the page that is shown; the welcome, which may stand in its place, needs nothing.
+    // Of the page that is shown; in place of the welcome the settings alone, which sets of logs
+    // have.
     PageNeeds needs() const;
     QTabBar* tabs() const { return tabs_; }
 
@@ -79,7 +88,9 @@ private:
 
     QTabBar* tabs_;
     QStackedWidget* stack_;
-    bool welcome_ = true;
+    bool recordings_ = false;
+    bool sets_ = false;
+    bool angle_logs_ = false;
 };
 
 }  // namespace vybeg::ui

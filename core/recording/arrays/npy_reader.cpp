@@ -10,6 +10,7 @@
 #include <charconv>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace vybeg {
@@ -185,6 +186,28 @@ std::size_t channel_axis(const std::vector<std::int64_t>& shape) {
     return shape[0] > 0 && shape[0] < shape[1] ? 0 : 1;
 }
 
+// Of the columns of a phasemeter's log; empty: it is none.
+std::vector<Channel> moku_headings(const NpyArray& array) {
+    constexpr std::int64_t header_of_moku = 96;  // NumPy ends it at a multiple of 64, once of 16
+    constexpr std::array<std::pair<const char*, const char*>, 5> of_input{
+        {{"Set Frequency", "Hz"}, {"Frequency", "Hz"}, {"Phase", "cyc"}, {"I", "V"}, {"Q", "V"}}};
+    constexpr std::int64_t each = of_input.size();
+    constexpr std::int64_t most_inputs = 4;
+    const std::int64_t columns = array.shape.size() == 2 ? array.shape[1] : 0;
+    if (array.data_offset != header_of_moku || array.type != NumberType::f64 || array.big_endian ||
+        array.fortran_order || columns % each != 1 || columns <= each ||
+        columns > most_inputs * each + 1 || array.shape[0] < columns) {
+        return {};
+    }
+    std::vector<Channel> headings{{"Time", "s"}};
+    for (std::int64_t input = 1; input <= columns / each; ++input) {
+        for (const auto& [name, unit] : of_input) {
+            headings.push_back({"Input " + std::to_string(input) + " " + name, unit});
+        }
+    }
+    return headings;
+}
+
 bool size_fits(const std::vector<std::int64_t>& shape) {
     // Limits the size, so that products with the size of a number do not overflow.
     std::int64_t room = std::numeric_limits<std::int64_t>::max() / 16;
@@ -203,6 +226,9 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
                            const JobControl& job) {
     const auto bytes = file_part(file, 0, file->size());
     const auto array = TRY(read_npy_header(*file, *bytes, "NPY"));
+    if (!moku_headings(array).empty()) {
+        return holds_phasors(*file);
+    }
     FoundSamples found;
     // Of three columns or more, the first may be the time, which is no channel.
     if (array.channels() > 2) {
@@ -223,6 +249,18 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
                                  npy_column(array, bytes, first + options.channel_d - 1));
     found.present_frames = found.source->frames();
     return complete_recording(*file, std::move(found), options);
+}
+
+Result<std::vector<NamedColumn>> npy_columns(const std::shared_ptr<const FileBytes>& file) {
+    const auto bytes = file_part(file, 0, file->size());
+    const auto array = TRY(read_npy_header(*file, *bytes, "NPY"));
+    std::vector<Channel> headings = moku_headings(array);
+    headings.resize(static_cast<std::size_t>(array.channels()));
+    std::vector<NamedColumn> columns;
+    for (Channel& heading : headings) {
+        columns.push_back({std::move(heading), npy_column(array, bytes, std::ssize(columns))});
+    }
+    return columns;
 }
 
 bool is_npy(std::string_view head) {

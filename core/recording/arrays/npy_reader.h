@@ -44,10 +44,21 @@ Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
 SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource> bytes,
                         std::int64_t channel);
 
+// A column of a table of numbers.
+struct NamedColumn {
+    Channel heading;  // without a name where the file has none
+    SampleColumn column;
+};
+
+// All columns of a NumPy array. Moku's converter writes no names: those of its phasemeter, a time
+// and five columns for each input, follow from their number and from the length of its header,
+// which is none of NumPy's. Errors: those of read_npy_header().
+Result<std::vector<NamedColumn>> npy_columns(const std::shared_ptr<const FileBytes>& file);
+
 // A NumPy array (NPY, is_npy()) of shape (n, channels) or (channels, n), read on demand; the rate
 // is the option's. A file shorter than its header states opens with the diagnostic file_ends_early.
 // Errors: format_damaged, format_unsupported, too_few_channels, channel_out_of_range,
-// too_few_frames, rate_unknown.
+// too_few_frames, rate_unknown; holds_log where the columns are those of a phasemeter.
 Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                            const JobControl& job);
 

@@ -4,17 +4,21 @@
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/numerics/statistics.h"
+#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/packed_parts.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
+#include "core/recording/text/labone_rows.h"
 #include "core/recording/text/text_format.h"
 #include "core/recording/text/text_reading.h"
+#include "core/recording/variables/mat_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -291,6 +295,113 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
     return table;
 }
 
+// Of a table without names only columns that are told by number, or by their order.
+int place_in(const std::vector<Channel>& headings, std::span<const ColumnWish> wishes,
+             std::size_t wish) {
+    TextFormat format;
+    format.columns = static_cast<int>(headings.size());
+    format.headings = headings;
+    const std::size_t order = wishes.front().told ? order_of(wishes, wish, format)
+                                                  : std::numeric_limits<std::size_t>::max();
+    return place_of(format, wishes[wish], order);
+}
+
+// A table of numbers that is neither lines nor variables.
+struct ArrayTable {
+    std::vector<Channel> headings;  // of its columns
+    std::function<Result<std::vector<double>>(std::size_t column)> read;
+};
+
+ArrayTable table_of(std::vector<NamedColumn> columns) {
+    ArrayTable table;
+    for (const NamedColumn& each : columns) {
+        table.headings.push_back(each.heading);
+    }
+    table.read = [columns = std::move(columns)](std::size_t place) -> Result<std::vector<double>> {
+        const SampleColumn& column = columns[place].column;
+        std::vector<double> values(static_cast<std::size_t>(column.frames()));
+        TRY(read_column(column, 0, values));
+        return values;
+    };
+    return table;
+}
+
+ArrayTable table_of(std::vector<LaboneField> fields) {
+    ArrayTable table;
+    for (const LaboneField& each : fields) {
+        table.headings.push_back({each.name, ""});
+    }
+    table.read = [fields = std::move(fields)](std::size_t place) {
+        return Result(fields[place].values);
+    };
+    return table;
+}
+
+// The table of a file that holds one; without columns: it holds none.
+Result<ArrayTable> find_array(const File& file, std::string_view head, const JobControl& job) {
+    if (is_npy(head)) {
+        auto columns = TRY(npy_columns(file));
+        return table_of(std::move(columns));
+    }
+    if (is_mat5(head)) {
+        auto columns = TRY(moku_columns(file, job));
+        return table_of(std::move(columns));
+    }
+    if (is_labone_rows(head)) {
+        auto fields = TRY(read_labone_rows(file, job));
+        return table_of(std::move(fields));
+    }
+    return ArrayTable();
+}
+
+Result<LogTable> read_array(const FileBytes& file, const ArrayTable& array,
+                            const OpenOptions& options, std::span<const ColumnWish> wishes) {
+    LogTable table = empty_table(wishes);
+    const Channel* time = nullptr;
+    std::size_t rows = std::numeric_limits<std::size_t>::max();
+    for (std::size_t k = 0; k < wishes.size(); ++k) {
+        const int place = place_in(array.headings, wishes, k);
+        if (place < 0 && (wishes[k].role.needed || wishes[k].told)) {
+            return missing_column(file, wishes[k], array.headings);
+        }
+        if (place < 0) {
+            continue;
+        }
+        const Channel& heading = array.headings[static_cast<std::size_t>(place)];
+        auto values = TRY(array.read(static_cast<std::size_t>(place)));
+        rows = std::min(rows, values.size());
+        if (is_time(wishes[k])) {
+            time = &heading;
+            table.time_s = std::move(values);
+        } else {
+            table.columns[k] = {wishes[k].role.name, plain_text(heading.name),
+                                plain_text(heading.unit), std::move(values)};
+        }
+    }
+    if (time == nullptr && !options.rate_hz) {
+        return file.error(ErrorCode::rate_unknown);
+    }
+    table.time_s.resize(rows);
+    const double unit_s =
+        time == nullptr ? 1 / *options.rate_hz : seconds_per(time_unit(*time)).value_or(1);
+    for (std::size_t row = 0; row < rows; ++row) {
+        table.time_s[row] =
+            unit_s * (time == nullptr ? static_cast<double>(row) : table.time_s[row]);
+    }
+    for (LogColumn& column : table.columns) {
+        column.values.resize(column.values.empty() ? 0 : rows);
+    }
+    if (time != nullptr && normal_name(time->name) == "timestamp") {
+        TRY(count_ticks(file, options, table));
+    }
+    if (!std::ranges::is_sorted(table.time_s)) {
+        return file.unsupported("table", VYBEG_MESSAGE("Words",
+                                                       "times that do not rise: name their column "
+                                                       "as t in --columns"));
+    }
+    return table;
+}
+
 // The file, or the one text that it has packed.
 Result<File> unpacked(File file) {
     const auto head = TRY(file_head(*file));
@@ -360,13 +471,16 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
     const auto file = TRY(unpacked(packed));
     const auto head = TRY(file_head(*file));
     const FileFormat* const format = find_format(head, *file);
-    if (!options.text && format && format->has_variables) {
+    const auto array = TRY(options.text ? ArrayTable() : find_array(file, head, job));
+    const bool is_array = !array.headings.empty();
+    if (!is_array && !options.text && format && format->has_variables) {
         return read_variables(path, options, wishes, job);
     }
-    if (!options.text && (!format || !format->is_text())) {
+    if (!is_array && !options.text && (!format || !format->is_text())) {
         return file->error(ErrorCode::no_log);
     }
-    auto table = TRY(read_text(file, options, wishes, job));
+    auto table = TRY(is_array ? read_array(*file, array, options, wishes)
+                              : read_text(file, options, wishes, job));
     double last = -std::numeric_limits<double>::infinity();
     keep_rows(table, [&](std::size_t row) {
         const double before = std::exchange(last, table.time_s[row]);

@@ -60,12 +60,13 @@ struct LogTable {
     }
 };
 
-// Reads the columns of a text, of NPZ, MAT or HDF5. A text without names has them in the order of
-// the wishes. Times are those of the file, never brought onto a grid; those of a text without times
-// follow from --rate. A row that repeats the time of the one before is left out. Times in ticks, as
-// those of LabOne, are brought to seconds by --rate, or by the clockbase of the _header_ file
-// beside it. A ZIP file of one text is that text. Errors:
-// no_log, column_missing, rate_unknown and those of the readers.
+// Reads the columns of a text, of NPY, NPZ, MAT or HDF5. A text without names has them in the order
+// of the wishes, an array in that of those told. Of MAT they are vectors, or the columns of the
+// table that Moku's converter writes. Times are those of the file, never brought onto a grid; those
+// of a text without times follow from --rate. A row that repeats the time of the one before is left
+// out. Times in ticks, as those of LabOne, are brought to seconds by --rate, or by the clockbase of
+// the _header_ file beside it. A ZIP file of one text is that text. Errors: no_log, column_missing,
+// rate_unknown and those of the readers.
 Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
                           std::span<const ColumnWish> wishes, const JobControl& job);
 

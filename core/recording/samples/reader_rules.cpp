@@ -79,10 +79,19 @@ bool wants_one_channel(const OpenOptions& options) {
 }
 
 Error too_few_channels(const FileBytes& file, int found) {
+    if (found <= 0) {
+        return file.error(ErrorCode::no_channels);
+    }
     const auto partner = partner_of(file.path());
     return file.error(ErrorCode::too_few_channels,
                       {count_arg(found), count_arg(channels_needed),
                        partner ? partner->filename().string() : std::string("FILE")});
+}
+
+Error holds_phasors(const FileBytes& file) {
+    return file.error(ErrorCode::holds_log,
+                      {words(VYBEG_MESSAGE("Words", "phasors of a phasemeter or a lock-in")),
+                       "--phasors fixed|common|pll --y-sign +|- --amplitude peak|rms"});
 }
 
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {

@@ -23,11 +23,14 @@ namespace vybeg {
 bool wants_one_channel(const OpenOptions& options);
 
 // The error of a file with so many channels where two are needed: too_few_channels, with the file
-// that lies beside it and may hold the other one.
+// that lies beside it and may hold the other one, or no_channels.
 Error too_few_channels(const FileBytes& file, int found);
 
+// The error of a file that holds phasors of a phasemeter or a lock-in: holds_log.
+Error holds_phasors(const FileBytes& file);
+
 // Checks that both chosen channels exist among the `found` channels of the file. Errors:
-// too_few_channels, channel_out_of_range.
+// no_channels, too_few_channels, channel_out_of_range.
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options);
 
 // Checks for at least 5 frames, the least for five parameters. Errors: too_few_frames.

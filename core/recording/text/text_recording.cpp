@@ -204,10 +204,6 @@ struct LogKind {
     const char* read_with;
 };
 
-constexpr const char* phasors = VYBEG_MESSAGE("Words", "phasors of a phasemeter or a lock-in");
-constexpr const char* phasor_options =
-    "--phasors fixed|common|pll --y-sign +|- --amplitude peak|rms";
-
 // Whether every column beside the time is known of whole-angle logs, an angle among them.
 bool is_whole_angle(const TextFormat& format) {
     bool angle = false;
@@ -232,8 +228,7 @@ bool is_whole_angle(const TextFormat& format) {
 
 // Tracks, whose columns are known, too, open: their values are numbers over time.
 Status check_holds_samples(const FileBytes& file, const TextHead& head, const TextFormat& format) {
-    const std::array<LogKind, 3> kinds{{{{"Xc", "Yc", "Xd", "Yd"}, phasors, phasor_options},
-                                        {{"a", "b", "theta"},
+    const std::array<LogKind, 2> kinds{{{{"a", "b", "theta"},
                                          VYBEG_MESSAGE("Words", "the wave's a, b and theta"),
                                          "--columns a,b,theta"},
                                         {{"E", "R", "S", "Q"},
@@ -242,17 +237,16 @@ Status check_holds_samples(const FileBytes& file, const TextHead& head, const Te
     const auto is_there = [&](const char* column) {
         return std::ranges::find(format.headings, column, &Channel::name) != format.headings.end();
     };
+    const std::array<const char*, 4> of_phasors{"Xc", "Yc", "Xd", "Yd"};
+    if (is_of_phasemeter(head) || std::ranges::all_of(of_phasors, is_there)) {
+        return holds_phasors(file);
+    }
     for (const LogKind& kind : kinds) {
         if (std::ranges::all_of(kind.columns, is_there)) {
             return file.error(ErrorCode::holds_log, {words(kind.holds), kind.read_with});
         }
     }
-    if (is_whole_angle(format)) {
-        return file.error(ErrorCode::holds_angle);
-    }
-    return is_of_phasemeter(head)
-               ? Status(file.error(ErrorCode::holds_log, {words(phasors), phasor_options}))
-               : Status();
+    return is_whole_angle(format) ? Status(file.error(ErrorCode::holds_angle)) : Status();
 }
 
 Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,

@@ -2,11 +2,15 @@
 
 #include "core/base/plain_text.h"
 #include "core/recording/bytes/packed_parts.h"
+#include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/samples/vocabulary.h"
 #include "core/recording/variables/array_variables.h"
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -111,7 +115,7 @@ std::optional<NumberType> number_type(std::uint32_t element_type) {
         case int8: return NumberType::i8;
         case 2: return NumberType::u8;
         case 3: return NumberType::i16;
-        case 4: return NumberType::u16;
+        case uint16: return NumberType::u16;
         case int32: return NumberType::i32;
         case uint32: return NumberType::u32;
         case 7: return NumberType::f32;
@@ -243,6 +247,10 @@ public:
         return status_ ? Result(std::move(arrays_)) : status_.error();
     }
 
+    // The names of the columns of an array `data` in a struct, where it has them in a cell array
+    // `legend`, by the array's name.
+    const std::map<std::string, std::vector<Channel>>& legends() const { return legends_; }
+
 private:
     void fail(Error error) {
         if (status_) {
@@ -323,6 +331,11 @@ private:
         const auto bits = number<std::uint32_t>(bytes, flags.data);
         const auto shown = class_type(bits & class_mask);
         const bool is_struct = (bits & class_mask) == struct_class && depth < most_struct_depth;
+        if (const std::string legend = ".legend";
+            (bits & class_mask) == cell_class && path.ends_with(legend)) {
+            path.resize(path.size() - legend.size());
+            return add_legend(bytes, {0, flags.next, whole.end() - flags.next, 0}, path + ".data");
+        }
         if ((!shown && !is_struct) || (bits & logical_flag) != 0) {
             return;
         }
@@ -355,6 +368,42 @@ private:
         stored.array.data_offset = data.data;
         stored.content = content.again;
         arrays_.push_back(std::move(stored));
+    }
+
+    // `rest`: size, name and cells, each a text.
+    void add_legend(const ByteSource& bytes, const Element& rest, const std::string& of) {
+        const Element size = element(bytes, rest.data, rest.end());
+        const Element name = element(bytes, size.next, rest.end());
+        std::vector<Channel>& legend = legends_[of];
+        for (std::int64_t at = name.next; at < rest.end() && status_;) {
+            count_element();
+            const Element cell = element(bytes, at, rest.end());
+            legend.push_back(name_and_unit(cell_text(bytes, cell)));
+            at = cell.next;
+        }
+    }
+
+    // Of a cell with a text; empty for another one.
+    std::string cell_text(const ByteSource& bytes, const Element& cell) {
+        if (cell.type != matrix || cell.size == 0) {
+            return {};
+        }
+        const Element flags = element(bytes, cell.data, cell.end());
+        if ((number<std::uint32_t>(bytes, flags.data) & class_mask) != char_class) {
+            return {};
+        }
+        const Element size = element(bytes, flags.next, cell.end());
+        const Element name = element(bytes, size.next, cell.end());
+        const Element data = element(bytes, name.next, cell.end());
+        if (data.size > longest_name) {
+            return {};
+        }
+        std::string found = text(bytes, data.data, data.size);
+        if (data.type == uint16 || data.type == utf16) {
+            // Of names in Latin letters every second byte is zero.
+            std::erase(found, '\0');
+        }
+        return found;
     }
 
     void add_unsupported(const std::string& name, std::int64_t dimensions) {
@@ -402,7 +451,21 @@ private:
     int elements_ = 0;      // variables and fields so far
     Status status_;
     Arrays arrays_;
+    std::map<std::string, std::vector<Channel>> legends_;
 };
+
+bool is_big_endian(std::string_view head) {
+    return head[header_bytes - 2] == 'M';
+}
+
+constexpr const char* moku_table = "moku.data";
+
+bool is_of_phasemeter(const std::vector<Channel>& legend) {
+    return std::ranges::any_of(legend, [](const Channel& column) {
+        const std::string name = normal_name(column.name);
+        return name == normal_name("Input 1 I") || name == normal_name("Input 1 X");
+    });
+}
 
 }  // namespace
 
@@ -413,9 +476,41 @@ Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOpti
     if (is_level5 && std::ssize(head) < header_bytes) {
         return file->damaged("MAT", VYBEG_MESSAGE("Words", "it ends in its header"));
     }
-    auto arrays = TRY(is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job)
-                                : level4_arrays(file));
-    return open_arrays(*file, is_level5 ? "MAT 5" : "MAT 4", std::move(arrays), options, job);
+    if (!is_level5) {
+        auto arrays = TRY(level4_arrays(file));
+        return open_arrays(*file, "MAT 4", std::move(arrays), options, job);
+    }
+    Level5 level5(file, is_big_endian(head));
+    auto arrays = TRY(level5.arrays(job));
+    const auto legend = level5.legends().find(moku_table);
+    if (legend != level5.legends().end() && is_of_phasemeter(legend->second)) {
+        return holds_phasors(*file);
+    }
+    return open_arrays(*file, "MAT 5", std::move(arrays), options, job);
+}
+
+Result<std::vector<NamedColumn>> moku_columns(const std::shared_ptr<const FileBytes>& file,
+                                              const JobControl& job) {
+    const auto head = TRY(file->text(0, header_bytes));
+    std::vector<NamedColumn> columns;
+    if (!is_mat5(head) || std::ssize(head) < header_bytes) {
+        return columns;
+    }
+    Level5 level5(file, is_big_endian(head));
+    const auto arrays = TRY(level5.arrays(job));
+    const auto table = std::ranges::find(
+        arrays, moku_table, [](const StoredArray& stored) { return stored.variable.name; });
+    const auto legend = level5.legends().find(moku_table);
+    if (table == arrays.end() || legend == level5.legends().end() ||
+        table->array.shape[1] != std::ssize(legend->second)) {
+        return columns;
+    }
+    for (const Channel& heading : legend->second) {
+        auto content = TRY(table->content());
+        columns.push_back(
+            {heading, npy_column(table->array, std::move(content), std::ssize(columns))});
+    }
+    return columns;
 }
 
 }  // namespace vybeg

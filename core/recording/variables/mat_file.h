@@ -2,6 +2,7 @@
 
 #include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/open_options.h"
@@ -11,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 // MAT files of level 4 and 5, as MathWorks, "MAT-File Format", describes them.
 namespace vybeg {
@@ -46,12 +48,14 @@ inline constexpr std::int64_t tag_bytes = 8;
 // Types of elements (table 1-1), those of some numbers among them.
 enum ElementType : std::uint32_t {
     int8 = 1,
+    uint16 = 4,
     int32 = 5,
     uint32 = 6,
     float64 = 9,
     matrix = 14,
     compressed = 15,
-    utf8 = 16
+    utf8 = 16,
+    utf16 = 17
 };
 
 // Classes of arrays (table 1-3); those of numbers begin with the doubles.
@@ -67,8 +71,14 @@ enum ArrayClass : std::uint32_t {
 // The arrays of real numbers in a MAT file of level 4 or 5 and, by "name.field", in its single
 // structs, read on demand: plain ones in place, compressed ones inflated on the way. Which of them
 // is what: open_variables(). Errors: format_damaged, also where a size does not fit the numbers
-// that are there; those of open_variables(); interrupted.
+// that are there; holds_log where Moku's converter wrote it of a phasemeter or a lock-in; those of
+// open_variables(); interrupted.
 Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                            const JobControl& job);
+
+// The columns of the table in a file of Moku's converter, whose struct `moku` names them; none: it
+// is another file. Errors: those of open_mat() about the file.
+Result<std::vector<NamedColumn>> moku_columns(const std::shared_ptr<const FileBytes>& file,
+                                              const JobControl& job);
 
 }  // namespace vybeg

@@ -321,11 +321,13 @@ private slots:
         write(random_track(1), "single");
         for (const auto& [ending, code] :
              {std::pair(".npz", ErrorCode::format_unsupported),  // names the texts that it holds
-              {".h5", ErrorCode::too_few_channels},
-              {".mat", ErrorCode::too_few_channels}}) {
+              {".h5", ErrorCode::no_channels},
+              {".mat", ErrorCode::no_channels}}) {
             const auto recording = open_recording(path("single" + QString(ending)), {}, {});
             QVERIFY(!recording);
             QCOMPARE(recording.error().code, code);
+            // No file of channel D could help.
+            QVERIFY(english(recording.error()).find("--channel-d") == std::string::npos);
         }
     }
 

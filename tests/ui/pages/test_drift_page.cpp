@@ -320,7 +320,7 @@ private slots:
         QTest::keyClick(&columns, Qt::Key_Return);
         wait();
         QVERIFY(!the<QLabel>("driftFault").isVisible());
-        QVERIFY2(messages().contains("Choose degrees or radians"), qPrintable(messages()));
+        QVERIFY2(messages().contains("Choose degrees, radians or turns"), qPrintable(messages()));
         auto& unit = the<QComboBox>("driftAngleUnit");
         unit.setCurrentIndex(2);
         emit unit.activated(2);
@@ -331,6 +331,70 @@ private slots:
         settings.reading.rad_per_angle_unit = 1;
         QVERIFY(drift().settings() == settings);
         compareWith(computed({bad}, settings));
+    }
+
+    // They were options of the command line alone.
+    void a_text_that_is_guessed_wrongly_is_told_as_what_it_is() {
+        const WholeAngleLog held = test::simulated_log(loop(0.05, 11));
+        // A number in the heading looks like a first row; the last column is the time.
+        QByteArray text = "1;2;3;4\n0;0;0;0\n";
+        const auto number = [](double value) {
+            return QByteArray::number(value, 'g', 17).replace('.', ',');
+        };
+        for (std::size_t k = 0; k < held.time_s.size(); ++k) {
+            text += number(held.theta[k]) + ';' + number(held.amplitude_effort[k]) + ';' +
+                    number(held.quadrature_effort[k]) + ';' + number(held.time_s[k]) + '\n';
+        }
+        const QString log = home_.file("told.txt", text);
+        open({log});
+        typeInto(the<NumberField>("driftSkipLines"), "2");
+        typeInto(the<NumberField>("driftTimeColumn"), "4");
+        for (const auto& [name, place] :
+             {std::pair{"driftDelimiter", 2}, {"driftDecimal", 2}, {"driftAngleUnit", 2}}) {
+            auto& box = the<QComboBox>(QLatin1String(name));
+            box.setCurrentIndex(place);
+            emit box.activated(place);
+        }
+        auto& columns = the<QLineEdit>("driftColumns");
+        columns.setFocus();
+        QTest::keyClicks(&columns, "theta=1,amplitude=2,quadrature=3");
+        QTest::keyClick(&columns, Qt::Key_Return);
+        wait();
+        QVERIFY2(drift().outcome(), qPrintable(messages()));
+        DriftSettings told;
+        TextChoice choice;
+        choice.delimiter = ';';
+        choice.decimal_comma = true;
+        choice.lines_to_skip = 2;
+        choice.time_column = 4;
+        told.reading.open.text = choice;
+        told.reading.columns = "theta=1,amplitude=2,quadrature=3";
+        told.reading.rad_per_angle_unit = 1;
+        QVERIFY(drift().settings() == told);
+        QCOMPARE(drift().outcome()->drift.logs[0].rows, held.time_s.size());
+        auto& time_column = the<NumberField>("driftTimeColumn");
+        time_column.setFocus();
+        time_column.selectAll();
+        QTest::keyClick(&time_column, Qt::Key_Delete);
+        QTest::keyClick(&time_column, Qt::Key_Return);
+        QVERIFY(!drift().settings().reading.open.text->time_column);
+        document().undoStack().undo();
+        QCOMPARE(the<NumberField>("driftTimeColumn").value(), std::optional(4.0));
+        wait();
+    }
+
+    // At 1280 pixels the header and the numbers below it broke into two lines.
+    void the_columns_of_all_logs_stand_on_one_line() {
+        window_->resize(1280, 720);
+        open({written("a.csv", loop(0.05, 1)), written("b.csv", loop(-0.04, 2))});
+        auto& table = the<QuantityTable>("driftHarmonics");
+        const QString head = table.horizontalHeaderItem(1)->text();
+        QVERIFY(!head.contains(' '));
+        VYBEG_AT_LEAST(table.columnWidth(1), table.fontMetrics().horizontalAdvance(head));
+        // Values with their deviations, too: rows of numbers are as high as one line.
+        for (int row = 1; row < log_terms; ++row) {
+            VYBEG_LESS(table.rowHeight(row), 2 * table.fontMetrics().height());
+        }
     }
 
     void settings_are_steps_of_undo() {

@@ -15,6 +15,7 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/session/session_keeper.h"
+#include "ui/settings/settings_panel.h"
 #include "ui/widgets/number_field.h"
 #include "ui/window/file_commands.h"
 
@@ -27,6 +28,7 @@
 #include <QListWidget>
 #include <QPointer>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTableWidget>
 #include <QTest>
 
@@ -161,6 +163,130 @@ private slots:
         VYBEG_CLOSE_RATIO(outcome().identification.fit.resonator.tau_s.value, 40, 0.02);
         VYBEG_CLOSE_RATIO(outcome().identification.fit.resonator.split_hz.value, 0.05, 0.1);
         QVERIFY(childOf<MessageBar>(*window_).texts().filter("is a log").isEmpty());
+    }
+
+    // The dialog came empty for the second log, and made a set of its own of it.
+    void a_further_log_comes_into_the_set_that_is_open() {
+        window_->files().openLogs({phasors("first")});
+        opened();
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        acceptAndWait();
+        const SetId id = sets().current()->id;
+        const QString second = phasors("second", 1.1);
+        emit childOf<FileList>(*window_, "members").dropped({second});
+        opened();
+        QCOMPARE(dialog()->files().size(), 2);
+        // Nothing is asked again.
+        QTRY_VERIFY2(openButton().isEnabled(), qPrintable(lacking()));
+        QVERIFY(dialog()->set().settings.logs == outcome().set.settings.logs);
+        QTest::mouseClick(&openButton(), Qt::LeftButton);
+        QVERIFY(QTest::qWaitFor([&] { return outcome().identification.runs.size() == 2; }, 60000));
+        QCOMPARE(sets().current()->id, id);
+        QCOMPARE(sets().all().size(), std::size_t(1));
+        QCOMPARE(outcome().set.recordings[0].name(), std::string("first.phasors.csv"));
+        QVERIFY(!sets().outOfDate(*sets().current(), outcome()));
+        QCOMPARE(setName(document(), *sets().current()), QString("Logs 1"));
+        document().undoStack().undo();
+        QCOMPARE(sets().measured(*sets().current()).recordings.size(), std::size_t(1));
+        QCOMPARE(outcome().identification.runs.size(), std::size_t(1));
+        document().undoStack().redo();
+        auto& members = childOf<FileList>(*window_, "members");
+        members.setCurrentRow(0);
+        QTest::keyClick(&members, Qt::Key_Delete);
+        QCOMPARE(members.count(), 1);
+        QCOMPARE(members.item(0)->text(), QString("second.phasors.csv"));
+        QVERIFY(sets().outOfDate(*sets().current(), outcome()));
+        // Those of the result, whatever the set has by now.
+        QCOMPARE(sets().underPresentConditions(*sets().current(), outcome()).set.recordings.size(),
+                 outcome().set.recordings.size());
+        members.setCurrentRow(0);
+        QTest::keyClick(&members, Qt::Key_Delete);
+        QCOMPARE(members.count(), 0);
+        QVERIFY(!sets().canIdentify());
+        document().undoStack().undo();
+        // The same logs told otherwise.
+        childOf<QPushButton>(*window_, "editLogs").click();
+        opened();
+        QTRY_VERIFY2(openButton().isEnabled(), qPrintable(lacking()));
+        the<QComboBox>("y_sign").setCurrentIndex(2);
+        QTRY_VERIFY2(openButton().isEnabled(), qPrintable(lacking()));
+        QTest::mouseClick(&openButton(), Qt::LeftButton);
+        QCOMPARE(sets().measured(*sets().current()).settings.logs.phasors.y_sign, -1);
+    }
+
+    // They were those at the time of opening for good.
+    void calibration_and_tolerances_of_the_panel_take_effect() {
+        window_->files().openLogs({phasors("calibrated")});
+        opened();
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        acceptAndWait();
+        Settings settings = document().settings();
+        settings.calibration.kappa = 2;
+        settings.calibration.offset_c = 0.5;  // of samples
+        document().setSettings(settings);
+        Tolerance tolerance;
+        tolerance.kappa = 0.03;
+        document().setTolerance(tolerance);
+        QVERIFY(sets().outOfDate(*sets().current(), outcome()));
+        QVERIFY2(state().contains("Out of date"), qPrintable(state()));
+        const MeasurementSet measured = sets().measured(*sets().current());
+        QCOMPARE(measured.settings.signal.calibration.kappa, 2.0);
+        QCOMPARE(measured.settings.signal.calibration.offset_c, 0.0);
+        QCOMPARE(measured.settings.tolerance.kappa, std::optional(0.03));
+        sets().identify();
+        QVERIFY(QTest::qWaitFor([&] { return !sets().outOfDate(*sets().current(), outcome()); },
+                                60000));
+        QCOMPARE(outcome().identification.settings.signal.calibration.kappa, 2.0);
+        QVERIFY(childOf<QLabel>(*window_, "listed").text().contains("panel Analysis"));
+        // Also of a session.
+        const QString path = home_.path("calibrated.vybeg");
+        QVERIFY(savedTo(*window_, path));
+        window_ = shownWindow();
+        window_->files().open({path});
+        waitForOutcome();
+        settings.calibration.kappa = 3;
+        document().setSettings(settings);
+        QCOMPARE(sets().measured(*sets().current()).settings.signal.calibration.kappa, 3.0);
+        // Those of a list stay its own.
+        window_->files().open({home_.file("fixed.csv",
+                                          "file,phasors,y-sign,amplitude,lock-in\n"
+                                          "calibrated.phasors.csv,fixed,+,peak,\"4,30\"\n")});
+        const double listed = sets().measured(*sets().current()).settings.signal.calibration.kappa;
+        settings.calibration.kappa = 4;
+        document().setSettings(settings);
+        QCOMPARE(sets().measured(*sets().current()).settings.signal.calibration.kappa, listed);
+    }
+
+    // The welcome asked for a recording, without a way to the page of the logs' resonator.
+    void without_a_recording_the_tracks_say_where_the_results_are() {
+        window_->files().openLogs({phasors("alone")});
+        opened();
+        QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
+        tellPhasors();
+        acceptAndWait();
+        auto& tabs = childOf<QTabBar>(*window_, "pages");
+        auto& opened_text = childOf<QLabel>(*window_, "opened");
+        tabs.setCurrentIndex(0);
+        QVERIFY(opened_text.isVisible() && tabs.isVisible());
+        QVERIFY2(opened_text.text().contains("alone.phasors"), qPrintable(opened_text.text()));
+        // Calibration and tolerances hold for the logs.
+        QVERIFY(childOf<SettingsPanel>(*window_).isVisible());
+        emit opened_text.linkActivated("resonator");
+        QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
+        window_->files().savePassportTo(home_.path("alone.phasors.csv"));
+        QTRY_VERIFY(
+            !childOf<MessageBar>(*window_).texts().filter("one of the open files").isEmpty());
+        document().undoStack().undo();
+        tabs.setCurrentIndex(0);
+        QVERIFY(!opened_text.isVisible() && !tabs.isVisible());
+        const QString turning = home_.file("turn.csv", "t,theta_deg\n0,0\n1,1\n2,2\n");
+        document().drift().open({turning});
+        tabs.setCurrentIndex(0);
+        QVERIFY(opened_text.isVisible() && tabs.isVisible());
+        QVERIFY2(opened_text.text().contains("turn.csv"), qPrintable(opened_text.text()));
+        QVERIFY(!childOf<SettingsPanel>(*window_).isVisible());
     }
 
     void undo_and_session_keep_the_logs() {

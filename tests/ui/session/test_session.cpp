@@ -380,7 +380,7 @@ private slots:
         auto* dialog = window_->findChild<QFileDialog*>();
         emit dialog->fileSelected(recording);
         dialog->close();
-        QVERIFY(messages().contains("is one of the open recordings"));
+        QVERIFY(messages().contains("is one of the open files"));
         QVERIFY(session().path().isEmpty());
     }
 };

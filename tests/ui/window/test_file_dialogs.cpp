@@ -238,9 +238,9 @@ private slots:
             QFileInfo(recording).path() + "/./" + QFileInfo(recording).fileName();
         for (const QString& path : {recording, around, link}) {
             window_->files().exportTrackTo(path);
-            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open files"));
             QVERIFY(!exportPlotsTo(*window_, path));
-            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open files"));
             window_->files().savePassportTo(path);
             QVERIFY(!document().busy());
             deliverPosted();
@@ -267,7 +267,7 @@ private slots:
         QTRY_VERIFY(document().currentRecording() && document().currentRecording()->recording);
         the<MessageBar>().clear();
         window_->files().exportTrackTo(d);
-        QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+        QVERIFY(the<MessageBar>().texts().first().contains("is one of the open files"));
         QFile file(d);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll(), texts[1]);

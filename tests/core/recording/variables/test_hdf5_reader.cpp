@@ -380,8 +380,6 @@ private slots:
                                 << "samples packed by the filter lzf, number 32000 (/C)";
         QTest::newRow("cut.h5") << "format-damaged"
                                 << "it is shorter than its header says: cut off, or never closed";
-        QTest::newRow("empty.h5") << "too-few-channels"
-                                  << "FILE";
     }
 
     void what_cannot_be_read_is_refused_by_name() {
@@ -394,6 +392,12 @@ private slots:
         QCOMPARE(
             QString::fromStdString(english(args.at(code == "format-limit" ? 1 : args.size() - 1))),
             reason);
+    }
+
+    void a_file_without_numbers_holds_no_channel() {
+        const auto recording = open(folder_.file("empty.h5"));
+        QVERIFY(!recording);
+        QCOMPARE(recording.error().code, ErrorCode::no_channels);
     }
 
 private:
