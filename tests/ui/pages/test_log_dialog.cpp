@@ -223,7 +223,7 @@ private slots:
         tellPhasors();
         acceptAndWait();
         Settings settings = document().settings();
-        settings.calibration.kappa = 2;
+        settings.calibration.kappa = 1.02;
         settings.calibration.offset_c = 0.5;  // of samples
         document().setSettings(settings);
         Tolerance tolerance;
@@ -232,13 +232,13 @@ private slots:
         QVERIFY(sets().outOfDate(*sets().current(), outcome()));
         QVERIFY2(state().contains("Out of date"), qPrintable(state()));
         const MeasurementSet measured = sets().measured(*sets().current());
-        QCOMPARE(measured.settings.signal.calibration.kappa, 2.0);
+        QCOMPARE(measured.settings.signal.calibration.kappa, 1.02);
         QCOMPARE(measured.settings.signal.calibration.offset_c, 0.0);
         QCOMPARE(measured.settings.tolerance.kappa, std::optional(0.03));
         sets().identify();
         QVERIFY(QTest::qWaitFor([&] { return !sets().outOfDate(*sets().current(), outcome()); },
                                 60000));
-        QCOMPARE(outcome().identification.settings.signal.calibration.kappa, 2.0);
+        QCOMPARE(outcome().identification.settings.signal.calibration.kappa, 1.02);
         QVERIFY(childOf<QLabel>(*window_, "listed").text().contains("panel Analysis"));
         // Also of a session.
         const QString path = home_.path("calibrated.vybeg");
@@ -246,15 +246,15 @@ private slots:
         window_ = shownWindow();
         window_->files().open({path});
         waitForOutcome();
-        settings.calibration.kappa = 3;
+        settings.calibration.kappa = 1.03;
         document().setSettings(settings);
-        QCOMPARE(sets().measured(*sets().current()).settings.signal.calibration.kappa, 3.0);
+        QCOMPARE(sets().measured(*sets().current()).settings.signal.calibration.kappa, 1.03);
         // Those of a list stay its own.
         window_->files().open({home_.file("fixed.csv",
                                           "file,phasors,y-sign,amplitude,lock-in\n"
                                           "calibrated.phasors.csv,fixed,+,peak,\"4,30\"\n")});
         const double listed = sets().measured(*sets().current()).settings.signal.calibration.kappa;
-        settings.calibration.kappa = 4;
+        settings.calibration.kappa = 1.04;
         document().setSettings(settings);
         QCOMPARE(sets().measured(*sets().current()).settings.signal.calibration.kappa, listed);
     }
