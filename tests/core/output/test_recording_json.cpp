@@ -70,8 +70,8 @@ private slots:
         Recording recording;
         recording.rate_hz = 33332.99999999999;
         recording.source = std::make_shared<Silence>();
-        for (const auto& [origin, expected] : {std::pair{RateOrigin::time_column, 33333.0},
-                                               {RateOrigin::file, 33332.99999999999}}) {
+        for (const auto& [origin, expected] :
+             {std::pair{RateOrigin::time_column, 33333.0}, {RateOrigin::file, 33332.99999999999}}) {
             recording.rate_from = origin;
             const QByteArray json = QByteArray::fromStdString(recording_json(recording, "", {}));
             const QJsonObject info = QJsonDocument::fromJson(json).object();
