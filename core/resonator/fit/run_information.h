@@ -10,7 +10,7 @@
 namespace vybeg {
 
 // What each run of a set says of the set's shared parameters, its own parameters eliminated, and
-// whether the runs agree (FIT section 9).
+// whether the runs agree (FIT section 10).
 
 // Relative deviations of a run: 1/tau, split, gain ratio (RunDeviation).
 inline constexpr int deviation_count = 3;

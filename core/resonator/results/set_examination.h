@@ -10,7 +10,7 @@
 
 namespace vybeg {
 
-// Whether the runs of a set are of one resonator (FIT section 9). A set is a hypothesis: it is
+// Whether the runs of a set are of one resonator (FIT section 10). A set is a hypothesis: it is
 // tested before its numbers are believed.
 enum class SetVerdict {
     fits,     // the runs agree
