@@ -4,7 +4,7 @@
 #include "core/output/drift_json.h"
 #include "core/output/output_file.h"
 #include "core/output/sample_files.h"
-#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/open_table.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "ui/import/import_dialog.h"
