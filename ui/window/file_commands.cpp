@@ -361,16 +361,17 @@ void FileCommands::exportPlot(const Figure& figure) {
 void FileCommands::exportHistory(const HistoryExport& all) {
     ask_.target(FileQuestions::tr("Export history"), QStringLiteral("history.csv"),
                 {FileQuestions::tr("Table (*.csv)"), FileQuestions::tr("PDF document (*.pdf)")},
-                [this, all](const QString& path) {
-                    put(path, {"", ".csv", ".txt", ".pdf"}, [&](const Done& done) {
-                        if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
-                            reports_.write(all.report, all.figures, path, done);
-                        } else {
-                            done(write_file(std::filesystem::path(path.toStdU16String()), all.table,
-                                            JobControl()));
-                        }
-                    });
-                });
+                [this, all](const QString& path) { exportHistoryTo(path, all); });
+}
+
+void FileCommands::exportHistoryTo(const QString& path, const HistoryExport& all) {
+    put(path, {"", ".csv", ".txt", ".pdf"}, [&](const Done& done) {
+        if (path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)) {
+            reports_.write(all.report, all.figures, path, done);
+        } else {
+            done(write_file(std::filesystem::path(path.toStdU16String()), all.table, JobControl()));
+        }
+    });
 }
 
 void FileCommands::askForReport(bool of_set) {

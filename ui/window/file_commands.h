@@ -69,6 +69,7 @@ public:
     void exportPlot(const Figure& figure);
     // The page History, as a table or, where the path ends in .pdf, as a report.
     void exportHistory(const HistoryExport& all);
+    void exportHistoryTo(const QString& path, const HistoryExport& all);
     // By a dialog: subject, title block, plots. Written in the background.
     // Of the current recording, or of the current set.
     void askForReport(bool of_set);
