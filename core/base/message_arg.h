@@ -83,9 +83,12 @@ MessageRow row_at(const Rows& rows, std::size_t place) {
 // Passes to `take` what the command line, or the window, says of a sentence, piece by piece.
 template <class Take>
 void pass_sentence(std::string_view sentence, bool window, const Take& take) {
-    for (std::size_t begin = sentence.find('{'); begin != std::string_view::npos;
-         begin = sentence.find('{')) {
+    for (;;) {
+        const std::size_t begin = sentence.find('{');
         const std::size_t end = sentence.find('}', begin);
+        if (end == std::string_view::npos) {
+            break;
+        }
         const std::size_t bar = std::min(sentence.find('|', begin), end);
         take(sentence.substr(0, begin));
         const std::size_t other = std::min(bar + 1, end);

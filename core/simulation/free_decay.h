@@ -117,9 +117,9 @@ struct FreeDecay {
 
 FreeDecay demo_decay();
 
-// The options of `simulate` that describe a decay, in the order of its help. The text of one that
-// is not given is empty; that of mode_beside_option may be read once for each mode, and is not
-// written.
+// The options of `simulate` that describe a decay, in the order of its help. The text of `hum`
+// and `lose` is empty where they are not given; that of mode_beside_option may be read once for
+// each mode, and is not written.
 const std::vector<SettingRow<FreeDecay>>& decay_settings();
 inline constexpr const char* mode_beside_option = "mode-beside";
 

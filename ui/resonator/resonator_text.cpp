@@ -394,6 +394,7 @@ QString toleranceName(ErrorSource source, const IdentifySettings& settings) {
         QT_TRANSLATE_NOOP("Resonator", "Gain drift"),
         QT_TRANSLATE_NOOP("Resonator", "Sample rate"),
         QT_TRANSLATE_NOOP("Resonator", "Spread")};
+    static_assert(names.back() != nullptr);
     const QString name = ResonatorWords::tr(names[static_cast<std::size_t>(source)]);
     const auto used = tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa);
     const bool assumed = std::ranges::any_of(used, [source](const ToleranceInUse& each) {

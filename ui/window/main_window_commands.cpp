@@ -37,6 +37,9 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
     const auto page = [&w](Page shown, const char* text, const char* tip,
                            std::function<bool()> enabled = {}) {
         const int place = static_cast<int>(shown);
+        static_assert(static_cast<int>(Command::page_history) -
+                          static_cast<int>(Command::page_tracks) ==
+                      static_cast<int>(Page::history));
         return CommandRow{
             .id = static_cast<Command>(static_cast<int>(Command::page_tracks) + place),
             .text = text,

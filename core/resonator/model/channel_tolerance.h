@@ -42,6 +42,7 @@ using BySource = std::array<double, error_sources>;
 // Names on the command line of those with a tolerance.
 inline constexpr std::array<const char*, spread_error + 1> tolerance_names{
     "kappa", "skew", "delay", "crosstalk", "phase-drift", "gain-drift", "rate", "spread"};
+static_assert(tolerance_names.back() != nullptr);
 
 // Errors of the channels as parameters of the fit.
 struct ChannelError {

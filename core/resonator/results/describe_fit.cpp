@@ -35,6 +35,7 @@ constexpr std::array<const char*, shared_count> shared_names{"split_cos4_hz",
                                                              "phase_drift_rad",
                                                              "gain_drift",
                                                              "frequency_per_power"};
+static_assert(shared_names.back() != nullptr);
 constexpr std::array<const char*, own_count> own_names{"c_re", "c_im", "d_re",
                                                        "d_im", "f_hz", "drift_hz_per_s"};
 

@@ -145,6 +145,7 @@ private slots:
         QCOMPARE(sentence_for(true, both), "Choose the band-pass, or less.");
         QCOMPARE(sentence_for(true, "{ (--from)|.}"), ".");
         QCOMPARE(sentence_for(false, "one for both"), "one for both");
+        QCOMPARE(sentence_for(true, "one { alone"), "one { alone");
     }
 
     void an_argument_reads_as_what_it_is() {
