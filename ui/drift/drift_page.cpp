@@ -324,8 +324,7 @@ DriftPage::DriftPage(Document& document, QWidget* parent)
     hint_->setMaximumWidth(hint_width);
     auto* row = fill(new QHBoxLayout, {6, 0, 6, 0}, {export_});
     auto* left = fill(new QVBoxLayout, {}, 0, {panel_, row, state_, LayoutPart(1)});
-    auto* side = new QWidget(this);
-    side->setLayout(left);
+    auto* side = scrolled(left);  // a low window shows the panel in part
     side->setFixedWidth(panel_width);
     content_ = buildContent();
     fill(new QHBoxLayout(this), {}, 4, {side, {hint_, 1, Qt::AlignCenter}, {content_, 1}});
@@ -352,11 +351,6 @@ QWidget* DriftPage::buildContent() {
     numbers->addStretch(1);
     fill(new QHBoxLayout(content), {}, 4, {{plot_, 1}, {scrolled(numbers), 1}});
     return content;
-}
-
-void DriftPage::setUnits(const DisplayUnits& units) {
-    units_ = units;
-    showFound();
 }
 
 FigureSource DriftPage::figures() const {
@@ -397,14 +391,14 @@ void DriftPage::showFound() {
     export_->setEnabled(document_.drift().outcome() != nullptr);
     if (shown_) {
         const WholeAngleDrift& drift = shown_->drift;
-        plot_->setContent(wholeAnglePlot(drift, units_));
+        plot_->setContent(wholeAnglePlot(drift, units()));
         warnings_->setFindings(findings_of(drift.warnings));
         // The list has the whole names.
         const QStringList names = logHeaders(drift);
         harmonics_->setContent(names.mid(0, 1) + distinctNames(names.mid(1)),
-                               logRows(drift, units_));
+                               logRows(drift, units()));
         agreement_->setText(paragraphs(agreementTexts(drift), QStringLiteral("%1")));
-        resonator_->setContent({}, heldRows(drift.resonator, units_));
+        resonator_->setContent({}, heldRows(drift.resonator, units()));
         statistical_->setText(richText(channelsText(pick_offs(shown_->settings.tolerance))));
     }
     emit figuresChanged();

@@ -73,8 +73,6 @@ class DriftPage : public MeasuredPage {
 public:
     explicit DriftPage(Document& document, QWidget* parent = nullptr);
 
-    void setUnits(const DisplayUnits& units) override;
-
     FigureSource figures() const override;
 
 signals:
@@ -86,10 +84,10 @@ private:
     void refresh();
     void showFound();
     QString stateText() const;
+    void showAgain() override { showFound(); }
     void retranslate() override;
 
     Document& document_;
-    DisplayUnits units_;
     std::shared_ptr<const DriftOutcome> shown_;
     DriftPanel* panel_;
     QPushButton* export_;

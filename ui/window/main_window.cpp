@@ -124,7 +124,6 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
             applyLook();
         }
     });
-    showCurrentRecording();
     showAnalyses();
     tracks_->setFocus();
 }

@@ -17,6 +17,46 @@ namespace test_measurement_list {
 
 using namespace vybeg;
 
+namespace {
+
+// Columns of a list that are options, with a value each.
+const std::vector<std::pair<QByteArray, QByteArray>> every_option{{"algorithm", "in-phase"},
+                                                                  {"hop", "10"},
+                                                                  {"initial", "\"1,0,0.3,0,5300\""},
+                                                                  {"start", "previous"},
+                                                                  {"model", "free"},
+                                                                  {"columns", "\"E,R,S,Q\""},
+                                                                  {"angle-unit", "deg"},
+                                                                  {"phasors", "none"},
+                                                                  {"f-ref", "none"},
+                                                                  {"y-sign", "none"},
+                                                                  {"amplitude", "none"},
+                                                                  {"lock-in", "none"},
+                                                                  {"window", "500"},
+                                                                  {"snap", "yes"},
+                                                                  {"f0", "5300"},
+                                                                  {"from", "1"},
+                                                                  {"to", "2"},
+                                                                  {"band", "\"5000,5600\""},
+                                                                  {"filter", "\"5000,5600\""},
+                                                                  {"kappa", "1.1"},
+                                                                  {"offset", "auto"},
+                                                                  {"delay", "1e-6"},
+                                                                  {"angle-zero", "5"},
+                                                                  {"repair-lost", "yes"},
+                                                                  {"threads", "1"},
+                                                                  {"tolerance", "skew=1"},
+                                                                  {"rate", "1000"},
+                                                                  {"channels", "\"2,1\""},
+                                                                  {"variables", "\"C,D\""},
+                                                                  {"raw", "f64:be"},
+                                                                  {"raw-channels", "3"},
+                                                                  {"skip", "8"},
+                                                                  {"scale", "2"},
+                                                                  {"unit", "V"}};
+
+}  // namespace
+
 class TestMeasurementList : public QObject {
     Q_OBJECT
 
@@ -125,44 +165,9 @@ private slots:
     }
 
     void every_option_of_analyze_and_identify_is_a_column() {
-        const std::vector<std::pair<QByteArray, QByteArray>> options{
-            {"algorithm", "in-phase"},
-            {"hop", "10"},
-            {"initial", "\"1,0,0.3,0,5300\""},
-            {"start", "previous"},
-            {"model", "free"},
-            {"columns", "\"E,R,S,Q\""},
-            {"angle-unit", "deg"},
-            {"phasors", "none"},
-            {"f-ref", "none"},
-            {"y-sign", "none"},
-            {"amplitude", "none"},
-            {"lock-in", "none"},
-            {"window", "500"},
-            {"snap", "yes"},
-            {"f0", "5300"},
-            {"from", "1"},
-            {"to", "2"},
-            {"band", "\"5000,5600\""},
-            {"filter", "\"5000,5600\""},
-            {"kappa", "1.1"},
-            {"offset", "auto"},
-            {"delay", "1e-6"},
-            {"angle-zero", "5"},
-            {"repair-lost", "yes"},
-            {"threads", "1"},
-            {"tolerance", "skew=1"},
-            {"rate", "1000"},
-            {"channels", "\"2,1\""},
-            {"variables", "\"C,D\""},
-            {"raw", "f64:be"},
-            {"raw-channels", "3"},
-            {"skip", "8"},
-            {"scale", "2"},
-            {"unit", "V"}};
         QByteArray names = "file";
         QByteArray row = "a.wav";
-        for (const auto& [name, value] : options) {
+        for (const auto& [name, value] : every_option) {
             names += "," + name;
             row += "," + value;
         }

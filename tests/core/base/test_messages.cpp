@@ -102,7 +102,7 @@ private slots:
             QVERIFY2(is_sentence(shown), row.sentence);
             QVERIFY2(places(shown) == places(sentence_for(false, row.sentence)), row.sentence);
             QVERIFY2(shown.find("--") == std::string::npos, row.code);
-            QVERIFY2(shown.find_first_of("{|}") == std::string::npos, row.code);
+            QVERIFY2(shown.find_first_of("{}") == std::string::npos, row.code);
         }
     }
 

@@ -41,6 +41,34 @@ using namespace vybeg;
 using namespace vybeg::ui;
 using vybeg::test::HeldLoop;
 
+namespace {
+
+HeldLoop loop(double turn, unsigned seed) {
+    HeldLoop loop{.turn = turn,
+                  .c2 = 2e-5,
+                  .c4 = 3e-4,
+                  .s4 = -2e-4,
+                  .white = 1e-5,
+                  .effort_noise = 1e-3,
+                  .seed = seed};
+    return loop;
+}
+
+// A log as a controller writes it.
+QByteArray rowsOf(const HeldLoop& held, const QByteArray& head) {
+    const WholeAngleLog log = test::simulated_log(held);
+    QByteArray text = head + '\n';
+    for (std::size_t k = 0; k < log.time_s.size(); ++k) {
+        for (const double value : {log.time_s[k], log.theta[k], log.amplitude_effort[k]}) {
+            text += QByteArray::number(value, 'g', 17) + ',';
+        }
+        text += QByteArray::number(log.quadrature_effort[k], 'g', 17) + '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
 class TestDriftPage : public QObject, private WindowTest {
     Q_OBJECT
 
@@ -53,29 +81,9 @@ class TestDriftPage : public QObject, private WindowTest {
         QTest::mouseClick(&the<QPushButton>(QLatin1String(button)), Qt::LeftButton);
     }
 
-    static HeldLoop loop(double turn, unsigned seed) {
-        HeldLoop loop{.turn = turn,
-                      .c2 = 2e-5,
-                      .c4 = 3e-4,
-                      .s4 = -2e-4,
-                      .white = 1e-5,
-                      .effort_noise = 1e-3,
-                      .seed = seed};
-        return loop;
-    }
-
-    // A log as a controller writes it.
     QString written(const QString& name, const HeldLoop& held,
                     const QByteArray& head = "t_s,theta_rad,amplitude,quadrature") const {
-        const WholeAngleLog log = test::simulated_log(held);
-        QByteArray text = head + '\n';
-        for (std::size_t k = 0; k < log.time_s.size(); ++k) {
-            for (const double value : {log.time_s[k], log.theta[k], log.amplitude_effort[k]}) {
-                text += QByteArray::number(value, 'g', 17) + ',';
-            }
-            text += QByteArray::number(log.quadrature_effort[k], 'g', 17) + '\n';
-        }
-        return home_.file(name, text);
+        return home_.file(name, rowsOf(held, head));
     }
 
     void wait() {

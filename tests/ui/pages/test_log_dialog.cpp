@@ -37,6 +37,22 @@ namespace test_log_dialog {
 using namespace vybeg;
 using namespace vybeg::ui;
 
+namespace {
+
+// The log of a lock-in of order 4 and 30 Hz, 200 rows a second: tau 40 s, split 0.05 Hz.
+void makePhasors(const QString& folder, const QString& name, double two_theta) {
+    const auto made =
+        vybeg::test::run_cli({"simulate", "-o", name + ".npy", "--seconds", "10", "--tau", "40",
+                              "--f0", "5300.1", "--noise", "1e-3", "--split", "0.05",
+                              "--two-theta-A", QString::number(two_theta), "--lock-in", "4,30,200"},
+                             folder);
+    if (made.status != 0) {
+        qFatal("%s", made.err.constData());
+    }
+}
+
+}  // namespace
+
 class TestLogDialog : public QObject, private WindowTest {
     Q_OBJECT
 
@@ -51,16 +67,8 @@ class TestLogDialog : public QObject, private WindowTest {
     QPushButton& openButton() { return *the<QDialogButtonBox>().button(QDialogButtonBox::Open); }
     bool asksFor(const char* field) { return the<QWidget>(field).isVisible(); }
 
-    // The log of a lock-in of order 4 and 30 Hz, 200 rows a second: tau 40 s, split 0.05 Hz.
     QString phasors(const QString& name, double two_theta = 0.3) {
-        const auto made = vybeg::test::run_cli(
-            {"simulate", "-o", name + ".npy", "--seconds", "10", "--tau", "40", "--f0", "5300.1",
-             "--noise", "1e-3", "--split", "0.05", "--two-theta-A", QString::number(two_theta),
-             "--lock-in", "4,30,200"},
-            home_.path({}));
-        if (made.status != 0) {
-            qFatal("%s", made.err.constData());
-        }
+        makePhasors(home_.path({}), name, two_theta);
         return home_.path(name + ".phasors.csv");
     }
 

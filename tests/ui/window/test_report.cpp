@@ -247,7 +247,8 @@ private slots:
                 QVERIFY2(text.contains(row.cells.front().text.simplified()), qPrintable(row.name));
             }
             const double u = 2 * split.uncertainty();
-            QVERIFY2(text.contains(valueText(split.value, u).simplified()), qPrintable(text));
+            QVERIFY2(text.contains(valueText(1e3 * split.value, 1e3 * u).simplified()),
+                     qPrintable(text));
             for (const char* told : {verdict, "Measured I. Ivanov", "Checked", "Approved"}) {
                 QVERIFY2(text.contains(told), told);
             }
