@@ -182,6 +182,7 @@ private slots:
         const double of_80 = identify(80);
         qInfo("%.2f s and %.2f s", of_20, of_80);
         VYBEG_MORE(of_20, 0);
+        VYBEG_MORE(of_80, 0);
         VYBEG_LESS(of_80, 8 * of_20);  // quadratic: 16 times. Aim: 5, reached 5.2 to 5.5
     }
 };

@@ -391,6 +391,8 @@ Result<LogTable> read_array(const FileBytes& file, const ArrayTable& array,
     for (LogColumn& column : table.columns) {
         column.values.resize(column.values.empty() ? 0 : rows);
     }
+    // Before ticks are counted and the order is judged, of which a NaN says nothing.
+    keep_rows(table, [&table](std::size_t row) { return std::isfinite(table.time_s[row]); });
     if (time != nullptr && normal_name(time->name) == "timestamp") {
         TRY(count_ticks(file, options, table));
     }
