@@ -199,8 +199,9 @@ run_tests() {
         conclude 0 1
     fi
     say "Testing"
-    # A failing test shows in the summary; no summary at all is a failure, too.
-    ctest --preset "$preset" --parallel "$(nproc)" ${without:+--label-exclude "$without"} \
+    # A failing test shows in the summary; no summary at all is a failure, too. One test more than there are
+    # processors: some wait for a program, a lock or a timer.
+    ctest --preset "$preset" --parallel $(($(nproc) + 1)) ${without:+--label-exclude "$without"} \
         "${filter[@]}" 2>&1 | tee "$log" || true
     summary=$(sed -nE 's/^.*tests passed, ([0-9]+) tests failed out of ([0-9]+).*$/\1 \2/p' "$log")
     if [ -z "$summary" ]; then
