@@ -87,7 +87,7 @@ constexpr std::array decay_options{
 using Row = SettingRow<FreeDecay>;
 
 // A number without a unit, of which check() says what is possible.
-Row number_of(Row row, double FreeDecay::*member) {
+Row number_of(const Row& row, double FreeDecay::*member) {
     return value_row<double>(
         row, [member](auto& decay) -> auto& { return decay.*member; },
         [name = row.option()](const std::string& text) { return read_number(name, text); },
