@@ -305,7 +305,7 @@ void DriftPanel::retranslate() {
 
 namespace {
 
-constexpr int panel_width = 216;
+constexpr int panel_width = 244;  // its lists are not cut in Russian
 constexpr int least_plot_height = 260;
 constexpr int hint_width = 460;
 
