@@ -349,7 +349,7 @@ QWidget* DriftPage::buildContent() {
     harmonics_section_ = addSection(*numbers, {harmonics_, agreement_});
     resonator_section_ = addSection(*numbers, {resonator_, statistical_});
     numbers->addStretch(1);
-    fill(new QHBoxLayout(content), {}, 4, {{plot_, 1}, {scrolled(numbers), 1}});
+    fill(new QHBoxLayout(content), {}, 4, {{plot_, 6}, {scrolled(numbers), 7}});
     return content;
 }
 
