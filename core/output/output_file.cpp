@@ -72,7 +72,9 @@ std::optional<std::int64_t> number_of(std::string_view text) {
 // /proc. It is the 22nd field of `stat`, the 20th after the name in brackets.
 std::optional<std::int64_t> start_of(std::int64_t process) {
     std::ifstream file("/proc/" + integer_text(process) + "/stat");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    // Of a process that ends meanwhile the reading fails, which an iterator would throw.
+    std::string text;
+    std::getline(file, text, '\0');
     std::size_t at = text.rfind(')');
     for (int field = 0; field < 20 && at != std::string::npos; ++field) {
         at = text.find(' ', at + 1);
