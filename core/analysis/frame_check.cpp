@@ -1,5 +1,7 @@
 #include "core/analysis/frame_check.h"
 
+#include "core/numerics/statistics.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,33 +23,22 @@ struct ChannelMotion {
 
 // Rms of log |z| about a straight line, weighted as the phasors' noise has it.
 double beat_of(const ChannelRows& z) {
-    double weight = 0;
-    double k_mean = 0;
-    double log_mean = 0;
-    for (std::size_t k = 0; k < z.size(); ++k) {
-        const double w = std::norm(z[k]);
-        weight += w;
-        k_mean += w * static_cast<double>(k);
-        log_mean += w > 0 ? w * std::log(w) / 2 : 0;
-    }
-    if (!(weight > 0)) {
+    const auto log_of = [&z](std::size_t k) {
+        const double weight = std::norm(z[k]);
+        return LinePoint{static_cast<double>(k), std::log(weight) / 2, weight};
+    };
+    const LineFit line = fit_line(z.size(), log_of);
+    if (!(line.weight > 0)) {
         return 0;
     }
-    k_mean /= weight;
-    log_mean /= weight;
-    double kk = 0;
-    double k_log = 0;
-    double log_log = 0;
+    double squares = 0;
     for (std::size_t k = 0; k < z.size(); ++k) {
-        const double w = std::norm(z[k]);
-        const double x = static_cast<double>(k) - k_mean;
-        const double y = w > 0 ? std::log(w) / 2 - log_mean : 0;
-        kk += w * x * x;
-        k_log += w * x * y;
-        log_log += w * y * y;
+        if (const LinePoint at = log_of(k); at.weight > 0) {
+            squares += at.weight * (at.y - line.mean_y) * (at.y - line.mean_y);
+        }
     }
-    const double left = log_log - (kk > 0 ? k_log * k_log / kk : 0);
-    return std::sqrt(std::max(left, 0.0) / weight);
+    const double left = squares - (line.spread > 0 ? line.slope * line.slope * line.spread : 0);
+    return std::sqrt(std::max(left, 0.0) / line.weight);
 }
 
 ChannelMotion motion_of(const ChannelRows& z) {
