@@ -20,7 +20,7 @@ namespace vybeg {
 // Where the date of a result is from.
 enum class DateSource { none, list, recording };
 
-// The date of a result, ISO 8601; empty: neither the list nor a recording tells one.
+// The date of a result, ISO 8601; empty: neither the list nor a recording has one.
 struct StoredDate {
     std::string text;
     DateSource source = DateSource::none;

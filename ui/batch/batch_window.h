@@ -104,7 +104,7 @@ private:
     void start();
     void askAndStart();
     void stop();
-    // What the batch tells, as of its thread.
+    // Passes the events of the batch, which come in its thread, to the window.
     BatchEvents events();
     void post(std::function<void()> act);
     void whenBegun(const std::shared_ptr<const MeasurementList>& list);

@@ -35,7 +35,7 @@ namespace vybeg::ui {
 
 namespace {
 
-// As the entries of the lists; the first one is what the file tells.
+// As the entries of the lists; the first one is that of the file.
 constexpr std::array angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 constexpr std::array<std::optional<double>, 5> log_time_units{std::nullopt, 1.0, 1e-3, 1e-6, 1e-9};
 constexpr std::array<std::optional<char>, 6> log_delimiters{std::nullopt, ',', ';', '\t', ' ', '|'};
@@ -156,7 +156,7 @@ NumberField* DriftPanel::makeNumber(const char* name) {
     return field;
 }
 
-// The first of the entries is what the file tells.
+// A list whose first entry is the choice of the file.
 QComboBox* DriftPanel::makeList(const char* name, std::size_t entries) {
     auto* box = withName(new QComboBox(this), name);
     box->addItems(QStringList(static_cast<qsizetype>(entries)));

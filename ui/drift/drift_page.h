@@ -37,7 +37,7 @@ private:
     NumberField* makeNumber(const char* name);
     QComboBox* makeList(const char* name, std::size_t entries);
     void edit(const std::function<void(DriftSettings&)>& change);
-    // How a text file is read; nothing that is told is no choice.
+    // Changes how a text file is read; a choice without any part is none.
     void editText(const std::function<void(TextChoice&)>& change);
     void editColumns();
     void showFault(const QString& sentence);

@@ -295,7 +295,7 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
     return table;
 }
 
-// Of a table without names only columns that are told by number, or by their order.
+// Place of a wished column; of a table without names only by its number or its order.
 int place_in(const std::vector<Channel>& headings, std::span<const ColumnWish> wishes,
              std::size_t wish) {
     TextFormat format;

@@ -18,8 +18,8 @@
 namespace vybeg {
 namespace {
 
-// Adds samples whose place, or even time, tells their frame; returns the first frame with a missing
-// one, -1 without any.
+// Adds samples whose frame follows from their place or their even times; returns the first frame
+// with a missing one, -1 without any.
 std::int64_t take_rows(const TextTable& table, const TextScan& scan, FoundSamples& found) {
     found.source = text_source(table, scan);
     const std::int64_t missing = scan.left_out.first_missing_row;

@@ -308,8 +308,8 @@ private:
         return of.name.substr(0, of.name.size() - last_name(of.name).size());
     }
 
-    // Seconds, unless the name or the unit tells otherwise. Whole numbers without a unit count
-    // something, and nobody knows what.
+    // Seconds, unless the name or the unit is another. Whole numbers without a unit count ticks of
+    // an unknown length.
     static std::optional<double> unit_of_times(const FileVariable& of) {
         const std::string unit = time_unit({std::string(last_name(of.name)), of.unit});
         if (unit.empty()) {
