@@ -345,7 +345,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestCliBatchResume, unsanitized)
+VYBEG_TEST(TestCliBatchResume, first, unsanitized)
 
 }  // namespace test_cli_batch_resume
 

@@ -328,7 +328,7 @@ private:
     }
 };
 
-VYBEG_TEST(TestCliPhasors)
+VYBEG_TEST(TestCliPhasors, first)
 
 }  // namespace test_cli_phasors
 

@@ -267,7 +267,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestCliSignals, unsanitized)
+VYBEG_TEST(TestCliSignals, first, unsanitized)
 
 }  // namespace test_cli_signals
 

@@ -109,7 +109,7 @@ private:
     }
 };
 
-VYBEG_TEST(TestMutatedFiles)
+VYBEG_TEST(TestMutatedFiles, first)
 
 }  // namespace test_mutated_files
 

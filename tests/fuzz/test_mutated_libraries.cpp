@@ -110,7 +110,7 @@ private:
     }
 };
 
-VYBEG_TEST(TestMutatedLibraries)
+VYBEG_TEST(TestMutatedLibraries, first)
 
 }  // namespace test_mutated_libraries
 

@@ -394,7 +394,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestMovingWaves)
+VYBEG_TEST(TestMovingWaves, first)
 
 }  // namespace test_moving_waves
 

@@ -228,7 +228,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestResonatorBound)
+VYBEG_TEST(TestResonatorBound, first)
 
 }  // namespace test_resonator_bound
 

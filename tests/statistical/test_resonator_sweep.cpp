@@ -216,7 +216,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestResonatorSweep)
+VYBEG_TEST(TestResonatorSweep, first)
 
 }  // namespace test_resonator_sweep
 

@@ -467,7 +467,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestResonatorTrial)
+VYBEG_TEST(TestResonatorTrial, first)
 
 }  // namespace test_resonator_trial
 

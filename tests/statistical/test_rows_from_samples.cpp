@@ -269,7 +269,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestRowsFromSamples)
+VYBEG_TEST(TestRowsFromSamples, first)
 
 }  // namespace test_rows_from_samples
 

@@ -460,7 +460,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestVerdicts)
+VYBEG_TEST(TestVerdicts, first)
 
 }  // namespace test_verdicts
 

@@ -121,7 +121,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestWholeAnglePulls, statistical, unsanitized)
+VYBEG_TEST(TestWholeAnglePulls, first, statistical, unsanitized)
 
 }  // namespace test_whole_angle_pulls
 

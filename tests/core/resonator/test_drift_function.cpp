@@ -331,7 +331,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestDriftFunction, statistical, unsanitized)
+VYBEG_TEST(TestDriftFunction, first, statistical, unsanitized)
 
 }  // namespace test_drift_function
 

@@ -287,7 +287,7 @@ private:
     }
 };
 
-VYBEG_TEST(TestFitBreaks, statistical, unsanitized)
+VYBEG_TEST(TestFitBreaks, first, statistical, unsanitized)
 
 }  // namespace test_fit_breaks
 

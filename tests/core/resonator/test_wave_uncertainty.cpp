@@ -122,7 +122,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestWaveUncertainty, statistical, unsanitized)
+VYBEG_TEST(TestWaveUncertainty, first, statistical, unsanitized)
 
 }  // namespace test_wave_uncertainty
 

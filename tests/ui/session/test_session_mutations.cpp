@@ -201,7 +201,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestSessionMutations)
+VYBEG_TEST(TestSessionMutations, first)
 
 }  // namespace test_session_mutations
 

@@ -289,7 +289,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestSessionRecovery)
+VYBEG_TEST(TestSessionRecovery, first)
 
 }  // namespace test_session_recovery
 

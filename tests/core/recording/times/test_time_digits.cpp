@@ -247,7 +247,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestTimeDigits)
+VYBEG_TEST(TestTimeDigits, first)
 
 }  // namespace test_time_digits
 
