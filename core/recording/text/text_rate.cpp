@@ -36,28 +36,14 @@ Key key_of(std::string_view text) {
     return {};
 }
 
-// "33,333" where a point is the decimal sign: thousands.
-void drop_groups(std::string& number, char group) {
-    const auto digits = [&](std::size_t from, std::size_t count) {
-        return from + count <= number.size() &&
-               std::all_of(number.begin() + static_cast<std::ptrdiff_t>(from),
-                           number.begin() + static_cast<std::ptrdiff_t>(from + count), is_digit);
+// "33,333" where a point is the decimal sign: thousands, or 33.333.
+bool may_hold_thousands(std::string_view number, char group) {
+    const auto digits = [](std::string_view text) {
+        return std::min(text.find_first_not_of("0123456789"), text.size());
     };
-    std::size_t at = number.find(group);
-    if (group == 0 || at == std::string::npos || at == 0 || at > 3 || number[0] == '0' ||
-        !digits(0, at)) {
-        return;
-    }
-    std::string whole = number.substr(0, at);
-    while (at < number.size() && number[at] == group) {
-        const bool three = digits(at + 1, 3) && !digits(at + 1, 4);
-        if (!three) {
-            return;
-        }
-        whole += number.substr(at + 1, 3);
-        at += 4;
-    }
-    number = whole + number.substr(at);
+    const std::size_t at = std::min(number.find(group), number.size());
+    return at >= 1 && at <= 3 && at < number.size() && number[0] != '0' && digits(number) == at &&
+           digits(number.substr(at + 1)) == 3;
 }
 
 // "20,000 kHz" is 20 kHz with a decimal comma: who writes thousands of hertz has no thousands left.
@@ -72,7 +58,7 @@ struct NumberText {
     std::string unit;  // directly behind it
 };
 
-// `group`: the sign between thousands, 0 where there is none.
+// `group`: the sign that may separate thousands, 0 where there is none; such a number is none.
 std::optional<NumberText> number_at_start(std::string_view text, char group) {
     text = trimmed(text);
     const auto is_number = [](char c) {
@@ -90,7 +76,7 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
         ++end;
     }
     NumberText found;
-    found.number = usual_number(text.substr(0, end), false);
+    found.number = usual_number(text.substr(0, end));
     while (!found.number.empty() && (found.number.back() == '.' || found.number.back() == ',')) {
         found.number.pop_back();
     }
@@ -102,13 +88,11 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
     while (found.unit.ends_with('.')) {
         found.unit.pop_back();
     }
-    if (!counts_thousands(found.unit)) {
-        drop_groups(found.number, group);
-    }
-    std::ranges::replace(found.number, ',', '.');
-    if (found.number.empty()) {
+    if (found.number.empty() ||
+        (!counts_thousands(found.unit) && may_hold_thousands(found.number, group))) {
         return std::nullopt;
     }
+    std::ranges::replace(found.number, ',', '.');
     const auto value = parse_field(found.number, false);
     if (!value || !std::isfinite(*value) || !(*value > 0)) {
         return std::nullopt;
