@@ -1,6 +1,7 @@
 #include "core/recording/checks/recording_check.h"
 
 #include "core/base/dispatch.h"
+#include "core/base/guarded.h"
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/statistics.h"
@@ -487,21 +488,27 @@ void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnosti
     });
 }
 
-CheckedSource::CheckedSource(std::shared_ptr<const SampleSource> source,
-                             std::shared_ptr<FaultCheck> check)
-    : source_(std::move(source)), watch_(Watch{std::move(check)}) {}
-
-Status CheckedSource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
-    TRY(source_->read(first, c, d));
-    const auto watch = watch_.hold();
-    const auto end = first + static_cast<std::int64_t>(c.size());
-    if (end > watch->next) {
-        const auto seen = static_cast<std::size_t>(std::max<std::int64_t>(watch->next - first, 0));
-        watch->check->add(first + static_cast<std::int64_t>(seen), c.subspan(seen),
-                          d.subspan(seen));
-        watch->next = end;
-    }
-    return {};
+std::shared_ptr<const SampleSource> checked_source(std::shared_ptr<const SampleSource> source,
+                                                   std::shared_ptr<FaultCheck> check) {
+    // The check, and the frame that it has not seen.
+    const auto watched =
+        std::make_shared<Guarded<std::pair<std::shared_ptr<FaultCheck>, std::int64_t>>>(
+            std::move(check), 0);
+    return source_of(
+        source->frames(), source->seeks(),
+        [source, watched](std::int64_t first, std::span<double> c, std::span<double> d) -> Status {
+            TRY(source->read(first, c, d));
+            const auto held = watched->hold();
+            auto& [watching, next] = *held;
+            const std::int64_t end = first + std::ssize(c);
+            if (end > next) {
+                const auto seen = static_cast<std::size_t>(std::max<std::int64_t>(next - first, 0));
+                watching->add(first + static_cast<std::int64_t>(seen), c.subspan(seen),
+                              d.subspan(seen));
+                next = end;
+            }
+            return {};
+        });
 }
 
 }  // namespace vybeg

@@ -209,24 +209,16 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
 namespace {
 
 // Channel C of one source and channel C of another.
-class PairedSource final : public SampleSource {
-public:
-    PairedSource(std::shared_ptr<const SampleSource> c, std::shared_ptr<const SampleSource> d)
-        : c_(std::move(c)), d_(std::move(d)) {}
-
-    std::int64_t frames() const override { return std::min(c_->frames(), d_->frames()); }
-    bool seeks() const override { return c_->seeks() && d_->seeks(); }
-
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        std::vector<double> again(c.size());
-        TRY(c_->read(first, c, again));
-        return d_->read(first, d, again);
-    }
-
-private:
-    std::shared_ptr<const SampleSource> c_;
-    std::shared_ptr<const SampleSource> d_;
-};
+std::shared_ptr<const SampleSource> paired_source(const std::shared_ptr<const SampleSource>& of_c,
+                                                  const std::shared_ptr<const SampleSource>& of_d) {
+    return source_of(
+        std::min(of_c->frames(), of_d->frames()), of_c->seeks() && of_d->seeks(),
+        [of_c, of_d](std::int64_t first, std::span<double> c, std::span<double> d) -> Status {
+            std::vector<double> again(c.size());
+            TRY(of_c->read(first, c, again));
+            return of_d->read(first, d, again);
+        });
+}
 
 // The channel that was opened, named by its file where it has no name.
 Channel channel_of(const Recording& recording) {
@@ -300,7 +292,7 @@ Result<Recording> pair_channels(Recording c, Recording d, const std::string& nam
         pair.more_files.push_back(d.file);
     }
     pair.more_files.insert(pair.more_files.end(), d.more_files.begin(), d.more_files.end());
-    pair.source = std::make_shared<PairedSource>(c.source, d.source);
+    pair.source = paired_source(c.source, d.source);
     match_units(pair);
     if (c.frames() != d.frames()) {
         note_unequal(c.frames(), d.frames(), pair);

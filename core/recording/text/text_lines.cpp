@@ -306,11 +306,17 @@ TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const T
              !(format.decimal_comma && format.delimiter == ',')),
       at_(block.begin) {}
 
+TextFault time_fault(double time, double before) {
+    return {ErrorCode::text_time_backwards, {exact_arg(time), exact_arg(before)}};
+}
+
 Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault) {
     if (fault.code == ErrorCode::format_limit) {
         return line_too_long(file, "text", line);
     }
-    return file.error(fault.code, {count_arg(line), count_arg(fault.column + 1), fault.text});
+    Error error = file.error(fault.code, {count_arg(line)});
+    error.args.insert(error.args.end(), fault.args.begin(), fault.args.end());
+    return error;
 }
 
 bool TextRows::next() {
@@ -416,7 +422,7 @@ const char* TextRows::plain_number(const char* at, const char* end, int column) 
 // Any other line: true where it is a row, too. `ended`: it has a line end.
 bool TextRows::any_row(std::string_view line, bool ended) {
     if (line.size() > longest_line) {
-        fault_ = {ErrorCode::format_limit, 0, ""};
+        fault_ = {ErrorCode::format_limit};
         return false;
     }
     // A row of delimiters alone is a missing sample only where no time is missing as well.
@@ -460,7 +466,7 @@ bool TextRows::time_field() {
     if (!number(columns_.time, time_) || !std::isfinite(time_)) {
         return fail(columns_.time);
     }
-    usual_time_ = usual_number(text, format_.decimal_comma);
+    usual_time_ = usual_number(text);
     time_text_ = usual_time_;
     return true;
 }
@@ -489,7 +495,7 @@ bool TextRows::number(int column, double& value) {
 }
 
 bool TextRows::fail(int column) {
-    fault_ = {ErrorCode::text_not_a_number, column, short_quote(field(column))};
+    fault_ = {ErrorCode::text_not_a_number, {count_arg(column + 1), short_quote(field(column))}};
     return false;
 }
 

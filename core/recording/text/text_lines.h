@@ -118,12 +118,15 @@ struct TextColumns {
     double d_factor = 1;  // of D's numbers, for them to be in the unit of C
 };
 
-// A line that is no row of the table.
+// Why a line is no row of the table: text_not_a_number, text_time_backwards; format_limit where the
+// line is too long.
 struct TextFault {
-    ErrorCode code{};  // text_not_a_number; format_limit where the line is too long
-    int column = 0;    // from 0
-    std::string text;  // what stands there instead of a number
+    ErrorCode code{};
+    std::vector<MessageArg> args{};  // behind the number of the line
 };
+
+// The fault of a time that follows one that is not before it, both in the column's unit.
+TextFault time_fault(double time, double before);
 
 // The error of a fault that stands in this line of the file, from 1.
 Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault);

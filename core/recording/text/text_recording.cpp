@@ -49,43 +49,34 @@ Result<std::int64_t> take_resampled(const TextTable& table, const TextScan& scan
     return static_cast<std::int64_t>(std::floor(after * grid.rate_hz + 0.5));
 }
 
-// The rate that the lines above the table name, where the times leave it open or are known less
-// well.
-std::optional<SampleRate> better_rate(const std::optional<SampleRate>& of_times,
-                                      const TextTable& table) {
+// The rate of a table whose times have this one: that which the lines above the table name, where
+// the times leave it open or are known less well. Where the two contradict each other, one counts
+// in another unit, and the option says which holds. Errors: rates_differ.
+Result<std::optional<SampleRate>> agreed_rate(const std::optional<SampleRate>& of_times,
+                                              const TextTable& table, const OpenOptions& options) {
     if (table.format.rates.empty()) {
         return of_times;
     }
     const SampleRate& named = table.format.rates[static_cast<std::size_t>(table.columns.c)];
     if (!of_times) {
-        return named;
+        return std::optional(named);
     }
-    constexpr double deviations = 3;
-    constexpr double arithmetic = 1e-12;
-    const double apart = std::abs(named.hz / of_times->hz - 1);
-    const bool agree =
-        apart <= deviations * (named.relative_sd + of_times->relative_sd) + arithmetic;
-    return agree && named.relative_sd < of_times->relative_sd ? named : *of_times;
-}
-
-// The rate of a table whose times have this one. Where the lines above the table state another one,
-// one of the two counts in another unit, and the option says which holds. Errors: rates_differ.
-Result<std::optional<SampleRate>> agreed_rate(const std::optional<SampleRate>& of_times,
-                                              const TextTable& table, const OpenOptions& options) {
-    if (!of_times || table.format.rates.empty()) {
-        return better_rate(of_times, table);
+    if (same_written_rate(named.hz, of_times->hz, of_times->relative_sd)) {
+        constexpr double deviations = 3;
+        constexpr double arithmetic = 1e-12;
+        const double apart = std::abs(named.hz / of_times->hz - 1);
+        const bool agree =
+            apart <= deviations * (named.relative_sd + of_times->relative_sd) + arithmetic;
+        return std::optional(agree && named.relative_sd < of_times->relative_sd ? named
+                                                                                : *of_times);
     }
-    const double stated_hz = table.format.rates[static_cast<std::size_t>(table.columns.c)].hz;
-    if (same_written_rate(stated_hz, of_times->hz, of_times->relative_sd)) {
-        return better_rate(of_times, table);
-    }
-    for (const double hz : {of_times->hz, stated_hz}) {
+    for (const double hz : {of_times->hz, named.hz}) {
         if (options.rate_hz && same_written_rate(*options.rate_hz, hz, of_times->relative_sd)) {
             return std::optional(SampleRate{hz, RateOrigin::option, of_times->relative_sd});
         }
     }
     return table.blocks.file().error(ErrorCode::rates_differ,
-                                     {number_arg(stated_hz), number_arg(of_times->hz)});
+                                     {number_arg(named.hz), number_arg(of_times->hz)});
 }
 
 // Adds rate, samples and diagnostics.
