@@ -353,7 +353,10 @@ std::optional<double> hertz_per(std::string_view unit) {
 }
 
 std::optional<double> rate_by_name(std::string_view name, double value, std::string_view unit) {
-    const Meaning meaning = meaning_of(name, NamedIn::variables);
+    return rate_in_hz(meaning_of(name, NamedIn::variables), value, unit);
+}
+
+std::optional<double> rate_in_hz(Meaning meaning, double value, std::string_view unit) {
     if (meaning != Meaning::rate && meaning != Meaning::step) {
         return {};
     }

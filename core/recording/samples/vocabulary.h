@@ -70,9 +70,12 @@ std::optional<double> seconds_per(std::string_view unit);
 // Hertz per unit of a rate: 1000 of "kHz" and "kS/s". Empty for other units.
 std::optional<double> hertz_per(std::string_view unit);
 
-// Sample rate (Hz) from a named number of a file: the number itself of a Meaning::rate, its inverse
-// of a Meaning::step. `unit` is that of the number ("kHz", "ms"), empty: Hz or s. Empty for other
-// names, unsuitable units and rates that are not positive.
+// Sample rate (Hz) from a number of a file: the number itself of a Meaning::rate, its inverse of a
+// Meaning::step. `unit` is that of the number ("kHz", "ms"), empty: Hz or s. Empty for other
+// meanings, unsuitable units and rates that are not positive.
+std::optional<double> rate_in_hz(Meaning meaning, double value, std::string_view unit);
+
+// The same of a named number.
 std::optional<double> rate_by_name(std::string_view name, double value, std::string_view unit = {});
 
 // Factor from the unit `from` of samples to the unit `to`: 1e-3 from "mV" to "V", 1 from "Volt" to

@@ -120,11 +120,6 @@ double written_relative_sd(std::string_view number, double value) {
     return (fixed ? last : std::min(last, sixth)) / std::sqrt(12.0) / std::abs(value);
 }
 
-// Seconds or hertz per unit; nothing where the unit is none of its kind.
-std::optional<double> rate_factor(Meaning meaning, const std::string& unit) {
-    return meaning == Meaning::step ? seconds_per(unit) : hertz_per(unit);
-}
-
 // "Sample rate 33333 Hz": a key and, behind a blank, its number with its unit.
 struct RateLine {
     Key key;
@@ -143,29 +138,6 @@ std::optional<RateLine> rate_line(std::string_view text) {
         blank == std::string_view::npos ? "" : trimmed(found.value.substr(blank));
     const bool is_alone = behind.empty() || (number && behind == number->unit);
     return found.key.meaning != Meaning::other && is_alone ? std::optional(found) : std::nullopt;
-}
-
-std::optional<SampleRate> written(const Key& key, const NumberText& number,
-                                  const std::string& unit_behind, const std::string& unit_of_axis) {
-    double factor = 1;
-    for (const std::string& unit : {number.unit, key.unit, unit_behind,
-                                    key.meaning == Meaning::step ? unit_of_axis : std::string()}) {
-        if (unit.empty()) {
-            continue;
-        }
-        const auto known = rate_factor(key.meaning, unit);
-        if (!known) {
-            return std::nullopt;  // counts something else
-        }
-        factor = *known;
-        break;
-    }
-    const double value = number.value * factor;
-    const double hz = key.meaning == Meaning::rate ? value : 1 / value;
-    if (!std::isfinite(hz) || !(hz > 0)) {
-        return std::nullopt;
-    }
-    return SampleRate{hz, RateOrigin::file, written_relative_sd(number.number, number.value)};
 }
 
 class RateSearch {
@@ -200,29 +172,21 @@ private:
             std::vector<SampleRate> rates(columns_);
             bool any = false;
             for (std::size_t j = i + 1; j < fields.size(); ++j) {
-                const auto number = number_at_start(fields[j], group(key));
-                if (!number && !fields[j].empty()) {
+                if (!fields[j].empty() && !number_at_start(fields[j], group(key))) {
                     break;
                 }
-                const std::string behind = unit_behind(fields, j + 1, key.meaning);
-                const auto rate = number ? written(key, *number, behind, axis_unit_) : std::nullopt;
-                if (rate) {
+                const bool has_unit =
+                    j + 1 < fields.size() && rate_in_hz(key.meaning, 1, fields[j + 1]);
+                if (const auto rate = rate_of(key, fields[j], has_unit ? fields[j + 1] : "")) {
                     rates[std::min(j, columns_ - 1)] = *rate;
-                    any = true;
-                }
-            }
-            if (!any && line + 1 < lines_.size()) {
-                const std::vector<std::string> below = header_fields(lines_[line + 1], delimiter_);
-                const auto number =
-                    i < below.size() ? number_at_start(below[i], group(key)) : std::nullopt;
-                if (const auto rate =
-                        number ? written(key, *number, "", axis_unit_) : std::nullopt) {
-                    rates.assign(columns_, *rate);
                     any = true;
                 }
             }
             if (any) {
                 add(std::move(rates));
+            } else if (line + 1 < lines_.size()) {
+                const std::vector<std::string> below = header_fields(lines_[line + 1], delimiter_);
+                add_value(key, i < below.size() ? below[i] : "");
             }
         }
     }
@@ -252,9 +216,27 @@ private:
         }
     }
 
+    // The rate that a text behind its key, or below it, gives.
+    std::optional<SampleRate> rate_of(const Key& key, std::string_view text,
+                                      const std::string& unit_behind) const {
+        const auto number = number_at_start(text, group(key));
+        if (!number) {
+            return std::nullopt;
+        }
+        std::string unit;
+        for (const std::string& each :
+             {number->unit, key.unit, unit_behind,
+              key.meaning == Meaning::step ? axis_unit_ : std::string()}) {
+            unit = unit.empty() ? each : unit;
+        }
+        const auto hz = rate_in_hz(key.meaning, number->value, unit);
+        return hz ? std::optional(SampleRate{*hz, RateOrigin::file,
+                                             written_relative_sd(number->number, number->value)})
+                  : std::nullopt;
+    }
+
     void add_value(const Key& key, std::string_view value) {
-        const auto number = number_at_start(value, group(key));
-        if (const auto rate = number ? written(key, *number, "", axis_unit_) : std::nullopt) {
+        if (const auto rate = rate_of(key, value, "")) {
             add(std::vector<SampleRate>(columns_, *rate));
         }
     }
@@ -272,11 +254,6 @@ private:
             begin = at == std::string_view::npos ? begin : std::max(begin, at + separator.size());
         }
         return text.substr(begin);
-    }
-
-    static std::string unit_behind(const std::vector<std::string>& fields, std::size_t at,
-                                   Meaning meaning) {
-        return at < fields.size() && rate_factor(meaning, fields[at]) ? fields[at] : std::string();
     }
 
     // Takes what a line says of the columns; the rest of them have the rate of the first that has
