@@ -412,30 +412,6 @@ namespace {
 constexpr std::size_t head_bytes = std::size_t{1} << 18;  // kept on each side of the first row
 constexpr std::int64_t lines_between_looks = 4096;        // at the stop token
 
-// Lines, the oldest of which make room for the next.
-class LastLines {
-public:
-    void add(std::string_view line) {
-        lines_.emplace_back(line);
-        bytes_ += line.size() + 1;
-        while (bytes_ > head_bytes && lines_.size() > 1) {
-            bytes_ -= lines_.front().size() + 1;
-            lines_.pop_front();
-            ++dropped_;
-        }
-    }
-
-    TextHead take() {
-        return {dropped_,
-                {std::make_move_iterator(lines_.begin()), std::make_move_iterator(lines_.end())}};
-    }
-
-private:
-    std::deque<std::string> lines_;
-    std::size_t bytes_ = 0;
-    std::int64_t dropped_ = 0;
-};
-
 // Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
 // leading zeros, decimals between delimiters have.
 bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format) {
@@ -483,7 +459,9 @@ Error no_table(const FileBytes& file, const TextHead& head, const TextChoice& ch
 Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
                                 std::optional<std::int64_t> lines_to_skip, const JobControl& job) {
     TextLines lines(std::move(file));
-    LastLines skipped;
+    TextHead head;
+    std::deque<std::string> skipped;  // the last ones
+    std::size_t held = 0;             // bytes
     const std::int64_t skip = lines_to_skip.value_or(0);
     for (std::int64_t i = 0; i < skip; ++i) {
         if (i % lines_between_looks == 0) {
@@ -493,9 +471,16 @@ Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
         if (!line) {
             break;
         }
-        skipped.add(*line);
+        skipped.emplace_back(*line);
+        held += line->size() + 1;
+        while (held > head_bytes && skipped.size() > 1) {
+            held -= skipped.front().size() + 1;
+            skipped.pop_front();
+            ++head.dropped;
+        }
     }
-    TextHead head = skipped.take();
+    head.lines.assign(std::make_move_iterator(skipped.begin()),
+                      std::make_move_iterator(skipped.end()));
     for (std::size_t bytes = 0; bytes < head_bytes;) {
         const auto line = TRY(lines.next());
         if (!line) {

@@ -72,26 +72,19 @@ public:
         for (std::size_t i = 0; i < above_.lines.size(); ++i) {
             take_labelled(i);
         }
-        for (std::size_t i = 0; i < units_.size(); ++i) {
-            Channel& column = format_.headings[i];
-            if (column.unit.empty()) {
-                column.unit = to_utf8(without_brackets(units_[i]));
-            }
-        }
+        const auto fill = [](std::string& text, std::size_t i, const auto& from) {
+            text = text.empty() && i < from.size() ? to_utf8(from[i]) : text;
+        };
         for (std::size_t i = 0; i < format_.headings.size(); ++i) {
-            Channel& column = format_.headings[i];
-            column.name = column.name.empty() && i < names_.size() ? names_[i] : column.name;
-            column.unit = column.unit.empty() && i < labelled_.size() ? labelled_[i] : column.unit;
+            fill(format_.headings[i].name, i, names_);
+            fill(format_.headings[i].unit, i, units_);
+            fill(format_.headings[i].unit, i, labelled_);
         }
     }
 
 private:
     // The fields of a line that has one for each column; nothing where it has not. What stands
     // behind the last column is a remark, or no name, or the name of a column without numbers.
-    std::optional<std::vector<std::string>> row_of_names(const std::string& line) const {
-        return row_of_names(line, format_.delimiter);
-    }
-
     std::optional<std::vector<std::string>> row_of_names(const std::string& line,
                                                          char delimiter) const {
         std::vector<std::string> fields = name_fields(line, delimiter);
@@ -125,11 +118,9 @@ private:
     // Whether a line says one thing of something, or of each channel, and names no columns.
     bool is_setting(const std::string& line) const {
         const std::vector<std::string> fields = name_fields(line, format_.delimiter);
-        if (is_rate_line(line)) {
-            return true;
-        }
-        if (fields.empty() || fields[0].ends_with(':') || is_rate_key(fields[0]) ||
-            is_label(fields) || std::all_of(fields.begin(), fields.end(), has_equals_sign)) {
+        if (is_rate_line(line) || fields.empty() || fields[0].ends_with(':') ||
+            is_rate_key(fields[0]) || is_label(fields) ||
+            std::all_of(fields.begin(), fields.end(), has_equals_sign)) {
             return true;
         }
         if (fields[0].empty() || is_time_name(fields[0]) ||
@@ -184,17 +175,15 @@ private:
                 continue;
             }
             const auto fields = names_in(line);
-            if (fields && units_.empty() && is_unit_line(*fields)) {
+            if (fields && units_.empty() &&
+                (is_unit_line(*fields) || (is_unit_line_behind_axis(*fields) && named_above(i)))) {
                 ++format_.header_lines_used;
-                units_ = *fields;
+                for (const std::string& unit : *fields) {
+                    units_.emplace_back(without_brackets(unit));
+                }
                 continue;
             }
-            if (fields && units_.empty() && is_unit_line_behind_axis(*fields) && named_above(i)) {
-                ++format_.header_lines_used;
-                units_ = *fields;
-                continue;
-            }
-            if (fields && row_of_names(line) && is_setting(line)) {
+            if (fields && row_of_names(line, format_.delimiter) && is_setting(line)) {
                 continue;
             }
             if (fields) {
@@ -210,7 +199,7 @@ private:
 
     // The same where the names have a separator of their own, and a unit each.
     std::optional<std::vector<std::string>> names_in(const std::string& line) const {
-        auto fields = row_of_names(line);
+        auto fields = row_of_names(line, format_.delimiter);
         for (const char delimiter : {';', ',', '\t'}) {
             if (!fields && delimiter != format_.delimiter) {
                 auto other = row_of_names(line, delimiter);
@@ -232,7 +221,7 @@ private:
         while (line > 0 && trimmed(above_.lines[line - 1]).empty()) {
             --line;
         }
-        return line > 0 && row_of_names(above_.lines[line - 1]);
+        return line > 0 && row_of_names(above_.lines[line - 1], format_.delimiter);
     }
 
     void take_labelled(std::size_t line) {
@@ -259,7 +248,7 @@ private:
         }
         std::vector<std::string> found;
         if (fields.size() == 1 && line + 1 < above_.lines.size()) {
-            found = row_of_names(above_.lines[line + 1]).value_or(std::vector<std::string>{});
+            found = row_of_names(above_.lines[line + 1], format_.delimiter).value_or(found);
             format_.header_lines_used += found.empty() ? 0 : 1;
         } else if (is_pairs(fields)) {
             for (std::size_t i = 0; i + 1 < fields.size(); i += 2) {
