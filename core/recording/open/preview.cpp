@@ -181,6 +181,18 @@ Status take_samples(const Recording& recording, RecordingPreview& preview) {
     return recording.source->read(0, preview.c, preview.d);
 }
 
+// Fills the table with so many frames of all columns.
+template <class Value>
+void take_cells(std::size_t frames, Value value, RecordingPreview& preview) {
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        PreviewLine line{static_cast<std::int64_t>(frame), true, {}};
+        for (std::size_t k = 0; k < preview.columns.size(); ++k) {
+            line.cells.push_back(short_text(value(frame, k), cell_digits));
+        }
+        preview.lines.push_back(std::move(line));
+    }
+}
+
 // Fills the table with every channel, from the bytes.
 Status take_raw_cells(const FileBytes& file, const OpenOptions& options,
                       RecordingPreview& preview) {
@@ -197,26 +209,10 @@ Status take_raw_cells(const FileBytes& file, const OpenOptions& options,
                {options.scale, 0}, values);
     }
     preview.columns.resize(std::min<std::size_t>(channels, most_raw_columns));
-    for (std::size_t frame = 0; frame < frames; ++frame) {
-        PreviewLine line{static_cast<std::int64_t>(frame), true, {}};
-        for (std::size_t k = 0; k < preview.columns.size(); ++k) {
-            line.cells.push_back(short_text(values[frame * channels + k], cell_digits));
-        }
-        preview.lines.push_back(std::move(line));
-    }
+    take_cells(
+        frames, [&](std::size_t frame, std::size_t k) { return values[frame * channels + k]; },
+        preview);
     return {};
-}
-
-// Fills the table with C and D only.
-void take_cells(RecordingPreview& preview) {
-    preview.c_column = 0;
-    preview.d_column = 1;
-    for (std::size_t i = 0; i < std::min(preview.c.size(), preview_lines); ++i) {
-        preview.lines.push_back(
-            {static_cast<std::int64_t>(i),
-             true,
-             {short_text(preview.c[i], cell_digits), short_text(preview.d[i], cell_digits)}});
-    }
 }
 
 // Preview of other files, through their reader. A file without rate is opened with an arbitrary
@@ -244,7 +240,14 @@ Status preview_opened(const FileBytes& file, const OpenOptions& options, const J
     if (!options.raw) {
         preview.columns = {recording->channel(recording->channel_c),
                            recording->channel(recording->channel_d)};
-        take_cells(preview);
+        preview.c_column = 0;
+        preview.d_column = 1;
+        take_cells(
+            std::min(preview.c.size(), preview_lines),
+            [&](std::size_t frame, std::size_t k) {
+                return k == 0 ? preview.c[frame] : preview.d[frame];
+            },
+            preview);
         return {};
     }
     Status status = take_raw_cells(file, options, preview);

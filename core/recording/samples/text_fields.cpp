@@ -255,30 +255,28 @@ int small_number(std::string_view digits, int limit) {
 
 // Takes a date and what separates it from a time; false where the text does not begin with one.
 bool take_date(std::string_view& text) {
+    const auto is_day = [](std::string_view digits) { return small_number(digits, 32) >= 1; };
+    const auto is_one_of = [](std::string_view all, char c) {
+        return all.find(c) != std::string_view::npos;
+    };
     std::string_view rest = text;
     const std::string_view first = take_while(rest, is_digit);
     const char separator = rest.empty() ? '\0' : rest.front();
-    if (first.empty() || first.size() > 4 ||
-        (separator != '-' && separator != '/' && separator != '.')) {
+    if (!is_one_of("-/.", separator)) {
         return false;
     }
     rest.remove_prefix(1);
     const bool named = !rest.empty() && is_letter(rest.front());
-    const std::string_view middle =
-        named ? take_while(rest, is_letter) : take_while(rest, is_digit);
-    if (rest.empty() || rest.front() != separator ||
-        (named ? middle.size() != 3 : small_number(middle, 32) < 1)) {
+    const std::string_view middle = take_while(rest, named ? is_letter : is_digit);
+    if (!rest.starts_with(separator) || !(named ? middle.size() == 3 : is_day(middle))) {
         return false;
     }
     rest.remove_prefix(1);
     const std::string_view last = take_while(rest, is_digit);
-    const bool year_first = first.size() == 4;
-    if (year_first ? small_number(last, 32) < 1
-                   : (small_number(first, 32) < 1 || (last.size() != 2 && last.size() != 4))) {
-        return false;
-    }
+    const bool is_date =
+        first.size() == 4 ? is_day(last) : is_day(first) && (last.size() == 2 || last.size() == 4);
     // Behind a date stand a time or nothing: 1.5.24.7 is none.
-    if (!rest.empty() && rest.front() != 'T' && rest.front() != ' ' && rest.front() != '_') {
+    if (!is_date || (!rest.empty() && !is_one_of("T _", rest.front()))) {
         return false;
     }
     rest.remove_prefix(rest.empty() ? 0 : 1);
