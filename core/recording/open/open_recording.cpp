@@ -243,7 +243,7 @@ public:
         }
         const std::int64_t first = end() + static_cast<std::int64_t>(gap);
         if (gap > 0) {
-            gaps_.push_back({end() - 1, first});
+            gaps_.push_back({end(), first - end()});
         }
         for (Diagnostic diagnostic : next.diagnostics) {
             diagnostic.first_frame += diagnostic.first_frame < 0 ? 0 : first;
@@ -274,7 +274,7 @@ private:
     Recording whole_;
     Recording last_;
     std::vector<SourcePiece> pieces_;
-    std::vector<TimeGap> gaps_;
+    std::vector<FrameRange> gaps_;
     std::int64_t rows_ = whole_.frames();
     int without_times_ = 0;
 };

@@ -95,13 +95,12 @@ std::int64_t EvenTimes::frame_of(std::int64_t row) const {
     return segment.first_frame + row - segment.first_row;
 }
 
-std::vector<TimeGap> EvenTimes::gaps() const {
-    std::vector<TimeGap> gaps;
+std::vector<FrameRange> EvenTimes::gaps() const {
+    std::vector<FrameRange> gaps;
     for (std::size_t s = 1; s < segments.size(); ++s) {
-        const RowSegment& before = segments[s - 1];
-        const TimeGap gap{before.first_frame + before.rows - 1, segments[s].first_frame};
-        if (gap.after > gap.before + 1) {
-            gaps.push_back(gap);
+        const std::int64_t end = segments[s - 1].first_frame + segments[s - 1].rows;
+        if (segments[s].first_frame > end) {
+            gaps.push_back({end, segments[s].first_frame - end});
         }
     }
     return gaps;

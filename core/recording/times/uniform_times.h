@@ -43,10 +43,14 @@ struct RowSegment {
     std::int64_t rows = 0;
 };
 
-// The frames between `before` and `after` are missing.
-struct TimeGap {
-    std::int64_t before;
-    std::int64_t after;
+// Frames [first, first + count).
+struct FrameRange {
+    std::int64_t first = 0;
+    std::int64_t count = 0;
+
+    std::int64_t end() const { return first + count; }
+
+    friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
 // Times that lie on a uniform grid.
@@ -57,7 +61,7 @@ struct EvenTimes {
 
     std::int64_t frames() const { return segments.back().first_frame + segments.back().rows; }
     std::int64_t frame_of(std::int64_t row) const;
-    std::vector<TimeGap> gaps() const;
+    std::vector<FrameRange> gaps() const;  // what is missing between them
 };
 
 // A straight line through times against their frames, even or not. `late_s` is against the first
