@@ -47,9 +47,13 @@ std::string_view without_brackets(std::string_view text);
 Channel name_and_unit(std::string_view field);
 
 // Columns of whole-angle logs: the angle of the wave, and the efforts of its control.
-const std::vector<const char*>& wave_angle_names();
-const std::vector<const char*>& amplitude_effort_names();
-const std::vector<const char*>& quadrature_effort_names();
+inline const std::vector<const char*> wave_angle_names{
+    "theta",       "theta_rad", "theta_deg",       "theta_A",
+    "theta_A_rad", "angle",     "two_theta_A_rad", "угол"};
+inline const std::vector<const char*> amplitude_effort_names{"amplitude", "amplitude effort",
+                                                             "amplitude_effort"};
+inline const std::vector<const char*> quadrature_effort_names{"quadrature", "quadrature effort",
+                                                              "quadrature_effort"};
 
 // Part after the last '.' or '/' of a path: "C" of "run.C" or "/run/C".
 std::string_view last_name(std::string_view path);

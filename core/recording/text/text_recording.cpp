@@ -9,7 +9,6 @@
 #include "core/recording/text/text_reading.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -188,13 +187,6 @@ bool is_of_phasemeter(const TextHead& head) {
                                            first.find("Lock-in") != std::string::npos);
 }
 
-// A table whose columns say by their names that they are no samples.
-struct LogKind {
-    std::vector<const char*> columns;
-    const char* holds;
-    const char* read_with;
-};
-
 // Whether every column beside the time is known of whole-angle logs, an angle among them.
 bool is_whole_angle(const TextFormat& format) {
     bool angle = false;
@@ -207,9 +199,9 @@ bool is_whole_angle(const TextFormat& format) {
         if (column == format.time_column || is_time_name(name)) {
             continue;
         }
-        const bool is_angle = is_one_of(wave_angle_names());
-        if (!is_angle && !is_one_of(amplitude_effort_names()) &&
-            !is_one_of(quadrature_effort_names())) {
+        const bool is_angle = is_one_of(wave_angle_names);
+        if (!is_angle && !is_one_of(amplitude_effort_names) &&
+            !is_one_of(quadrature_effort_names)) {
             return false;
         }
         angle = angle || is_angle;
@@ -219,23 +211,24 @@ bool is_whole_angle(const TextFormat& format) {
 
 // Tracks, whose columns are known, too, open: their values are numbers over time.
 Status check_holds_samples(const FileBytes& file, const TextHead& head, const TextFormat& format) {
-    const std::array<LogKind, 2> kinds{{{{"a", "b", "theta"},
-                                         VYBEG_MESSAGE("Words", "the wave's a, b and theta"),
-                                         "--columns a,b,theta"},
-                                        {{"E", "R", "S", "Q"},
-                                         VYBEG_MESSAGE("Words", "the powers E, R, S and Q"),
-                                         "--columns E,R,S,Q"}}};
-    const auto is_there = [&](const char* column) {
-        return std::ranges::find(format.headings, column, &Channel::name) != format.headings.end();
+    const auto has = [&](std::initializer_list<const char*> columns) {
+        return std::ranges::all_of(columns, [&](const char* column) {
+            return std::ranges::find(format.headings, column, &Channel::name) !=
+                   format.headings.end();
+        });
     };
-    const std::array<const char*, 4> of_phasors{"Xc", "Yc", "Xd", "Yd"};
-    if (is_of_phasemeter(head) || std::ranges::all_of(of_phasors, is_there)) {
+    if (is_of_phasemeter(head) || has({"Xc", "Yc", "Xd", "Yd"})) {
         return holds_phasors(file);
     }
-    for (const LogKind& kind : kinds) {
-        if (std::ranges::all_of(kind.columns, is_there)) {
-            return file.error(ErrorCode::holds_log, {words(kind.holds), kind.read_with});
-        }
+    if (has({"a", "b", "theta"})) {
+        return file.error(
+            ErrorCode::holds_log,
+            {words(VYBEG_MESSAGE("Words", "the wave's a, b and theta")), "--columns a,b,theta"});
+    }
+    if (has({"E", "R", "S", "Q"})) {
+        return file.error(
+            ErrorCode::holds_log,
+            {words(VYBEG_MESSAGE("Words", "the powers E, R, S and Q")), "--columns E,R,S,Q"});
     }
     return is_whole_angle(format) ? Status(file.error(ErrorCode::holds_angle)) : Status();
 }
