@@ -3,14 +3,12 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/phase.h"
 #include "core/numerics/statistics.h"
-#include "core/recording/checks/step_evidence.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>

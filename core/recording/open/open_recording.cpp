@@ -6,7 +6,6 @@
 #include "core/recording/arrays/raw_reader.h"
 #include "core/recording/arrays/tdms_reader.h"
 #include "core/recording/audio/audio_reader.h"
-#include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/packed_parts.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/open_table.h"
@@ -24,10 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <memory>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>

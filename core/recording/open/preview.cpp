@@ -5,23 +5,17 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/bytes/text_encoding.h"
-#include "core/recording/envelope/envelope.h"
-#include "core/recording/open/open_recording.h"
-#include "core/recording/samples/open_options.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_format.h"
 #include "core/recording/text/text_lines.h"
 #include "core/recording/text/text_reading.h"
 #include "core/recording/text/text_recording.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

@@ -1,6 +1,5 @@
 #include "core/recording/samples/column_source.h"
 
-#include "core/recording/bytes/number_type.h"
 #include "core/recording/times/uniform_times.h"
 
 #include <algorithm>
@@ -8,7 +7,6 @@
 #include <functional>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

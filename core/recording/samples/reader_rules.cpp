@@ -1,7 +1,6 @@
 #include "core/recording/samples/reader_rules.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
 
@@ -9,11 +8,9 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

@@ -5,7 +5,6 @@
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_columns.h"
 #include "core/recording/text/text_header.h"
 #include "core/recording/text/text_lines.h"
 #include "core/recording/text/text_rate.h"

@@ -1,8 +1,6 @@
 #include "core/recording/text/text_lines.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/bytes/text_encoding.h"
-#include "core/recording/samples/text_fields.h"
 
 #include <fast_float/fast_float.h>
 
@@ -10,9 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

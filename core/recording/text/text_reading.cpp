@@ -1,7 +1,6 @@
 #include "core/recording/text/text_reading.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 
 #include <tbb/parallel_for.h>
@@ -11,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

@@ -5,7 +5,6 @@
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_format.h"
-#include "core/recording/text/text_lines.h"
 #include "core/recording/text/text_reading.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "core/numerics/statistics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
