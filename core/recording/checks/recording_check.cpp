@@ -130,6 +130,12 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
     return lines;
 }
 
+namespace {
+
+// Seconds from the start until the power of both channels, less that of the noise, decays as in the
+// second half of the samples, in steps of a 64th of their length. 0 without a transient, where the
+// power changes smoothly all the way (a beat behind channels of different gain), and where the
+// check is inconclusive: no exponential decay, or fewer than 4096 samples.
 double start_transient_s(std::span<const double> c, std::span<const double> d, double f0_hz,
                          double rate_hz) {
     constexpr std::size_t blocks = 64;
@@ -191,8 +197,6 @@ double start_transient_s(std::span<const double> c, std::span<const double> d, d
     // If no part of the first half fits, the decay is not exponential and the check inconclusive.
     return end + 3 < half ? static_cast<double>(end * length) / rate_hz : 0;
 }
-
-namespace {
 
 constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
 constexpr double start_s = 4;             // part checked for mains and transient

@@ -33,13 +33,6 @@ struct MainsLine {
 std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const double> d,
                                    double rate_hz);
 
-// Seconds from the start until the power of both channels, less that of the noise, decays as in the
-// second half of the samples, in steps of a 64th of their length. 0 without a transient, where the
-// power changes smoothly all the way (a beat behind channels of different gain), and where the
-// check is inconclusive: no exponential decay, or fewer than 4096 samples.
-double start_transient_s(std::span<const double> c, std::span<const double> d, double f0_hz,
-                         double rate_hz);
-
 // Faults of the samples in the file, before calibration and filter.
 struct SampleFaults {
     std::vector<Diagnostic> findings;  // missing samples, clipping, lost and doubled samples

@@ -148,14 +148,6 @@ double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& d
     return ratio.value_or(1);
 }
 
-void match_units(Recording& recording) {
-    const double factor = note_units(recording.channel(recording.channel_c),
-                                     recording.channel(recording.channel_d), recording.diagnostics);
-    if (factor != 1) {
-        recording.source = scaled_source(std::move(recording.source), 1, factor);
-    }
-}
-
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options) {
     constexpr double too_coarse = 0.2;  // of times in whole seconds, for instance
@@ -170,6 +162,20 @@ Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> 
     }
     return file.error(ErrorCode::rate_unknown);
 }
+
+namespace {
+
+// Converts channel D to the unit of C if the recording has both units, with the diagnostic
+// unit_converted; warns about an unknown ratio (units_differ).
+void match_units(Recording& recording) {
+    const double factor = note_units(recording.channel(recording.channel_c),
+                                     recording.channel(recording.channel_d), recording.diagnostics);
+    if (factor != 1) {
+        recording.source = scaled_source(std::move(recording.source), 1, factor);
+    }
+}
+
+}  // namespace
 
 Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
                                      const OpenOptions& options) {
