@@ -7,7 +7,6 @@
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_header.h"
 #include "core/recording/text/text_lines.h"
-#include "core/recording/text/text_rate.h"
 
 #include <algorithm>
 #include <array>
