@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 6> missing_words{"na", "n/a", "#n/a", "nu
 constexpr std::array<std::string_view, 7> over_range_words{
     "overload", "ovld", "overrange", "over range", "over", "clipped", "overflow"};
 
-// Whether one of the words is the field, in lower or upper case.
+// Whether one of the words is the field, in lower or upper case; of a head most fields are asked.
 template <std::size_t count>
 bool says(const std::array<std::string_view, count>& words, std::string_view field) {
     const auto same = [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b + 32 : b); };
@@ -247,9 +247,7 @@ int small_number(std::string_view digits, int limit) {
         return -1;
     }
     int value = 0;
-    for (const char c : digits) {
-        value = 10 * value + (c - '0');
-    }
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return value < limit ? value : -1;
 }
 
@@ -338,9 +336,7 @@ std::optional<ClockField> parse_clock(std::string_view field) {
             return std::nullopt;
         }
         std::int64_t value = 0;
-        for (const char c : digits) {
-            value = 10 * value + (c - '0');
-        }
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
         clock.decimals = static_cast<int>(digits.size());
         clock.fraction_s = static_cast<double>(value) / std::pow(10.0, clock.decimals);
     }
