@@ -369,7 +369,7 @@ const char* TextRows::plain_number(const char* at, const char* end, int column) 
 // Any other line: true where it is a row, too. `ended`: it has a line end.
 bool TextRows::any_row(std::string_view line, bool ended) {
     if (line.size() > longest_line) {
-        fault_ = {ErrorCode::format_limit};
+        fault_ = TextFault{ErrorCode::format_limit};
         return false;
     }
     // A row of delimiters alone is a missing sample only where no time is missing as well.

@@ -78,12 +78,13 @@ struct BlockScan {
 
 // Takes on the time of a row; false where it lies below the one before.
 bool take_time(const TextTable& table, const TextRows& row, BlockScan& found) {
+    if (found.rows > 0 && row.time() < found.last_time) {
+        found.fault = time_fault(row.time(), found.last_time);
+        return false;
+    }
     if (found.rows == 0) {
         found.first_time = row.time();
         found.first_line = row.lines();
-    } else if (row.time() < found.last_time) {
-        found.fault = time_fault(row.time(), found.last_time);
-        return false;
     } else if (row.time() == found.last_time && !found.repeated) {
         found.repeated = time_fault(row.time(), found.last_time);
         found.repeated_line = row.lines();
