@@ -338,14 +338,6 @@ std::string options_text(const OpenOptions& options) {
     return text;
 }
 
-Status check_scale(double scale) {
-    if (!std::isfinite(scale) || scale == 0) {
-        return refused_value("--scale", number_arg(scale),
-                             words(VYBEG_MESSAGE("Words", "it must be a number other than 0")));
-    }
-    return {};
-}
-
 Status check_layout(const RawLayout& layout) {
     if (!within(raw_channels_bounds, "--raw-channels", layout.channels)) {
         return refused_value("--raw-channels", count_arg(layout.channels),
@@ -380,7 +372,10 @@ Status check_options(const OpenOptions& options) {
         return refused_value("--raw", options_text({.text = options.text}),
                              words(VYBEG_MESSAGE("Words", "a file is read as text or as raw")));
     }
-    TRY(check_scale(options.scale));
+    if (!std::isfinite(options.scale) || options.scale == 0) {
+        return refused_value("--scale", number_arg(options.scale),
+                             words(VYBEG_MESSAGE("Words", "it must be a number other than 0")));
+    }
     if (options.raw) {
         return check_layout(*options.raw);
     }
