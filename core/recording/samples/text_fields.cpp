@@ -155,20 +155,35 @@ std::vector<std::string> header_fields(std::string_view line, char delimiter) {
     return fields;
 }
 
-std::string usual_number(std::string_view field) {
+std::string usual_number(std::string_view field, bool groups) {
+    // A blank, or a point, before three digits and no fourth, behind another digit; without a
+    // break, also of Windows-1251.
+    const auto group_blank = [](std::string_view rest) -> std::size_t {
+        for (const std::string_view blank : {" ", "\xC2\xA0", "\xE2\x80\xAF", "\xA0", "."}) {
+            if (rest.starts_with(blank)) {
+                const std::string_view digits = rest.substr(blank.size());
+                const auto count = std::min(digits.find_first_not_of("0123456789"), digits.size());
+                return count == 3 ? blank.size() : 0;
+            }
+        }
+        return 0;
+    };
     std::string text;
     for (std::size_t i = 0; i < field.size(); ++i) {
         const std::string_view rest = field.substr(i);
-        if (rest.starts_with(minus_sign)) {
+        if (const auto blank =
+                groups && !text.empty() && is_digit(text.back()) ? group_blank(rest) : 0) {
+            i += blank - 1;
+        } else if (rest.starts_with(minus_sign)) {
             text += '-';
             i += minus_sign.size() - 1;
         } else if (rest.starts_with(infinity_sign)) {
             text += "inf";
             i += infinity_sign.size() - 1;
         } else {
-            const bool exponent =
-                (field[i] == 'd' || field[i] == 'D') && i > 0 &&
-                (is_digit(field[i - 1]) || field[i - 1] == '.' || field[i - 1] == ',');
+            const bool exponent = (field[i] == 'd' || field[i] == 'D') && i > 0 &&
+                                  ((field[i - 1] >= '0' && field[i - 1] <= '9') ||
+                                   field[i - 1] == '.' || field[i - 1] == ',');
             text += exponent ? 'e' : field[i];
         }
     }
@@ -191,7 +206,7 @@ std::optional<double> parse_field(std::string_view field, bool decimal_comma) {
     if (says(over_range_words, field)) {
         return std::numeric_limits<double>::infinity();
     }
-    const std::string usual = usual_number(field);
+    const std::string usual = usual_number(field, decimal_comma);
     return usual == field ? std::nullopt : usual_value(usual, decimal_comma);
 }
 

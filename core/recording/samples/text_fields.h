@@ -43,15 +43,16 @@ std::string_view without_comment_mark(std::string_view line);
 
 // Number of a whole field: NaN for an empty field or a mark of a missing value ("nan", "NA"),
 // infinite for an overload ("inf", U+221E, "OVLD", 9.9E37 to 3.5E38); empty for other texts.
-// Independent of the locale. Fortran's D is read as E, the sign U+2212 as a minus; signs between
-// thousands make no number.
+// Independent of the locale. Fortran's D is read as E, the sign U+2212 as a minus; with a decimal
+// comma, blanks and points separate thousands.
 std::optional<double> parse_field(std::string_view field, bool decimal_comma);
 
 // Least magnitude of a number that may be a mark of overload.
 inline constexpr double least_mark = 9.9e37;
 
-// Usual text of a number with Fortran's exponent or the sign U+2212.
-std::string usual_number(std::string_view field);
+// Usual text of a number with Fortran's exponent or the sign U+2212, or with blanks or points
+// between its thousands.
+std::string usual_number(std::string_view field, bool groups);
 
 // Resolution of the text of a number: 12.50e-3 has 5 decimals and 4 significant digits.
 struct NumberDigits {

@@ -76,7 +76,7 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
         ++end;
     }
     NumberText found;
-    found.number = usual_number(text.substr(0, end));
+    found.number = usual_number(text.substr(0, end), false);
     while (!found.number.empty() && (found.number.back() == '.' || found.number.back() == ',')) {
         found.number.pop_back();
     }

@@ -413,7 +413,7 @@ bool TextRows::time_field() {
     if (!number(columns_.time, time_) || !std::isfinite(time_)) {
         return fail(columns_.time);
     }
-    usual_time_ = usual_number(text);
+    usual_time_ = usual_number(text, format_.decimal_comma);
     time_text_ = usual_time_;
     return true;
 }

@@ -89,7 +89,7 @@ std::string node_and_direction(std::string_view line) {
 bool parse_uff_values(std::string_view line, std::vector<double>& values) {
     std::string usual;
     if (line.find_first_of("Dd") != line.npos) {
-        usual = usual_number(line);
+        usual = usual_number(line, false);
         line = usual;
     }
     for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
@@ -137,7 +137,7 @@ std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& line
     found.count = *count;
     found.step_s = step[0] * seconds_per(told(field(abscissa, 47, 20))).value_or(1);
     // Written as Fortran does, with the exponent of E or D: every digit counts, zeros too.
-    const NumberDigits digits = digits_of(usual_number(field(form, 43, 13)));
+    const NumberDigits digits = digits_of(usual_number(field(form, 43, 13), false));
     found.step_relative_sd =
         step[0] > 0 ? std::pow(10.0, -digits.decimals) / std::sqrt(12.0) / step[0] : 0;
     return found;

@@ -29,13 +29,21 @@ const std::vector<Dialect> dialects = {
     {"blanks", ' ', '.'}};
 const std::vector<const char*> headers = {"none",  "names",    "quoted", "units",   "unit line",
                                           "above", "Cyrillic", "sep",    "comment", "settings"};
-const std::vector<const char*> oddities = {"plain",         "words last",    "words between",
-                                           "words first",   "words unnamed", "remarks",
-                                           "remark column", "empty column",  "delimiters behind",
-                                           "closing row",   "empty rows",    "blank lines"};
+const std::vector<const char*> oddities = {
+    "plain",      "words last",    "words between", "words first",       "words unnamed",
+    "remarks",    "remark column", "empty column",  "delimiters behind", "closing row",
+    "empty rows", "blank lines",   "thousands"};
 
-double value(int row, double phase) {
-    return std::round(1e3 * std::cos(0.7 * row + phase)) / 1e3;
+double value(int row, double phase, double size) {
+    return std::round(1e3 * size * std::cos(0.7 * row + phase)) / 1e3;
+}
+
+// As a spreadsheet shows it: "-5 123,450".
+QString grouped(QString number) {
+    for (auto at = number.indexOf('.') - 3; at > (number.startsWith('-') ? 1 : 0); at -= 3) {
+        number.insert(at, QChar(0xA0));
+    }
+    return number;
 }
 
 struct Layout {
@@ -52,6 +60,7 @@ struct Layout {
         const bool fields_empty = is("remarks") || is("remark column") || is("empty column") ||
                                   is("delimiters behind") || is("closing row") || is("empty rows");
         return !(blanks && (fields_empty || header == "sep" || header == "Cyrillic")) &&
+               !(is("thousands") && (blanks || dialect.decimal != ',')) &&
                !(header == "sep" && dialect.delimiter == '|') &&
                !(header == "Cyrillic" && dialect.delimiter == ',') &&
                !(header == "none" && is("remark column")) &&
@@ -75,6 +84,8 @@ struct Layout {
         }
         return lines.join('\n') + '\n';
     }
+
+    double size() const { return is("thousands") ? 5e3 : 1; }
 
 private:
     QString joined(QStringList fields) const { return fields.join(dialect.delimiter); }
@@ -138,7 +149,8 @@ private:
         QStringList fields;
         fields << QString::number(row / rate_hz, 'f', 6);
         for (const double phase : {0.0, 1.0}) {
-            fields << QString::number(value(row, phase), 'f', 3);
+            const QString number = QString::number(value(row, phase, size()), 'f', 3);
+            fields << (is("thousands") ? grouped(number) : number);
         }
         for (QString& field : fields) {
             field.replace('.', dialect.decimal);
@@ -203,8 +215,8 @@ private slots:
 
         Samples expected;
         for (int row = 0; row < rows; ++row) {
-            expected.c.push_back(value(row, 0));
-            expected.d.push_back(value(row, 1));
+            expected.c.push_back(value(row, 0, layout.size()));
+            expected.d.push_back(value(row, 1, layout.size()));
         }
         const Samples read = read_all(*recording);
         QCOMPARE(read, expected);

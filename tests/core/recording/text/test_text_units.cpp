@@ -277,7 +277,7 @@ private slots:
             "run.csv", line.toStdString() + "\n" + table("Ramp (V),C (V),D (V)", 2, 1))));
     }
 
-    void thousands_are_refused_data() {
+    void thousands_in_a_rate_are_refused_data() {
         QTest::addColumn<QString>("rate");
         QTest::addColumn<bool>("decimal_comma");
         QTest::addColumn<bool>("refused");
@@ -292,7 +292,7 @@ private slots:
         row("Sample Rate: 33,333 kHz", false, false);
         row("Input Rate In kHz: 33,333", false, false);
     }
-    void thousands_are_refused() {
+    void thousands_in_a_rate_are_refused() {
         QFETCH(QString, rate);
         QFETCH(bool, decimal_comma);
         QFETCH(bool, refused);
@@ -306,17 +306,6 @@ private slots:
         const auto recording = open(path);
         QVERIFY(!recording);
         QCOMPARE(recording.error().code, ErrorCode::rate_unknown);
-    }
-
-    void thousands_in_a_table_make_no_numbers() {
-        const Folder folder;
-        std::string text = "t;C;D\n";
-        for (int i = 0; i < rows; ++i) {
-            text += "0,00" + std::to_string(10 + i) + ";1 234,5;-5 123,4\n";
-        }
-        const auto recording = open(folder.write("run.csv", text));
-        QVERIFY(!recording);
-        QCOMPARE(recording.error().code, ErrorCode::text_no_data);
     }
 
     void the_unit_of_a_step_may_stand_in_a_line_of_its_own() {
