@@ -67,14 +67,14 @@ struct EvenTimes {
 // A straight line through times against their frames, even or not. `late_s` is against the first
 // time and multiples of a given step: mean_late_s + slope (frame - mean_frame).
 struct TimeLine {
-    std::vector<RowSegment> segments;
+    std::vector<RowSegment> segments{};
     double start_s = 0;  // at the frame 0
     double step_s = 0;
     double mean_frame = 0;
     double mean_late_s = 0;
     double slope = 0;
-    double squares = 0;           // sum of (frame - mean_frame)^2
-    std::vector<double> offsets;  // late_s of the first row of each segment
+    double squares = 0;             // sum of (frame - mean_frame)^2
+    std::vector<double> offsets{};  // late_s of the first row of each segment
 };
 
 // Judges a column of times, the only judge of whether they are even: while it is read, piece by
