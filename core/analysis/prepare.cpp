@@ -231,7 +231,7 @@ Result<ConditionedRecording> made_ready(const Recording& recording, const Signal
     prepared.rate_relative_sd = recording.rate_relative_sd;
     // What is read from here on goes into the windows, and past the check on its way.
     prepared.check = std::make_shared<FaultCheck>(f0, rate);
-    const auto watched = std::make_shared<CheckedSource>(raw, prepared.check);
+    const auto watched = checked_source(raw, prepared.check);
     prepared.source = *condition(watched, prepared.calibration, settings.filter, rate, f0);
     if (settings.filter) {
         const auto [low, high] = *settings.filter;

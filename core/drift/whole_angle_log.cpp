@@ -146,9 +146,9 @@ bool is_period(double angle) {
 const std::vector<ColumnRole>& log_roles() {
     static const std::vector<ColumnRole> roles{
         {"t", {"t", "t_s", "time", "time_s", "время"}, false},
-        {"theta", wave_angle_names()},
-        {"amplitude", amplitude_effort_names(), false},
-        {"quadrature", quadrature_effort_names(), false}};
+        {"theta", wave_angle_names},
+        {"amplitude", amplitude_effort_names, false},
+        {"quadrature", quadrature_effort_names, false}};
     return roles;
 }
 

@@ -21,6 +21,17 @@ inline std::string windows_1251(const QString& text) {
     return bytes;
 }
 
+// With a byte order mark.
+inline std::string utf16(const std::string& utf8, bool big_endian) {
+    std::string bytes = big_endian ? "\xFE\xFF" : "\xFF\xFE";
+    for (const QChar letter : QString::fromStdString(utf8)) {
+        const auto low = static_cast<char>(letter.unicode() & 0xFF);
+        const auto high = static_cast<char>(letter.unicode() >> 8);
+        bytes += big_endian ? std::string{high, low} : std::string{low, high};
+    }
+    return bytes;
+}
+
 // The text export of L-Card's LGraph2.
 struct LGraphText {
     QString time_unit;         // of the markers; empty: no times

@@ -66,14 +66,6 @@ std::string table(
     return text;
 }
 
-std::string utf16(const std::string& text, bool big_endian) {
-    std::string bytes = store(char16_t{0xFEFF}, big_endian);
-    for (const char letter : text) {
-        bytes += store(static_cast<char16_t>(letter), big_endian);
-    }
-    return bytes;
-}
-
 Files text_files() {
     std::string commas = table("t;C;D\n", ";", 1e-3);
     std::replace(commas.begin(), commas.end(), '.', ',');

@@ -3,14 +3,12 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/phase.h"
 #include "core/numerics/statistics.h"
-#include "core/recording/checks/step_evidence.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -358,18 +356,15 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::moving_phases(double& thres
         return suspects;
     }
     const double usual = median(moves);
-    std::vector<double> deviations;
     for (double& move : moves) {
         move = std::abs(wrap(move - usual));
-        deviations.push_back(move);
     }
     constexpr double sd_of_median_deviation = 1.4826;
-    threshold = std::max(least_phase_step, 8 * sd_of_median_deviation * median(deviations));
+    threshold = std::max(least_phase_step, 8 * sd_of_median_deviation * median(moves));
     for (std::size_t k = 0; k < moves.size(); ++k) {
-        if (moves[k] <= threshold) {
-            continue;
+        if (moves[k] > threshold) {
+            suspects.push_back({places[k], places[k], moves[k] / threshold});
         }
-        suspects.push_back({places[k], places[k], moves[k] / threshold});
     }
     return suspects;
 }
@@ -386,10 +381,9 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
     }
     const double usual = median(std::move(known));
     for (std::size_t k = 0; k < errors.size(); ++k) {
-        if (!(errors[k] > far_off_prediction * usual)) {
-            continue;
+        if (errors[k] > far_off_prediction * usual) {
+            suspects.push_back({k, k, errors[k] / (far_off_prediction * usual)});
         }
-        suspects.push_back({k, k, errors[k] / (far_off_prediction * usual)});
     }
     return suspects;
 }
@@ -418,11 +412,8 @@ void PhaseStepCheck::evaluate(bool is_end) {
     draw_together(suspects);
     const std::size_t end =
         is_end ? blocks_.size() : blocks_.size() - std::min(blocks_.size(), reach_blocks_ + 3);
-    std::vector<double> sizes;
-    sizes.reserve(suspects.size());
-    for (const Suspect& suspect : suspects) {
-        sizes.push_back(suspect.size);
-    }
+    std::vector<double> sizes(suspects.size());
+    std::ranges::transform(suspects, sizes.begin(), &Suspect::size);
     std::ranges::sort(sizes, std::greater{});
     const double least = sizes.size() > most_judged ? sizes[most_judged - 1] : 0;
     for (std::size_t k = 0; k < suspects.size(); ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/recording/checks/step_evidence.h"
+#include "core/recording/times/uniform_times.h"
 
 #include <array>
 #include <complex>
@@ -11,16 +12,6 @@
 #include <vector>
 
 namespace vybeg {
-
-// Frames [first, first + count).
-struct FrameRange {
-    std::int64_t first = 0;
-    std::int64_t count = 0;
-
-    std::int64_t end() const { return first + count; }
-
-    friend bool operator==(const FrameRange&, const FrameRange&) = default;
-};
 
 // Finds the samples of one channel at the rail of the converter, in one pass.
 //

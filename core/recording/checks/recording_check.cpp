@@ -1,6 +1,7 @@
 #include "core/recording/checks/recording_check.h"
 
 #include "core/base/dispatch.h"
+#include "core/base/guarded.h"
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/statistics.h"
@@ -129,6 +130,12 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
     return lines;
 }
 
+namespace {
+
+// Seconds from the start until the power of both channels, less that of the noise, decays as in the
+// second half of the samples, in steps of a 64th of their length. 0 without a transient, where the
+// power changes smoothly all the way (a beat behind channels of different gain), and where the
+// check is inconclusive: no exponential decay, or fewer than 4096 samples.
 double start_transient_s(std::span<const double> c, std::span<const double> d, double f0_hz,
                          double rate_hz) {
     constexpr std::size_t blocks = 64;
@@ -190,8 +197,6 @@ double start_transient_s(std::span<const double> c, std::span<const double> d, d
     // If no part of the first half fits, the decay is not exponential and the check inconclusive.
     return end + 3 < half ? static_cast<double>(end * length) / rate_hz : 0;
 }
-
-namespace {
 
 constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
 constexpr double start_s = 4;             // part checked for mains and transient
@@ -487,21 +492,27 @@ void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnosti
     });
 }
 
-CheckedSource::CheckedSource(std::shared_ptr<const SampleSource> source,
-                             std::shared_ptr<FaultCheck> check)
-    : source_(std::move(source)), watch_(Watch{std::move(check)}) {}
-
-Status CheckedSource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
-    TRY(source_->read(first, c, d));
-    const auto watch = watch_.hold();
-    const auto end = first + static_cast<std::int64_t>(c.size());
-    if (end > watch->next) {
-        const auto seen = static_cast<std::size_t>(std::max<std::int64_t>(watch->next - first, 0));
-        watch->check->add(first + static_cast<std::int64_t>(seen), c.subspan(seen),
-                          d.subspan(seen));
-        watch->next = end;
-    }
-    return {};
+std::shared_ptr<const SampleSource> checked_source(std::shared_ptr<const SampleSource> source,
+                                                   std::shared_ptr<FaultCheck> check) {
+    // The check, and the frame that it has not seen.
+    const auto watched =
+        std::make_shared<Guarded<std::pair<std::shared_ptr<FaultCheck>, std::int64_t>>>(
+            std::move(check), 0);
+    return source_of(
+        source->frames(), source->seeks(),
+        [source, watched](std::int64_t first, std::span<double> c, std::span<double> d) -> Status {
+            TRY(source->read(first, c, d));
+            const auto held = watched->hold();
+            auto& [watching, next] = *held;
+            const std::int64_t end = first + std::ssize(c);
+            if (end > next) {
+                const auto seen = static_cast<std::size_t>(std::max<std::int64_t>(next - first, 0));
+                watching->add(first + static_cast<std::int64_t>(seen), c.subspan(seen),
+                              d.subspan(seen));
+                next = end;
+            }
+            return {};
+        });
 }
 
 }  // namespace vybeg

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
-#include "core/base/guarded.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/checks/fault_checks.h"
@@ -33,13 +32,6 @@ struct MainsLine {
 // too short for a resolution of 5 Hz.
 std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const double> d,
                                    double rate_hz);
-
-// Seconds from the start until the power of both channels, less that of the noise, decays as in the
-// second half of the samples, in steps of a 64th of their length. 0 without a transient, where the
-// power changes smoothly all the way (a beat behind channels of different gain), and where the
-// check is inconclusive: no exponential decay, or fewer than 4096 samples.
-double start_transient_s(std::span<const double> c, std::span<const double> d, double f0_hz,
-                         double rate_hz);
 
 // Faults of the samples in the file, before calibration and filter.
 struct SampleFaults {
@@ -105,21 +97,7 @@ void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnosti
 // The source itself, whose frames a check sees the first time they are read: what an analysis reads
 // anyway is looked through on the way. Frames that are never read, or read before others that
 // follow them, are not looked at.
-class CheckedSource final : public SampleSource {
-public:
-    CheckedSource(std::shared_ptr<const SampleSource> source, std::shared_ptr<FaultCheck> check);
-
-    std::int64_t frames() const override { return source_->frames(); }
-    bool seeks() const override { return source_->seeks(); }
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override;
-
-private:
-    std::shared_ptr<const SampleSource> source_;
-    struct Watch {
-        std::shared_ptr<FaultCheck> check;
-        std::int64_t next = 0;  // frame that the check has not seen
-    };
-    Guarded<Watch> watch_;
-};
+std::shared_ptr<const SampleSource> checked_source(std::shared_ptr<const SampleSource> source,
+                                                   std::shared_ptr<FaultCheck> check);
 
 }  // namespace vybeg

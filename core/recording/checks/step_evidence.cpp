@@ -11,12 +11,8 @@
 #include <bit>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <numbers>
-#include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

@@ -6,7 +6,6 @@
 #include "core/recording/arrays/raw_reader.h"
 #include "core/recording/arrays/tdms_reader.h"
 #include "core/recording/audio/audio_reader.h"
-#include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/packed_parts.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/open_table.h"
@@ -24,10 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <memory>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -195,89 +191,27 @@ std::optional<double> gap_between(const Recording& piece, const Recording& next)
     return std::abs(gap_s) <= digit_s ? 0 : gap_s;
 }
 
-// Appends the next piece to the recording.
-class Joiner {
-public:
-    explicit Joiner(Recording first) : whole_(std::move(first)), last_(whole_) {
-        pieces_.push_back({0, whole_.source, 0, whole_.frames()});
+// Checks that a piece continues the one before it, but for its time. Errors: parts_differ.
+Status check_piece(const Recording& last, const Recording& next) {
+    const auto refused = [&](const char* what, const MessageArg& one, const MessageArg& other) {
+        return no_parts(last, next.path.filename().string(), what, one, other);
+    };
+    if (!same_rates(last, next)) {
+        return refused(VYBEG_MESSAGE("Words", "sample rates"), number_arg(last.rate_hz, 9, "Hz"),
+                       number_arg(next.rate_hz, 9, "Hz"));
     }
-
-    Status add(Recording next) {
-        const auto refused = [&](const char* what, const MessageArg& one, const MessageArg& other) {
-            return no_parts(last_, next.path.filename().string(), what, one, other);
-        };
-        if (!same_rates(last_, next)) {
-            return refused(VYBEG_MESSAGE("Words", "sample rates"),
-                           number_arg(last_.rate_hz, 9, "Hz"), number_arg(next.rate_hz, 9, "Hz"));
-        }
-        if (last_.channels.size() != next.channels.size()) {
-            return refused(VYBEG_MESSAGE("Words", "numbers of channels"),
-                           count_arg(std::ssize(last_.channels)),
-                           count_arg(std::ssize(next.channels)));
-        }
-        for (const int channel : {next.channel_c, next.channel_d}) {
-            const auto i = static_cast<std::size_t>(channel - 1);
-            if (last_.channels[i].unit != next.channels[i].unit) {
-                return refused(VYBEG_MESSAGE("Words", "units"), last_.channels[i].unit,
-                               next.channels[i].unit);
-            }
-        }
-        const auto gap_s = gap_between(last_, next);
-        if (!gap_s) {
-            ++without_times_;
-        }
-        const double gap = std::round(gap_s.value_or(0) * whole_.rate_hz);
-        if (gap < 0) {
-            return refused(VYBEG_MESSAGE("Words", "end of the one and beginning of the other"),
-                           number_arg(seconds(), 9, "s"), number_arg(seconds() + *gap_s, 9, "s"));
-        }
-        rows_ += next.frames();
-        const double frames = static_cast<double>(end()) + gap + static_cast<double>(next.frames());
-        if (!is_plausible_grid(frames, static_cast<double>(rows_))) {
-            return Error{ErrorCode::format_limit,
-                         next.path.string(),
-                         {english(next.format),
-                          words(VYBEG_MESSAGE("Words", "it begins %1 s after the piece before it"),
-                                {number_arg(*gap_s)}),
-                          words(VYBEG_MESSAGE("Words", "Analyse it as a recording of its own"))}};
-        }
-        const std::int64_t first = end() + static_cast<std::int64_t>(gap);
-        if (gap > 0) {
-            gaps_.push_back({end() - 1, first});
-        }
-        for (Diagnostic diagnostic : next.diagnostics) {
-            diagnostic.first_frame += diagnostic.first_frame < 0 ? 0 : first;
-            whole_.diagnostics.push_back(std::move(diagnostic));
-        }
-        pieces_.push_back({first, next.source, 0, next.frames()});
-        whole_.more_files.push_back(next.file);
-        whole_.more_files.insert(whole_.more_files.end(), next.more_files.begin(),
-                                 next.more_files.end());
-        last_ = std::move(next);
-        return {};
+    if (last.channels.size() != next.channels.size()) {
+        return refused(VYBEG_MESSAGE("Words", "numbers of channels"),
+                       count_arg(std::ssize(last.channels)), count_arg(std::ssize(next.channels)));
     }
-
-    Recording take() {
-        report_gaps(gaps_, whole_.rate_hz, whole_.diagnostics);
-        if (without_times_ > 0) {
-            whole_.diagnostics.push_back(
-                {DiagnosticKind::pieces_untimed, {count_arg(std::ssize(pieces_))}});
+    for (const int channel : {next.channel_c, next.channel_d}) {
+        if (last.channel(channel).unit != next.channel(channel).unit) {
+            return refused(VYBEG_MESSAGE("Words", "units"), last.channel(channel).unit,
+                           next.channel(channel).unit);
         }
-        whole_.source = joined_source(std::move(pieces_));
-        return std::move(whole_);
     }
-
-private:
-    std::int64_t end() const { return pieces_.back().end(); }
-    double seconds() const { return static_cast<double>(end()) / whole_.rate_hz; }
-
-    Recording whole_;
-    Recording last_;
-    std::vector<SourcePiece> pieces_;
-    std::vector<TimeGap> gaps_;
-    std::int64_t rows_ = whole_.frames();
-    int without_times_ = 0;
-};
+    return {};
+}
 
 // A recording with a file for each channel (options.channel_d_file). Errors: those of both files
 // and of pair_channels().
@@ -313,19 +247,62 @@ Result<Recording> open_pieces(const std::filesystem::path& path, const OpenOptio
                               const JobControl& job) {
     OpenOptions alone = options;
     alone.join.clear();
-    auto first = TRY(open_file(path, alone, job));
-    Joiner joiner(std::move(first));
-    std::vector<std::filesystem::path> pieces{path};
+    auto whole = TRY(open_file(path, alone, job));
+    Recording last = whole;
+    std::vector<std::filesystem::path> paths{path};
+    std::vector<SourcePiece> pieces{{0, whole.source, 0, whole.frames()}};
+    std::vector<FrameRange> gaps;
+    std::int64_t rows = whole.frames();
+    bool untimed = false;
     for (const std::string& name : options.join) {
-        if (std::ranges::any_of(pieces, [&](const auto& one) { return is_same_file(one, name); })) {
+        if (std::ranges::any_of(paths, [&](const auto& one) { return is_same_file(one, name); })) {
             return refused_value("--join", name,
                                  words(VYBEG_MESSAGE("Words", "it is a piece already")));
         }
-        pieces.emplace_back(name);
-        auto piece = TRY(open_file(name, alone, job));
-        TRY(joiner.add(std::move(piece)));
+        paths.emplace_back(name);
+        auto next = TRY(open_file(name, alone, job));
+        TRY(check_piece(last, next));
+        const auto gap_s = gap_between(last, next);
+        untimed = untimed || !gap_s;
+        const double gap = std::round(gap_s.value_or(0) * whole.rate_hz);
+        const std::int64_t end = pieces.back().end();
+        if (gap < 0) {
+            const double end_s = static_cast<double>(end) / whole.rate_hz;
+            return no_parts(last, next.path.filename().string(),
+                            VYBEG_MESSAGE("Words", "end of the one and beginning of the other"),
+                            number_arg(end_s, 9, "s"), number_arg(end_s + *gap_s, 9, "s"));
+        }
+        rows += next.frames();
+        const double frames = static_cast<double>(end) + gap + static_cast<double>(next.frames());
+        if (!is_plausible_grid(frames, static_cast<double>(rows))) {
+            return Error{ErrorCode::format_limit,
+                         next.path.string(),
+                         {english(next.format),
+                          words(VYBEG_MESSAGE("Words", "it begins %1 s after the piece before it"),
+                                {number_arg(*gap_s)}),
+                          words(VYBEG_MESSAGE("Words", "Analyse it as a recording of its own"))}};
+        }
+        const auto missing = static_cast<std::int64_t>(gap);
+        if (missing > 0) {
+            gaps.push_back({end, missing});
+        }
+        for (Diagnostic diagnostic : next.diagnostics) {
+            diagnostic.first_frame += diagnostic.first_frame < 0 ? 0 : end + missing;
+            whole.diagnostics.push_back(std::move(diagnostic));
+        }
+        pieces.push_back({end + missing, next.source, 0, next.frames()});
+        whole.more_files.push_back(next.file);
+        whole.more_files.insert(whole.more_files.end(), next.more_files.begin(),
+                                next.more_files.end());
+        last = std::move(next);
     }
-    return joiner.take();
+    report_gaps(gaps, whole.rate_hz, whole.diagnostics);
+    if (untimed) {
+        whole.diagnostics.push_back(
+            {DiagnosticKind::pieces_untimed, {count_arg(std::ssize(pieces))}});
+    }
+    whole.source = joined_source(std::move(pieces));
+    return whole;
 }
 
 }  // namespace

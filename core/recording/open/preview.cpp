@@ -5,22 +5,17 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/bytes/text_encoding.h"
-#include "core/recording/envelope/envelope.h"
-#include "core/recording/open/open_recording.h"
-#include "core/recording/samples/open_options.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_format.h"
 #include "core/recording/text/text_lines.h"
+#include "core/recording/text/text_reading.h"
 #include "core/recording/text/text_recording.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -56,7 +51,7 @@ std::vector<PreviewLine> lines_of(const TextHead& head, const TextFormat* format
     return lines;
 }
 
-// Reads the first rows; a fault in them becomes the problem.
+// Reads the first rows. Errors: file_read_failed; a fault in them.
 Status read_rows(const TextTable& table, RecordingPreview& preview) {
     const FileBytes& file = table.blocks.file();
     std::int64_t lines = table.format.lines_to_skip;
@@ -75,16 +70,12 @@ Status read_rows(const TextTable& table, RecordingPreview& preview) {
             preview.time_s.push_back(rows.time() * table.format.time_unit_s);
             // Equal times are possible if their digits are coarser than the step.
             if (preview.time_s.size() > 1 && preview.time_s.back() < before) {
-                preview.problem =
-                    file.error(ErrorCode::text_time_backwards,
-                               {count_arg(lines + rows.lines()), exact_arg(rows.time()),
-                                exact_arg(before / table.format.time_unit_s)});
-                return {};
+                return fault_error(file, lines + rows.lines(),
+                                   time_fault(rows.time(), before / table.format.time_unit_s));
             }
         }
         if (rows.fault()) {
-            preview.problem = fault_error(file, lines + rows.lines(), *rows.fault());
-            return {};
+            return fault_error(file, lines + rows.lines(), *rows.fault());
         }
         lines += rows.lines();
     }
@@ -95,20 +86,24 @@ Status read_table(const std::shared_ptr<const FileBytes>& file, const OpenOption
                   RecordingPreview& preview) {
     const TextFormat& format = *preview.used;
     const std::vector<int> columns = channel_columns(format);
-    const Status channels = check_channels(*file, static_cast<int>(columns.size()), options);
-    if (!channels) {
-        preview.problem = channels.error();
-        return {};
-    }
+    TRY(check_channels(*file, static_cast<int>(columns.size()), options));
     preview.c_column = columns[static_cast<std::size_t>(options.channel_c - 1)];
     preview.d_column = columns[static_cast<std::size_t>(options.channel_d - 1)];
-    const auto chosen = columns_for(*file, format, options);
-    if (!chosen) {
-        preview.problem = chosen.error();
-        return {};
-    }
-    const auto table = TRY(find_table(file, format, *chosen));
+    const auto chosen = TRY(columns_for(*file, format, options));
+    const auto table = TRY(find_table(file, format, chosen));
     return read_rows(table, preview);
+}
+
+// Errors of what the file holds, which other options may read, are the preview's problem.
+Status take_problem(const Status& read, RecordingPreview& preview) {
+    if (!read && (read.error().code == ErrorCode::file_read_failed ||
+                  read.error().code == ErrorCode::interrupted)) {
+        return read;
+    }
+    if (!read) {
+        preview.problem = read.error();
+    }
+    return {};
 }
 
 void find_rate(const FileBytes& file, const OpenOptions& options, RecordingPreview& preview) {
@@ -144,20 +139,13 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     const auto head =
         choice.lines_to_skip ? read_text_head(file, choice.lines_to_skip, job) : start;
     if (!start || !head) {
-        // The line is too long for a table.
-        const Error error = start ? head.error() : start.error();
-        if (error.code != ErrorCode::format_limit) {
-            return error;
-        }
-        preview.problem = error;
-        return {};
+        return take_problem(start ? head.error() : start.error(), preview);
     }
     preview.guessed = guess_text_format(start->lines);
     auto used = find_text_format(*file, *head, choice);
     preview.lines = lines_of(*head, used ? &*used : nullptr);
     if (!used) {
-        preview.problem = used.error();
-        return {};
+        return take_problem(used.error(), preview);
     }
     preview.used = std::move(*used);
     preview.format = format_of(*preview.used);
@@ -169,7 +157,7 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     }
     preview.time_column = preview.used->time_column;
     preview.columns = preview.used->headings;
-    TRY(read_table(file, options, preview));
+    TRY(take_problem(read_table(file, options, preview), preview));
     find_rate(*file, options, preview);
     scale_samples(preview.c, options.scale);
     scale_samples(preview.d, options.scale);
@@ -185,6 +173,18 @@ Status take_samples(const Recording& recording, RecordingPreview& preview) {
     preview.c.resize(frames);
     preview.d.resize(frames);
     return recording.source->read(0, preview.c, preview.d);
+}
+
+// Fills the table with so many frames of all columns.
+template <class Value>
+void take_cells(std::size_t frames, Value value, RecordingPreview& preview) {
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        PreviewLine line{static_cast<std::int64_t>(frame), true, {}};
+        for (std::size_t k = 0; k < preview.columns.size(); ++k) {
+            line.cells.push_back(short_text(value(frame, k), cell_digits));
+        }
+        preview.lines.push_back(std::move(line));
+    }
 }
 
 // Fills the table with every channel, from the bytes.
@@ -203,26 +203,10 @@ Status take_raw_cells(const FileBytes& file, const OpenOptions& options,
                {options.scale, 0}, values);
     }
     preview.columns.resize(std::min<std::size_t>(channels, most_raw_columns));
-    for (std::size_t frame = 0; frame < frames; ++frame) {
-        PreviewLine line{static_cast<std::int64_t>(frame), true, {}};
-        for (std::size_t k = 0; k < preview.columns.size(); ++k) {
-            line.cells.push_back(short_text(values[frame * channels + k], cell_digits));
-        }
-        preview.lines.push_back(std::move(line));
-    }
+    take_cells(
+        frames, [&](std::size_t frame, std::size_t k) { return values[frame * channels + k]; },
+        preview);
     return {};
-}
-
-// Fills the table with C and D only.
-void take_cells(RecordingPreview& preview) {
-    preview.c_column = 0;
-    preview.d_column = 1;
-    for (std::size_t i = 0; i < std::min(preview.c.size(), preview_lines); ++i) {
-        preview.lines.push_back(
-            {static_cast<std::int64_t>(i),
-             true,
-             {short_text(preview.c[i], cell_digits), short_text(preview.d[i], cell_digits)}});
-    }
 }
 
 // Preview of other files, through their reader. A file without rate is opened with an arbitrary
@@ -250,7 +234,14 @@ Status preview_opened(const FileBytes& file, const OpenOptions& options, const J
     if (!options.raw) {
         preview.columns = {recording->channel(recording->channel_c),
                            recording->channel(recording->channel_d)};
-        take_cells(preview);
+        preview.c_column = 0;
+        preview.d_column = 1;
+        take_cells(
+            std::min(preview.c.size(), preview_lines),
+            [&](std::size_t frame, std::size_t k) {
+                return k == 0 ? preview.c[frame] : preview.d[frame];
+            },
+            preview);
         return {};
     }
     Status status = take_raw_cells(file, options, preview);
@@ -294,43 +285,30 @@ constexpr std::int64_t most_text_parts = 1024;
 constexpr std::int64_t blocks_to_look_at = 256;
 constexpr std::size_t rows_per_look = 256;
 
-// Rows of one block of text.
-struct Rows {
-    std::vector<double> time;  // as in the column
-    std::vector<double> c;
-    std::vector<double> d;
-};
+constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
 
 // The first rows of a block, at most `most`; empty for a fault or no row.
-std::optional<Rows> rows_of(const TextTable& table, std::int64_t index, std::size_t most) {
+std::optional<TimedSamples> rows_of(const TextTable& table, std::int64_t index, std::size_t most) {
     TextBlock block;
-    if (!table.blocks.read(index, block)) {
-        return {};
-    }
-    Rows read;
-    TextRows rows(table.format, table.columns, block, SampleUse::read);
-    while (read.c.size() < most && rows.next()) {
-        read.time.push_back(rows.time());
-        read.c.push_back(rows.c());
-        read.d.push_back(rows.d());
-    }
-    return rows.fault() || read.c.empty() ? std::nullopt : std::optional(std::move(read));
+    TimedSamples rows;
+    const bool read = table.blocks.read(index, block) && append_rows(table, block, most, rows);
+    return read && !rows.c.empty() ? std::optional(std::move(rows)) : std::nullopt;
 }
 
 // Extent of a table, from its ends.
 struct Extent {
     double rate_hz = 0;
     double frames = 0;
-    double first_time = 0;  // as in the column
-    double last_time = 0;
+    double first_s = 0;
+    double last_s = 0;
 };
 
 std::optional<Extent> extent_of(const TextTable& table, const OpenOptions& options) {
     const std::int64_t last = table.blocks.count() - 1;
-    const auto head = rows_of(table, 0, std::numeric_limits<std::size_t>::max());
-    auto tail = rows_of(table, last, std::numeric_limits<std::size_t>::max());
+    const auto head = rows_of(table, 0, all_rows);
+    auto tail = rows_of(table, last, all_rows);
     if (!tail) {
-        tail = rows_of(table, last - 1, std::numeric_limits<std::size_t>::max());
+        tail = rows_of(table, last - 1, all_rows);
     }
     if (!head || !tail || head->c.size() < 2) {
         return {};
@@ -343,12 +321,11 @@ std::optional<Extent> extent_of(const TextTable& table, const OpenOptions& optio
         extent.frames = static_cast<double>(head->c.size()) * static_cast<double>(last + 1);
         return extent;
     }
-    const double unit_s = table.format.time_unit_s;
-    extent.first_time = head->time.front();
-    extent.last_time = tail->time.back();
-    extent.rate_hz = static_cast<double>(head->time.size() - 1) /
-                     ((head->time.back() - extent.first_time) * unit_s);
-    extent.frames = (extent.last_time - extent.first_time) * unit_s * extent.rate_hz + 1;
+    extent.first_s = head->time_s.front();
+    extent.last_s = tail->time_s.back();
+    extent.rate_hz =
+        static_cast<double>(head->time_s.size() - 1) / (head->time_s.back() - extent.first_s);
+    extent.frames = (extent.last_s - extent.first_s) * extent.rate_hz + 1;
     return extent;
 }
 
@@ -375,8 +352,8 @@ std::optional<QuickOverview> look_at_table(const TextTable& table, const OpenOpt
         ScannedPlace seen{static_cast<double>(part) / static_cast<double>(parts),
                           bucket_of(rows->c, rows->d)};
         if (table.columns.time >= 0) {
-            seen.place = (rows->time.front() - extent->first_time) /
-                         (extent->last_time - extent->first_time);
+            seen.place =
+                (rows->time_s.front() - extent->first_s) / (extent->last_s - extent->first_s);
         }
         return seen;
     };

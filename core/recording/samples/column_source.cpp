@@ -1,6 +1,5 @@
 #include "core/recording/samples/column_source.h"
 
-#include "core/recording/bytes/number_type.h"
 #include "core/recording/times/uniform_times.h"
 
 #include <algorithm>
@@ -8,7 +7,6 @@
 #include <functional>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -116,59 +114,43 @@ Status fetch_block(const SampleColumn& column, std::int64_t at, std::span<double
     return {};
 }
 
-class ColumnSource final : public SampleSource {
-public:
-    ColumnSource(SampleColumn c, SampleColumn d)
-        : c_(std::move(c)), d_(std::move(d)), frames_(std::min(c_.frames(), d_.frames())) {}
-
-    std::int64_t frames() const override { return frames_; }
-    bool seeks() const override { return c_.bytes->seeks() && d_.bytes->seeks(); }
-
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        Scratch bytes;
-        const auto length = static_cast<std::int64_t>(c.size());
-        for (std::int64_t done = 0; done < length;) {
-            const std::int64_t at = first + done;
-            const std::int64_t count =
-                std::min({length - done, samples_in_block(c_, at), samples_in_block(d_, at)});
-            const auto part = [done, count](std::span<double> all) {
-                return all.subspan(static_cast<std::size_t>(done), static_cast<std::size_t>(count));
-            };
-            TRY(read_block(at, part(c), part(d), bytes));
-            done += count;
-        }
-        return {};
+// Precondition: the samples of each column lie within one range.
+Status read_block(const SampleColumn& column_c, const SampleColumn& column_d, std::int64_t at,
+                  std::span<double> c, std::span<double> d, Scratch& bytes) {
+    const auto count = static_cast<std::int64_t>(c.size());
+    const ByteRange range_c = range_of(column_c, at, count);
+    const ByteRange range_d = range_of(column_d, at, count);
+    const ByteRange both{std::min(range_c.begin, range_d.begin),
+                         std::max(range_c.end, range_d.end)};
+    if (column_c.bytes != column_d.bytes || both.size() > range_c.size() + range_d.size()) {
+        TRY(fetch_block(column_c, at, c, bytes));
+        return fetch_block(column_d, at, d, bytes);
     }
-
-private:
-    Status read_block(std::int64_t at, std::span<double> c, std::span<double> d,
-                      Scratch& bytes) const {
-        const auto count = static_cast<std::int64_t>(c.size());
-        const ByteRange range_c = range_of(c_, at, count);
-        const ByteRange range_d = range_of(d_, at, count);
-        const ByteRange both{std::min(range_c.begin, range_d.begin),
-                             std::max(range_c.end, range_d.end)};
-        if (c_.bytes == d_.bytes && both.size() <= range_c.size() + range_d.size()) {
-            TRY(fetch(*c_.bytes, both, bytes));
-            const bool big_endian = range_at(c_, at).big_endian;
-            if (are_pairs(c_, d_, at, count)) {
-                decode_pairs(c_.type, big_endian, bytes.data(), c_.scale, c, d);
-            } else if (are_pairs(d_, c_, at, count)) {
-                decode_pairs(c_.type, big_endian, bytes.data(), c_.scale, d, c);
-            } else {
-                decode_block(c_, at, bytes.data(), both.begin, c);
-                decode_block(d_, at, bytes.data(), both.begin, d);
-            }
-            return {};
-        }
-        TRY(fetch_block(c_, at, c, bytes));
-        return fetch_block(d_, at, d, bytes);
+    TRY(fetch(*column_c.bytes, both, bytes));
+    const bool big_endian = range_at(column_c, at).big_endian;
+    if (are_pairs(column_c, column_d, at, count)) {
+        decode_pairs(column_c.type, big_endian, bytes.data(), column_c.scale, c, d);
+    } else if (are_pairs(column_d, column_c, at, count)) {
+        decode_pairs(column_c.type, big_endian, bytes.data(), column_c.scale, d, c);
+    } else {
+        decode_block(column_c, at, bytes.data(), both.begin, c);
+        decode_block(column_d, at, bytes.data(), both.begin, d);
     }
+    return {};
+}
 
-    SampleColumn c_;
-    SampleColumn d_;
-    std::int64_t frames_;
-};
+// Calls `read(at, part)` for blocks one after the other, `part` taking a block's share of a span;
+// `most(at)`: samples of a block.
+template <class Most, class Read>
+Status read_blocks(std::int64_t first, std::size_t length, Most most, Read read) {
+    for (std::size_t done = 0; done < length;) {
+        const std::int64_t at = first + static_cast<std::int64_t>(done);
+        const std::size_t count = std::min(length - done, static_cast<std::size_t>(most(at)));
+        TRY(read(at, [=](std::span<double> all) { return all.subspan(done, count); }));
+        done += count;
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -186,19 +168,27 @@ StridedRange even_run(std::int64_t count, std::int64_t offset, std::int64_t stri
 
 Status read_column(const SampleColumn& column, std::int64_t first, std::span<double> out) {
     Scratch bytes;
-    const auto length = static_cast<std::int64_t>(out.size());
-    for (std::int64_t done = 0; done < length;) {
-        const std::int64_t count = std::min(length - done, samples_in_block(column, first + done));
-        TRY(fetch_block(
-            column, first + done,
-            out.subspan(static_cast<std::size_t>(done), static_cast<std::size_t>(count)), bytes));
-        done += count;
-    }
-    return {};
+    return read_blocks(
+        first, out.size(), [&](std::int64_t at) { return samples_in_block(column, at); },
+        [&](std::int64_t at, auto part) { return fetch_block(column, at, part(out), bytes); });
 }
 
 std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d) {
-    return std::make_shared<ColumnSource>(std::move(c), std::move(d));
+    const std::int64_t frames = std::min(c.frames(), d.frames());
+    const bool seeks = c.bytes->seeks() && d.bytes->seeks();
+    return source_of(frames, seeks,
+                     [c = std::move(c), d = std::move(d)](
+                         std::int64_t first, std::span<double> out_c, std::span<double> out_d) {
+                         Scratch bytes;
+                         return read_blocks(
+                             first, out_c.size(),
+                             [&](std::int64_t at) {
+                                 return std::min(samples_in_block(c, at), samples_in_block(d, at));
+                             },
+                             [&](std::int64_t at, auto part) {
+                                 return read_block(c, d, at, part(out_c), part(out_d), bytes);
+                             });
+                     });
 }
 
 std::shared_ptr<const SampleSource> interleaved_source(const std::shared_ptr<const FileBytes>& file,

@@ -31,9 +31,6 @@ void describe(Archive&& archive, Owner& text) {
     archive("time_unit_s", text.time_unit_s);
 }
 
-// Limit of skipped lines: enough for a header, too few for a second table.
-inline constexpr std::int64_t most_skipped_lines = 1'000'000;
-
 enum class RawType { i16, i32, f32, f64 };
 inline constexpr std::array<const char*, 4> raw_type_names{"i16", "i32", "f32", "f64"};
 

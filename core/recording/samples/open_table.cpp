@@ -2,7 +2,9 @@
 
 #include "core/base/message_arg.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
+#include "core/recording/samples/text_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -35,6 +37,16 @@ Row row(const char* name, const char* placeholder, const char* help, Read read, 
     return made;
 }
 
+// What puts the value that `read` makes of a text into a field.
+template <class Field, class Owner, class Read>
+auto into(Field Owner::*field, Read read) {
+    return [=](const std::string& option, const std::string& text, Owner& owner) -> Status {
+        const auto value = TRY(read(option, text));
+        owner.*field = value;
+        return {};
+    };
+}
+
 Row bounded(Row row, const Bounds& bounds) {
     row.bounds = {bounds};
     return row;
@@ -46,28 +58,8 @@ Row without_part(Row row) {
     return row;
 }
 
-// A whole number from `least` on that fits into an int.
-Result<int> small_whole(const std::string& option, const std::string& text, int least,
-                        const std::string& allowed) {
-    const auto number = TRY(read_whole(option, text));
-    if (number < least || number > std::numeric_limits<int>::max()) {
-        return refused_value(option, text, allowed);
-    }
-    return static_cast<int>(number);
-}
-
 bool is_channel(double number) {
     return number >= 1 && number <= std::numeric_limits<int>::max() && number == std::floor(number);
-}
-
-Status read_rate(const std::string& option, const std::string& text, OpenOptions& options) {
-    const auto rate = TRY(read_number(option, text, "Hz"));
-    options.rate_hz = rate;
-    return {};
-}
-
-std::string rate_text(const OpenOptions& options) {
-    return options.rate_hz ? round_trip_text(*options.rate_hz) : "";
 }
 
 Status read_channels(const std::string& option, const std::string& text, OpenOptions& options) {
@@ -85,43 +77,32 @@ std::string channels_text(const OpenOptions& options) {
     return joined({static_cast<double>(options.channel_c), static_cast<double>(options.channel_d)});
 }
 
-std::vector<std::string> names_in(const std::string& text) {
-    std::vector<std::string> names;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        names.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return names;
+// Names between commas.
+template <class Allowed>
+Row names_row(const char* name, const char* placeholder, const char* help,
+              std::vector<std::string> OpenOptions::*field, Allowed are_allowed,
+              const char* allowed) {
+    return row(name, placeholder, help,
+               into(field,
+                    [=](const std::string& option,
+                        const std::string& text) -> Result<std::vector<std::string>> {
+                        const auto parts = parts_between(text, ',');
+                        std::vector<std::string> names(parts.begin(), parts.end());
+                        if (!are_allowed(names)) {
+                            return refused_value(option, text, allowed);
+                        }
+                        return names;
+                    }),
+               [=](const OpenOptions& options) { return joined(options.*field, ","); });
 }
 
-std::string names_text(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) {
-        text += &name == &names.front() ? "" : ",";
-        text += name;
-    }
-    return text;
+// Only the middle one of three may be empty.
+bool are_variables(const std::vector<std::string>& names) {
+    return names.size() <= 3 && !names.front().empty() && !names.back().empty();
 }
 
-// The names between the commas, of which only the middle one of three may be empty.
-Status read_variables(const std::string& option, const std::string& text, OpenOptions& options) {
-    std::vector<std::string> names = names_in(text);
-    if (names.size() > 3 || names.front().empty() || names.back().empty()) {
-        return refused_value(option, text,
-                             "it is one to three names with commas, as in C,D,fs or XY,,fs");
-    }
-    options.variables = std::move(names);
-    return {};
-}
-
-Status read_join(const std::string& option, const std::string& text, OpenOptions& options) {
-    std::vector<std::string> names = names_in(text);
-    if (std::ranges::find(names, "") != names.end()) {
-        return refused_value(option, text, "it is names of files with commas, as in 2.wav,3.wav");
-    }
-    options.join = std::move(names);
-    return {};
+bool are_files(const std::vector<std::string>& names) {
+    return std::ranges::find(names, "") == names.end();
 }
 
 Status read_raw(const std::string& option, const std::string& text, OpenOptions& options) {
@@ -141,42 +122,36 @@ Status read_raw(const std::string& option, const std::string& text, OpenOptions&
     return {};
 }
 
-// Text of a field of the raw layout; empty where the file is not read as raw.
-template <class Text>
-auto raw_text(Text text) {
-    return [text](const OpenOptions& options) {
-        return options.raw ? std::string(text(*options.raw)) : std::string();
-    };
+std::string raw_text(const OpenOptions& options) {
+    return !options.raw
+               ? ""
+               : std::string(raw_type_names.at(static_cast<std::size_t>(options.raw->type))) +
+                     (options.raw->big_endian ? ":be" : "");
 }
 
-std::string type_text(const RawLayout& layout) {
-    return std::string(raw_type_names.at(static_cast<std::size_t>(layout.type))) +
-           (layout.big_endian ? ":be" : "");
+// Row of a whole number of the raw layout, from `least` on.
+template <class Number>
+Row raw_row(const char* name, const char* placeholder, const char* help, Number RawLayout::*field,
+            Number least, const char* allowed) {
+    return row(
+        name, placeholder, help,
+        [=](const std::string& option, const std::string& text, OpenOptions& options) -> Status {
+            if (!options.raw) {
+                return refused_value(option, text, "it needs --raw");
+            }
+            const auto number = TRY(read_whole(option, text));
+            if (number < least || !std::in_range<Number>(number)) {
+                return refused_value(option, text, allowed);
+            }
+            *options.raw.*field = static_cast<Number>(number);
+            return {};
+        },
+        [=](const OpenOptions& options) {
+            return options.raw ? integer_text(*options.raw.*field) : std::string();
+        });
 }
 
-Status read_raw_channels(const std::string& option, const std::string& text, OpenOptions& options) {
-    if (!options.raw) {
-        return refused_value(option, text, "it needs --raw");
-    }
-    const auto channels = TRY(small_whole(option, text, 1, "it must be at least 1"));
-    options.raw->channels = channels;
-    return {};
-}
-
-Status read_skip(const std::string& option, const std::string& text, OpenOptions& options) {
-    if (!options.raw) {
-        return refused_value(option, text, "it needs --raw");
-    }
-    const auto bytes = TRY(read_whole(option, text));
-    if (bytes < 0) {
-        return refused_value(option, text, "it cannot be negative");
-    }
-    options.raw->skip_bytes = bytes;
-    return {};
-}
-
-// Row of an option of text files. `read` returns the fault of a value, or none; `text` an empty
-// text where nothing is chosen.
+// Row of an option of text files. `text` returns an empty text where nothing is chosen.
 template <class Read, class Text>
 Row text_row(const char* name, const char* placeholder, const char* help, Read read, Text text) {
     return row(
@@ -195,19 +170,14 @@ Row text_row(const char* name, const char* placeholder, const char* help, Read r
         });
 }
 
-Status read_skip_lines(const std::string& option, const std::string& text, TextChoice& choice) {
-    const auto lines = TRY(read_whole(option, text));
-    choice.lines_to_skip = lines;
-    return {};
-}
+constexpr const char* allowed_time_columns = "it is the number of a column, from 1, or none";
 
-Status read_time_column(const std::string& option, const std::string& text, TextChoice& choice) {
-    const auto column =
-        TRY(text == "none"
-                ? 0
-                : small_whole(option, text, 1, "it is the number of a column, from 1, or none"));
-    choice.time_column = column;
-    return {};
+Result<int> read_time_column(const std::string& option, const std::string& text) {
+    const auto column = TRY(text == "none" ? std::int64_t{0} : read_whole(option, text));
+    if (text != "none" && (column < 1 || !std::in_range<int>(column))) {
+        return refused_value(option, text, allowed_time_columns);
+    }
+    return static_cast<int>(column);
 }
 
 template <class Words, class Value>
@@ -258,7 +228,7 @@ Status check_choice(const TextChoice& choice) {
     }
     if (choice.time_column && *choice.time_column < 0) {
         return refused_value("--time-column", std::to_string(*choice.time_column),
-                             "it is the number of a column, from 1, or none");
+                             allowed_time_columns);
     }
     if (choice.time_unit_s && word_of(time_units, *choice.time_unit_s).empty()) {
         return refused_value("--time-unit", short_text(*choice.time_unit_s), allowed_time_units);
@@ -266,54 +236,47 @@ Status check_choice(const TextChoice& choice) {
     return {};
 }
 
-Status read_scale(const std::string& option, const std::string& text, OpenOptions& options) {
-    const auto scale = TRY(read_number(option, text));
-    options.scale = scale;
-    return {};
-}
-
-std::string scale_text(const OpenOptions& options) {
-    return options.raw || options.scale != 1 ? round_trip_text(options.scale) : "";
-}
-
 // Row of an option whose text is the value.
 Row plain_row(const char* name, const char* placeholder, const char* help,
               std::string OpenOptions::*field) {
-    return row(
-        name, placeholder, help,
-        [field](const std::string& /*option*/, const std::string& text, OpenOptions& options) {
-            options.*field = text;
-            return Status();
-        },
-        [field](const OpenOptions& options) { return options.*field; });
+    return row(name, placeholder, help,
+               into(field, [](const std::string& /*option*/,
+                              const std::string& text) { return Result(text); }),
+               [field](const OpenOptions& options) { return options.*field; });
 }
 
 }  // namespace
 
 const std::vector<SettingRow<OpenOptions>>& open_settings() {
     static const std::vector<Row> rows{
-        without_part(bounded(
-            row("rate", "HZ", "Sample rate where the file has none, Hz", read_rate, rate_text),
-            rate_bounds)),
+        without_part(bounded(row("rate", "HZ", "Sample rate where the file has none, Hz",
+                                 into(&OpenOptions::rate_hz,
+                                      [](const std::string& option, const std::string& text) {
+                                          return read_number(option, text, "Hz");
+                                      }),
+                                 [](const OpenOptions& options) {
+                                     return options.rate_hz ? round_trip_text(*options.rate_hz)
+                                                            : "";
+                                 }),
+                             rate_bounds)),
         without_part(
             row("channels", "I,J",
                 "Which two channels or columns are C and D, from 1; a time column does not count "
                 "(default 1,2)",
                 read_channels, channels_text)),
-        row("variables", "C,D[,RATE]",
-            "Names of the variables of a MAT, HDF5 or NPZ file that hold C and D, and the rate; D "
-            "is left out where one holds both: XY or XY,,RATE",
-            read_variables,
-            [](const OpenOptions& options) { return names_text(options.variables); }),
+        names_row("variables", "C,D[,RATE]",
+                  "Names of the variables of a MAT, HDF5 or NPZ file that hold C and D, and the "
+                  "rate; D is left out where one holds both: XY or XY,,RATE",
+                  &OpenOptions::variables, are_variables,
+                  "it is one to three names with commas, as in C,D,fs or XY,,fs"),
         row("raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]", read_raw,
-            raw_text(type_text)),
-        bounded(row("raw-channels", "N", "Channels of --raw (default 2)", read_raw_channels,
-                    raw_text([](const RawLayout& raw) { return integer_text(raw.channels); })),
+            raw_text),
+        bounded(raw_row("raw-channels", "N", "Channels of --raw (default 2)", &RawLayout::channels,
+                        1, "it must be at least 1"),
                 raw_channels_bounds),
-        bounded(
-            row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)", read_skip,
-                raw_text([](const RawLayout& raw) { return integer_text(raw.skip_bytes); })),
-            skip_bounds),
+        bounded(raw_row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)",
+                        &RawLayout::skip_bytes, std::int64_t{0}, "it cannot be negative"),
+                skip_bounds),
         word_row("delimiter", "NAME",
                  "Between the columns of a text file: comma, semicolon, tab, space or bar "
                  "(default: guessed, as is all that follows)",
@@ -321,14 +284,14 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
         word_row("decimal", "SIGN", "Decimal sign of a text file: point or comma",
                  &TextChoice::decimal_comma, decimal_signs, "it is point or comma"),
         bounded(text_row("skip-lines", "N", "Lines of a text file above its first row of numbers",
-                         read_skip_lines,
+                         into(&TextChoice::lines_to_skip, read_whole),
                          [](const TextChoice& choice) {
                              return choice.lines_to_skip ? integer_text(*choice.lines_to_skip) : "";
                          }),
                 skip_lines_bounds),
         text_row("time-column", "N|none",
                  "Column of a text file that is the time, from 1; none: every column is a channel",
-                 read_time_column,
+                 into(&TextChoice::time_column, read_time_column),
                  [](const TextChoice& choice) {
                      return !choice.time_column        ? ""
                             : *choice.time_column == 0 ? not_set
@@ -339,7 +302,14 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
         bounded(row("scale", "X",
                     "Recording units per count of --raw or unit of the file, e.g. volts at full "
                     "scale of a WAV file (default 1)",
-                    read_scale, scale_text),
+                    into(&OpenOptions::scale,
+                         [](const std::string& option, const std::string& text) {
+                             return read_number(option, text);
+                         }),
+                    [](const OpenOptions& options) {
+                        return options.raw || options.scale != 1 ? round_trip_text(options.scale)
+                                                                 : "";
+                    }),
                 any_number),
         plain_row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)",
                   &OpenOptions::unit),
@@ -347,10 +317,11 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
                   "File of channel D, where each channel has a file of its own; --channels then "
                   "counts in each",
                   &OpenOptions::channel_d_file),
-        row("join", "FILE[,FILE]",
-            "Files of the recording's further pieces, in their order; gaps between them are "
-            "missing samples",
-            read_join, [](const OpenOptions& options) { return names_text(options.join); }),
+        names_row("join", "FILE[,FILE]",
+                  "Files of the recording's further pieces, in their order; gaps between them are "
+                  "missing samples",
+                  &OpenOptions::join, are_files,
+                  "it is names of files with commas, as in 2.wav,3.wav"),
     };
     return rows;
 }
@@ -365,14 +336,6 @@ std::string options_text(const OpenOptions& options) {
         }
     }
     return text;
-}
-
-Status check_scale(double scale) {
-    if (!std::isfinite(scale) || scale == 0) {
-        return refused_value("--scale", number_arg(scale),
-                             words(VYBEG_MESSAGE("Words", "it must be a number other than 0")));
-    }
-    return {};
 }
 
 Status check_layout(const RawLayout& layout) {
@@ -400,7 +363,7 @@ Status check_options(const OpenOptions& options) {
     }
     if (!options.channel_d_file.empty() && !options.join.empty()) {
         return refused_value(
-            "--join", names_text(options.join),
+            "--join", joined(options.join, ","),
             words(VYBEG_MESSAGE("Words",
                                 "it is for files with both channels, not for a file for "
                                 "each channel")));
@@ -409,7 +372,10 @@ Status check_options(const OpenOptions& options) {
         return refused_value("--raw", options_text({.text = options.text}),
                              words(VYBEG_MESSAGE("Words", "a file is read as text or as raw")));
     }
-    TRY(check_scale(options.scale));
+    if (!std::isfinite(options.scale) || options.scale == 0) {
+        return refused_value("--scale", number_arg(options.scale),
+                             words(VYBEG_MESSAGE("Words", "it must be a number other than 0")));
+    }
     if (options.raw) {
         return check_layout(*options.raw);
     }

@@ -1,7 +1,6 @@
 #include "core/recording/samples/reader_rules.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
 
@@ -9,11 +8,9 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -151,14 +148,6 @@ double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& d
     return ratio.value_or(1);
 }
 
-void match_units(Recording& recording) {
-    const double factor = note_units(recording.channel(recording.channel_c),
-                                     recording.channel(recording.channel_d), recording.diagnostics);
-    if (factor != 1) {
-        recording.source = scaled_source(std::move(recording.source), 1, factor);
-    }
-}
-
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options) {
     constexpr double too_coarse = 0.2;  // of times in whole seconds, for instance
@@ -173,6 +162,20 @@ Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> 
     }
     return file.error(ErrorCode::rate_unknown);
 }
+
+namespace {
+
+// Converts channel D to the unit of C if the recording has both units, with the diagnostic
+// unit_converted; warns about an unknown ratio (units_differ).
+void match_units(Recording& recording) {
+    const double factor = note_units(recording.channel(recording.channel_c),
+                                     recording.channel(recording.channel_d), recording.diagnostics);
+    if (factor != 1) {
+        recording.source = scaled_source(std::move(recording.source), 1, factor);
+    }
+}
+
+}  // namespace
 
 Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
                                      const OpenOptions& options) {
@@ -209,24 +212,16 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
 namespace {
 
 // Channel C of one source and channel C of another.
-class PairedSource final : public SampleSource {
-public:
-    PairedSource(std::shared_ptr<const SampleSource> c, std::shared_ptr<const SampleSource> d)
-        : c_(std::move(c)), d_(std::move(d)) {}
-
-    std::int64_t frames() const override { return std::min(c_->frames(), d_->frames()); }
-    bool seeks() const override { return c_->seeks() && d_->seeks(); }
-
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        std::vector<double> again(c.size());
-        TRY(c_->read(first, c, again));
-        return d_->read(first, d, again);
-    }
-
-private:
-    std::shared_ptr<const SampleSource> c_;
-    std::shared_ptr<const SampleSource> d_;
-};
+std::shared_ptr<const SampleSource> paired_source(const std::shared_ptr<const SampleSource>& of_c,
+                                                  const std::shared_ptr<const SampleSource>& of_d) {
+    return source_of(
+        std::min(of_c->frames(), of_d->frames()), of_c->seeks() && of_d->seeks(),
+        [of_c, of_d](std::int64_t first, std::span<double> c, std::span<double> d) -> Status {
+            std::vector<double> again(c.size());
+            TRY(of_c->read(first, c, again));
+            return of_d->read(first, d, again);
+        });
+}
 
 // The channel that was opened, named by its file where it has no name.
 Channel channel_of(const Recording& recording) {
@@ -300,7 +295,7 @@ Result<Recording> pair_channels(Recording c, Recording d, const std::string& nam
         pair.more_files.push_back(d.file);
     }
     pair.more_files.insert(pair.more_files.end(), d.more_files.begin(), d.more_files.end());
-    pair.source = std::make_shared<PairedSource>(c.source, d.source);
+    pair.source = paired_source(c.source, d.source);
     match_units(pair);
     if (c.frames() != d.frames()) {
         note_unequal(c.frames(), d.frames(), pair);

@@ -46,10 +46,6 @@ void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& rec
 // ratio is unknown.
 double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& diagnostics);
 
-// Converts channel D to the unit of C if the recording has both units, with the diagnostic
-// unit_converted; warns about an unknown ratio (units_differ).
-void match_units(Recording& recording);
-
 // The rate of the file if it has one (> 0) known within 20 %, otherwise that of the option. Times
 // above 1 GHz are not in seconds. Errors: rate_unknown.
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,

@@ -5,7 +5,6 @@
 #include "core/recording/bytes/sha256.h"
 
 #include <array>
-#include <vector>
 
 namespace vybeg {
 namespace {

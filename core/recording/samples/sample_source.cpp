@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
-#include <vector>
 
 namespace vybeg {
 
@@ -20,41 +18,52 @@ namespace {
 
 constexpr double missing_sample = std::numeric_limits<double>::quiet_NaN();
 
-class MappedSource final : public SampleSource {
+class ReadSource final : public SampleSource {
 public:
-    MappedSource(std::shared_ptr<const SampleSource> source,
-                 std::function<void(std::span<double> c, std::span<double> d)> change)
-        : source_(std::move(source)), change_(std::move(change)) {}
+    ReadSource(std::int64_t frames, bool seeks, ReadFrames read)
+        : frames_(frames), seeks_(seeks), read_(std::move(read)) {}
 
-    std::int64_t frames() const override { return source_->frames(); }
-    bool seeks() const override { return source_->seeks(); }
-
+    std::int64_t frames() const override { return frames_; }
+    bool seeks() const override { return seeks_; }
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        TRY(source_->read(first, c, d));
-        change_(c, d);
-        return {};
+        return read_(first, c, d);
     }
 
 private:
-    std::shared_ptr<const SampleSource> source_;
-    std::function<void(std::span<double> c, std::span<double> d)> change_;
+    std::int64_t frames_;
+    bool seeks_;
+    ReadFrames read_;
 };
 
-class JoinedSource final : public SampleSource {
-public:
-    explicit JoinedSource(std::vector<SourcePiece> pieces) : pieces_(std::move(pieces)) {}
+}  // namespace
 
-    std::int64_t frames() const override { return pieces_.back().end(); }
-    bool seeks() const override {
-        return std::ranges::all_of(pieces_, [](const SourcePiece& p) { return p.source->seeks(); });
-    }
+std::shared_ptr<const SampleSource> source_of(std::int64_t frames, bool seeks, ReadFrames read) {
+    return std::make_shared<ReadSource>(frames, seeks, std::move(read));
+}
 
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
+std::shared_ptr<const SampleSource> mapped_source(
+    std::shared_ptr<const SampleSource> source,
+    std::function<void(std::span<double> c, std::span<double> d)> change) {
+    return source_of(source->frames(), source->seeks(),
+                     [source, change = std::move(change)](std::int64_t first, std::span<double> c,
+                                                          std::span<double> d) -> Status {
+                         TRY(source->read(first, c, d));
+                         change(c, d);
+                         return {};
+                     });
+}
+
+std::shared_ptr<const SampleSource> joined_source(std::vector<SourcePiece> pieces) {
+    const std::int64_t frames = pieces.back().end();
+    const bool seeks =
+        std::ranges::all_of(pieces, [](const SourcePiece& p) { return p.source->seeks(); });
+    const auto read = [pieces = std::move(pieces)](std::int64_t first, std::span<double> c,
+                                                   std::span<double> d) -> Status {
         std::ranges::fill(c, missing_sample);
         std::ranges::fill(d, missing_sample);
         const std::int64_t end = first + std::ssize(c);
-        auto piece = std::ranges::upper_bound(pieces_, first, {}, &SourcePiece::end);
-        for (; piece != pieces_.end() && piece->first < end; ++piece) {
+        auto piece = std::ranges::upper_bound(pieces, first, {}, &SourcePiece::end);
+        for (; piece != pieces.end() && piece->first < end; ++piece) {
             const std::int64_t begin = std::max(first, piece->first);
             const std::int64_t count = std::min(end, piece->end()) - begin;
             if (count > 0) {
@@ -66,59 +75,8 @@ public:
             }
         }
         return {};
-    }
-
-private:
-    std::vector<SourcePiece> pieces_;
-};
-
-class DelayedSource final : public SampleSource {
-public:
-    DelayedSource(std::shared_ptr<const SampleSource> source, double delay_samples)
-        : source_(std::move(source)), delay_(delay_samples) {}
-
-    std::int64_t frames() const override { return source_->frames(); }
-    bool seeks() const override { return source_->seeks(); }
-
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        const std::int64_t before = delay_.reach_before();
-        const std::int64_t after = delay_.reach_after();
-        std::ranges::fill(c, missing_sample);
-        std::ranges::fill(d, missing_sample);
-        const std::int64_t begin = std::max(first, before);
-        const std::int64_t end = std::min(first + std::ssize(c), frames() - after);
-        // Blocks bound the memory of a long read, and are never short beside what is read twice.
-        const std::int64_t block = std::max<std::int64_t>(1 << 16, before + after);
-        std::vector<double> raw_c;
-        std::vector<double> raw_d;
-        for (std::int64_t at = begin; at < end; at += block) {
-            const std::int64_t length = std::min(block, end - at);
-            raw_c.resize(static_cast<std::size_t>(before + length + after));
-            raw_d.resize(raw_c.size());
-            TRY(source_->read(at - before, raw_c, raw_d));
-            std::copy_n(raw_c.begin() + before, length, c.begin() + (at - first));
-            delay_.apply(
-                raw_d, before,
-                d.subspan(static_cast<std::size_t>(at - first), static_cast<std::size_t>(length)));
-        }
-        return {};
-    }
-
-private:
-    std::shared_ptr<const SampleSource> source_;
-    FractionalDelay delay_;
-};
-
-}  // namespace
-
-std::shared_ptr<const SampleSource> mapped_source(
-    std::shared_ptr<const SampleSource> source,
-    std::function<void(std::span<double> c, std::span<double> d)> change) {
-    return std::make_shared<MappedSource>(std::move(source), std::move(change));
-}
-
-std::shared_ptr<const SampleSource> joined_source(std::vector<SourcePiece> pieces) {
-    return std::make_shared<JoinedSource>(std::move(pieces));
+    };
+    return source_of(frames, seeks, read);
 }
 
 void scale_samples(std::span<double> values, double scale) {
@@ -138,10 +96,35 @@ std::shared_ptr<const SampleSource> scaled_source(std::shared_ptr<const SampleSo
 
 std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleSource> source,
                                                    double delay_samples) {
+    const std::int64_t frames = source->frames();
     // A shift by the whole recording leaves as little of it as any larger one.
-    const auto frames = static_cast<double>(source->frames());
-    const double delay = std::clamp(delay_samples, -frames, frames);
-    return std::make_shared<DelayedSource>(std::move(source), delay);
+    const auto most = static_cast<double>(frames);
+    const FractionalDelay delay(std::clamp(delay_samples, -most, most));
+    const auto read = [source, frames, delay](std::int64_t first, std::span<double> c,
+                                              std::span<double> d) -> Status {
+        const std::int64_t before = delay.reach_before();
+        const std::int64_t after = delay.reach_after();
+        std::ranges::fill(c, missing_sample);
+        std::ranges::fill(d, missing_sample);
+        const std::int64_t begin = std::max(first, before);
+        const std::int64_t end = std::min(first + std::ssize(c), frames - after);
+        // Blocks bound the memory of a long read, and are never short beside what is read twice.
+        const std::int64_t block = std::max<std::int64_t>(1 << 16, before + after);
+        std::vector<double> raw_c;
+        std::vector<double> raw_d;
+        for (std::int64_t at = begin; at < end; at += block) {
+            const std::int64_t length = std::min(block, end - at);
+            raw_c.resize(static_cast<std::size_t>(before + length + after));
+            raw_d.resize(raw_c.size());
+            TRY(source->read(at - before, raw_c, raw_d));
+            std::copy_n(raw_c.begin() + before, length, c.begin() + (at - first));
+            delay.apply(
+                raw_d, before,
+                d.subspan(static_cast<std::size_t>(at - first), static_cast<std::size_t>(length)));
+        }
+        return {};
+    };
+    return source_of(frames, source->seeks(), read);
 }
 
 void SampleBlock::copy_to(std::int64_t at, std::span<double> out_c, std::span<double> out_d) const {

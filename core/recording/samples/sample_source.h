@@ -49,6 +49,11 @@ private:
     std::vector<double> d_;
 };
 
+// A source of so many frames, whose `read` is SampleSource::read().
+using ReadFrames =
+    std::function<Status(std::int64_t first, std::span<double> c, std::span<double> d)>;
+std::shared_ptr<const SampleSource> source_of(std::int64_t frames, bool seeks, ReadFrames read);
+
 // The source whose frames `change` has changed in place.
 std::shared_ptr<const SampleSource> mapped_source(
     std::shared_ptr<const SampleSource> source,

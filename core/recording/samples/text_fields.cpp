@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 6> missing_words{"na", "n/a", "#n/a", "nu
 constexpr std::array<std::string_view, 7> over_range_words{
     "overload", "ovld", "overrange", "over range", "over", "clipped", "overflow"};
 
-// Whether one of the words is the field, in lower or upper case.
+// Whether one of the words is the field, in lower or upper case; of a head most fields are asked.
 template <std::size_t count>
 bool says(const std::array<std::string_view, count>& words, std::string_view field) {
     const auto same = [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b + 32 : b); };
@@ -71,6 +71,16 @@ std::optional<double> usual_value(std::string_view field, bool decimal_comma) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> parts_between(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, at), text.size());
+        parts.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return parts;
+}
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) {
@@ -252,38 +262,34 @@ int small_number(std::string_view digits, int limit) {
         return -1;
     }
     int value = 0;
-    for (const char c : digits) {
-        value = 10 * value + (c - '0');
-    }
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return value < limit ? value : -1;
 }
 
 // Takes a date and what separates it from a time; false where the text does not begin with one.
 bool take_date(std::string_view& text) {
+    const auto is_day = [](std::string_view digits) { return small_number(digits, 32) >= 1; };
+    const auto is_one_of = [](std::string_view all, char c) {
+        return all.find(c) != std::string_view::npos;
+    };
     std::string_view rest = text;
     const std::string_view first = take_while(rest, is_digit);
     const char separator = rest.empty() ? '\0' : rest.front();
-    if (first.empty() || first.size() > 4 ||
-        (separator != '-' && separator != '/' && separator != '.')) {
+    if (!is_one_of("-/.", separator)) {
         return false;
     }
     rest.remove_prefix(1);
     const bool named = !rest.empty() && is_letter(rest.front());
-    const std::string_view middle =
-        named ? take_while(rest, is_letter) : take_while(rest, is_digit);
-    if (rest.empty() || rest.front() != separator ||
-        (named ? middle.size() != 3 : small_number(middle, 32) < 1)) {
+    const std::string_view middle = take_while(rest, named ? is_letter : is_digit);
+    if (!rest.starts_with(separator) || !(named ? middle.size() == 3 : is_day(middle))) {
         return false;
     }
     rest.remove_prefix(1);
     const std::string_view last = take_while(rest, is_digit);
-    const bool year_first = first.size() == 4;
-    if (year_first ? small_number(last, 32) < 1
-                   : (small_number(first, 32) < 1 || (last.size() != 2 && last.size() != 4))) {
-        return false;
-    }
+    const bool is_date =
+        first.size() == 4 ? is_day(last) : is_day(first) && (last.size() == 2 || last.size() == 4);
     // Behind a date stand a time or nothing: 1.5.24.7 is none.
-    if (!rest.empty() && rest.front() != 'T' && rest.front() != ' ' && rest.front() != '_') {
+    if (!is_date || (!rest.empty() && !is_one_of("T _", rest.front()))) {
         return false;
     }
     rest.remove_prefix(rest.empty() ? 0 : 1);
@@ -345,9 +351,7 @@ std::optional<ClockField> parse_clock(std::string_view field) {
             return std::nullopt;
         }
         std::int64_t value = 0;
-        for (const char c : digits) {
-            value = 10 * value + (c - '0');
-        }
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
         clock.decimals = static_cast<int>(digits.size());
         clock.fraction_s = static_cast<double>(value) / std::pow(10.0, clock.decimals);
     }

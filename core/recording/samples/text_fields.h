@@ -21,6 +21,9 @@ constexpr bool are_digits(std::string_view text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+// The parts of a text between separators, one or more.
+std::vector<std::string_view> parts_between(std::string_view text, char separator);
+
 // Without spaces and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 

@@ -290,25 +290,6 @@ Channel name_and_unit(std::string_view field) {
     return {text, is_unit_by_itself(last) ? std::string(last) : ""};
 }
 
-const std::vector<const char*>& wave_angle_names() {
-    static const std::vector<const char*> names{"theta",           "theta_rad",   "theta_deg",
-                                                "theta_A",         "theta_A_rad", "angle",
-                                                "two_theta_A_rad", "угол"};
-    return names;
-}
-
-const std::vector<const char*>& amplitude_effort_names() {
-    static const std::vector<const char*> names{"amplitude", "amplitude effort",
-                                                "amplitude_effort"};
-    return names;
-}
-
-const std::vector<const char*>& quadrature_effort_names() {
-    static const std::vector<const char*> names{"quadrature", "quadrature effort",
-                                                "quadrature_effort"};
-    return names;
-}
-
 std::string_view last_name(std::string_view path) {
     const std::size_t separator = path.find_last_of("./");
     return separator == std::string_view::npos ? path : path.substr(separator + 1);
@@ -353,7 +334,10 @@ std::optional<double> hertz_per(std::string_view unit) {
 }
 
 std::optional<double> rate_by_name(std::string_view name, double value, std::string_view unit) {
-    const Meaning meaning = meaning_of(name, NamedIn::variables);
+    return rate_in_hz(meaning_of(name, NamedIn::variables), value, unit);
+}
+
+std::optional<double> rate_in_hz(Meaning meaning, double value, std::string_view unit) {
     if (meaning != Meaning::rate && meaning != Meaning::step) {
         return {};
     }

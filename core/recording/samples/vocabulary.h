@@ -47,9 +47,13 @@ std::string_view without_brackets(std::string_view text);
 Channel name_and_unit(std::string_view field);
 
 // Columns of whole-angle logs: the angle of the wave, and the efforts of its control.
-const std::vector<const char*>& wave_angle_names();
-const std::vector<const char*>& amplitude_effort_names();
-const std::vector<const char*>& quadrature_effort_names();
+inline const std::vector<const char*> wave_angle_names{
+    "theta",       "theta_rad", "theta_deg",       "theta_A",
+    "theta_A_rad", "angle",     "two_theta_A_rad", "угол"};
+inline const std::vector<const char*> amplitude_effort_names{"amplitude", "amplitude effort",
+                                                             "amplitude_effort"};
+inline const std::vector<const char*> quadrature_effort_names{"quadrature", "quadrature effort",
+                                                              "quadrature_effort"};
 
 // Part after the last '.' or '/' of a path: "C" of "run.C" or "/run/C".
 std::string_view last_name(std::string_view path);
@@ -70,9 +74,12 @@ std::optional<double> seconds_per(std::string_view unit);
 // Hertz per unit of a rate: 1000 of "kHz" and "kS/s". Empty for other units.
 std::optional<double> hertz_per(std::string_view unit);
 
-// Sample rate (Hz) from a named number of a file: the number itself of a Meaning::rate, its inverse
-// of a Meaning::step. `unit` is that of the number ("kHz", "ms"), empty: Hz or s. Empty for other
-// names, unsuitable units and rates that are not positive.
+// Sample rate (Hz) from a number of a file: the number itself of a Meaning::rate, its inverse of a
+// Meaning::step. `unit` is that of the number ("kHz", "ms"), empty: Hz or s. Empty for other
+// meanings, unsuitable units and rates that are not positive.
+std::optional<double> rate_in_hz(Meaning meaning, double value, std::string_view unit);
+
+// The same of a named number.
 std::optional<double> rate_by_name(std::string_view name, double value, std::string_view unit = {});
 
 // Factor from the unit `from` of samples to the unit `to`: 1e-3 from "mV" to "V", 1 from "Volt" to

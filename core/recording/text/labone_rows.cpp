@@ -72,12 +72,7 @@ Result<std::vector<LaboneField>> read_labone_rows(std::shared_ptr<const FileByte
             break;
         }
         TRY(job.go_on());
-        std::vector<std::string_view> parts;
-        for (std::size_t at = 0; at <= line->size();) {
-            const std::size_t end = std::min(line->find(delimiter, at), line->size());
-            parts.push_back(line->substr(at, end - at));
-            at = end + 1;
-        }
+        const std::vector<std::string_view> parts = parts_between(*line, delimiter);
         if (parts.size() <= values_from) {
             continue;
         }

@@ -5,10 +5,8 @@
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/text_fields.h"
-#include "core/recording/text/text_columns.h"
 #include "core/recording/text/text_header.h"
 #include "core/recording/text/text_lines.h"
-#include "core/recording/text/text_rate.h"
 
 #include <algorithm>
 #include <array>
@@ -65,28 +63,6 @@ int columns_of(std::string_view line, const Dialect& dialect,
     return numbers && !blank && clocks < fields.size() ? static_cast<int>(fields.size()) : 0;
 }
 
-struct Score {
-    int columns = 0;
-    int rows = 0;
-    int numbers = 0;  // columns that hold some
-};
-
-// The row length that most lines have, among those of two or more columns.
-Score score(std::span<const std::string> lines, const Dialect& dialect) {
-    std::map<int, int> rows;
-    std::vector<std::string_view> fields;
-    for (const std::string& line : lines) {
-        ++rows[columns_of(line, dialect, fields)];
-    }
-    Score best;
-    for (const auto& [columns, count] : rows) {
-        if (columns >= 2 && count >= best.rows) {
-            best = {columns, count, columns};
-        }
-    }
-    return best;
-}
-
 // The columns that hold words in at least as many lines as numbers, among the lines of so many
 // fields of which two or more are numbers.
 WordColumns find_words(std::span<const std::string> lines, const Dialect& dialect, int columns) {
@@ -127,7 +103,11 @@ WordColumns find_words(std::span<const std::string> lines, const Dialect& dialec
 struct Rows {
     Dialect dialect{};
     int columns = 0;
-    WordColumns words;
+    WordColumns words{};
+    int count = 0;  // of the lines, those that are rows
+
+    // Columns that hold some.
+    int numbers() const { return columns - static_cast<int>(words.size()); }
 
     bool holds_words(std::size_t column) const {
         return std::ranges::binary_search(words, static_cast<int>(column));
@@ -175,33 +155,43 @@ private:
     }
 };
 
-// The best table of those in which words stand beside the numbers, as score() has it for numbers
-// alone: the rows that have most lines, then those of most numbers.
-std::optional<Rows> rows_with_words(std::span<const std::string> lines, const Dialect& dialect,
-                                    Score& best) {
+// The rows of the length that most lines have, among those of two or more columns.
+Rows rows_of_numbers(std::span<const std::string> lines, const Dialect& dialect) {
+    std::map<int, int> rows;
+    std::vector<std::string_view> fields;
+    for (const std::string& line : lines) {
+        ++rows[columns_of(line, dialect, fields)];
+    }
+    Rows best{dialect};
+    for (const auto& [columns, count] : rows) {
+        if (columns >= 2 && count >= best.count) {
+            best = {dialect, columns, {}, count};
+        }
+    }
+    return best;
+}
+
+// Replaces `best` where words beside the numbers make a better table: the rows that have most
+// lines, then those of most numbers.
+void take_rows_with_words(std::span<const std::string> lines, const Dialect& dialect, Rows& best) {
     std::map<int, int> lengths;
     std::vector<std::string_view> fields;
     for (const std::string& line : lines) {
         split_fields(line, dialect.delimiter, fields);
         ++lengths[static_cast<int>(fields.size())];
     }
-    std::optional<Rows> found;
     for (const auto& [columns, count] : lengths) {
-        if (columns < 3 || columns > most_columns || count < best.rows) {
+        if (columns < 3 || columns > most_columns || count < best.count) {
             continue;
         }
         Rows rows{dialect, columns, find_words(lines, dialect, columns)};
-        const Score next{columns,
-                         static_cast<int>(std::ranges::count_if(
-                             lines, [&](const auto& line) { return rows.contain(line, fields); })),
-                         columns - static_cast<int>(rows.words.size())};
-        if (next.rows > 0 && next.numbers >= 2 &&
-            std::pair(next.rows, next.numbers) > std::pair(best.rows, best.numbers)) {
-            best = next;
-            found = std::move(rows);
+        rows.count = static_cast<int>(std::ranges::count_if(
+            lines, [&](const auto& line) { return rows.contain(line, fields); }));
+        if (rows.count > 0 && rows.numbers() >= 2 &&
+            std::pair(rows.count, rows.numbers()) > std::pair(best.count, best.numbers())) {
+            best = std::move(rows);
         }
     }
-    return found;
 }
 
 // The first row of the table. Values below a line like "dt:" are none, nor are numbers beside words
@@ -261,7 +251,7 @@ std::optional<Rows> single_numbers(std::span<const std::string> lines, const aut
         });
         if (rows > most) {
             most = rows;
-            table = Rows{dialect, 1, {}};
+            table = Rows{dialect, 1};
         }
     }
     return table;
@@ -274,26 +264,24 @@ std::optional<Rows> find_rows(std::span<const std::string> lines, const TextChoi
         return choice.delimiter.value_or(dialect.delimiter) == dialect.delimiter &&
                choice.decimal_comma.value_or(dialect.decimal_comma) == dialect.decimal_comma;
     };
-    Score best;
-    Rows table;
+    Rows numbers_alone;
     for (const Dialect& dialect : dialects) {
-        const Score found = is_allowed(dialect) ? score(lines, dialect) : Score{};
-        if (found.rows > best.rows) {
-            best = found;
-            table = {dialect, best.columns, {}};
+        Rows found = is_allowed(dialect) ? rows_of_numbers(lines, dialect) : Rows{};
+        if (found.count > numbers_alone.count) {
+            numbers_alone = std::move(found);
         }
     }
     const auto filled = static_cast<int>(std::ranges::count_if(
         lines, [](const std::string& line) { return !trimmed(line).empty(); }));
-    Score with_words{0, std::max(much_more * best.rows, filled / 2), 0};
-    const bool possible = filled > with_words.rows;
+    Rows with_words;
+    with_words.count = std::max(much_more * numbers_alone.count, filled / 2);
+    const bool possible = filled > with_words.count;
     for (const Dialect& dialect : dialects) {
         if (possible && is_allowed(dialect)) {
-            if (auto found = rows_with_words(lines, dialect, with_words)) {
-                table = std::move(*found);
-            }
+            take_rows_with_words(lines, dialect, with_words);
         }
     }
+    const Rows& table = with_words.columns > 0 ? with_words : numbers_alone;
     if (table.columns == 0) {
         // A separator that was said is one between columns.
         return choice.delimiter ? std::nullopt : single_numbers(lines, is_allowed);
@@ -412,30 +400,6 @@ namespace {
 constexpr std::size_t head_bytes = std::size_t{1} << 18;  // kept on each side of the first row
 constexpr std::int64_t lines_between_looks = 4096;        // at the stop token
 
-// Lines, the oldest of which make room for the next.
-class LastLines {
-public:
-    void add(std::string_view line) {
-        lines_.emplace_back(line);
-        bytes_ += line.size() + 1;
-        while (bytes_ > head_bytes && lines_.size() > 1) {
-            bytes_ -= lines_.front().size() + 1;
-            lines_.pop_front();
-            ++dropped_;
-        }
-    }
-
-    TextHead take() {
-        return {dropped_,
-                {std::make_move_iterator(lines_.begin()), std::make_move_iterator(lines_.end())}};
-    }
-
-private:
-    std::deque<std::string> lines_;
-    std::size_t bytes_ = 0;
-    std::int64_t dropped_ = 0;
-};
-
 // Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
 // leading zeros, decimals between delimiters have.
 bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format) {
@@ -483,7 +447,9 @@ Error no_table(const FileBytes& file, const TextHead& head, const TextChoice& ch
 Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
                                 std::optional<std::int64_t> lines_to_skip, const JobControl& job) {
     TextLines lines(std::move(file));
-    LastLines skipped;
+    TextHead head;
+    std::deque<std::string> skipped;  // the last ones
+    std::size_t held = 0;             // bytes
     const std::int64_t skip = lines_to_skip.value_or(0);
     for (std::int64_t i = 0; i < skip; ++i) {
         if (i % lines_between_looks == 0) {
@@ -493,9 +459,16 @@ Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
         if (!line) {
             break;
         }
-        skipped.add(*line);
+        skipped.emplace_back(*line);
+        held += line->size() + 1;
+        while (held > head_bytes && skipped.size() > 1) {
+            held -= skipped.front().size() + 1;
+            skipped.pop_front();
+            ++head.dropped;
+        }
     }
-    TextHead head = skipped.take();
+    head.lines.assign(std::make_move_iterator(skipped.begin()),
+                      std::make_move_iterator(skipped.end()));
     for (std::size_t bytes = 0; bytes < head_bytes;) {
         const auto line = TRY(lines.next());
         if (!line) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/recording/samples/recording.h"
 #include "core/recording/text/text_columns.h"
 
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace vybeg {
 
@@ -31,5 +33,16 @@ struct LinesAbove {
 // delimiter and number of columns; it gets the headings, empty where unknown, of all fields that a
 // row has, how many lines they took, and whether they end with one that may have remarks below it.
 void read_header(const LinesAbove& above, TextFormat& format);
+
+// The rate of each column of the table by the fields and lines above it that name a rate or a step
+// ("Sample Interval,2E-06", "# Samplerate: 10 kHz", "Delta_X", "Start,Increment" over their
+// values, "dt=0.001"). Empty where there is none, or where two of them disagree by more than their
+// digits.
+std::vector<SampleRate> header_rates(std::span<const std::string> lines, char delimiter,
+                                     int columns, bool decimal_comma);
+
+// The unit of the times by a line that says so ("HUnit,ms", "Time markers scale: ms"); empty where
+// no line names one of time.
+std::string axis_unit(std::span<const std::string> lines, char delimiter);
 
 }  // namespace vybeg

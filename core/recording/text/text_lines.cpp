@@ -1,8 +1,6 @@
 #include "core/recording/text/text_lines.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/bytes/text_encoding.h"
-#include "core/recording/samples/text_fields.h"
 
 #include <fast_float/fast_float.h>
 
@@ -10,16 +8,33 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
 
 constexpr std::size_t chunk_bytes = std::size_t{1} << 16;  // even, for UTF-16
 
-}  // namespace
+// Bytes of the longest line that a table may have.
+constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+constexpr bool ends_line(char c) {
+    return c == '\n' || c == '\r';
+}
+
+// The place of the first line end (LF, CRLF, CR) from `from` on; the end of the text where there is
+// none.
+std::size_t line_end(std::string_view text, std::size_t from) {
+    while (from < text.size() && !ends_line(text[from])) {
+        ++from;
+    }
+    return from;
+}
+
+// The place behind the line end at `end`.
+std::size_t behind_line_end(std::string_view text, std::size_t end) {
+    return std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size());
+}
 
 Error line_too_long(const FileBytes& file, const char* format, std::int64_t line) {
     return file.error(
@@ -29,6 +44,8 @@ Error line_too_long(const FileBytes& file, const char* format, std::int64_t line
                              "Write a line for each time, with one number for each "
                              "channel"))});
 }
+
+}  // namespace
 
 TextLines::TextLines(std::shared_ptr<const FileBytes> file, const char* format)
     : file_(std::move(file)), format_(format) {}
@@ -116,17 +133,6 @@ char ascii_at(std::string_view text, std::size_t at, TextEncoding encoding) {
 
 }  // namespace
 
-std::size_t line_end(std::string_view text, std::size_t from) {
-    while (from < text.size() && !ends_line(text[from])) {
-        ++from;
-    }
-    return from;
-}
-
-std::size_t behind_line_end(std::string_view text, std::size_t end) {
-    return std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size());
-}
-
 TextBlocks::TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding,
                        std::int64_t begin, std::int64_t end)
     : file_(std::move(file)), encoding_(encoding), begin_(begin), end_(end) {}
@@ -180,65 +186,6 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
         behind = next;
     }
     return {};
-}
-
-Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, std::int64_t begin,
-                                  std::int64_t end,
-                                  const std::function<bool(std::string_view line)>& is_behind) {
-    constexpr std::int64_t looked_at = 1 << 14;  // bytes
-    const std::size_t unit = encoding == TextEncoding::bytes ? 1 : 2;
-    const std::int64_t from = end - std::min(end - begin, looked_at) /
-                                        static_cast<std::int64_t>(unit * unit) *
-                                        static_cast<std::int64_t>(unit * unit);
-    const auto bytes = TRY(file.text(from, end - from));
-    const std::string_view text = bytes;
-    const auto ends_at = [&](std::size_t at) { return ends_line(ascii_at(text, at, encoding)); };
-    std::size_t to = text.size();
-    while (to > 0) {
-        std::size_t last = to;  // behind the line's characters
-        while (last >= unit && ends_at(last - unit)) {
-            last -= unit;
-        }
-        std::size_t first = last;
-        while (first >= unit && !ends_at(first - unit)) {
-            first -= unit;
-        }
-        if (first < unit && from > begin) {
-            break;  // the line begins before what is looked at
-        }
-        std::string line;
-        if (encoding == TextEncoding::bytes) {
-            line = text.substr(first, last - first);
-        } else {
-            append_utf16(text.substr(first, last - first), encoding, line);
-        }
-        if (!is_behind(line)) {
-            break;
-        }
-        to = first;
-    }
-    return from + static_cast<std::int64_t>(to);
-}
-
-Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding,
-                                    std::int64_t begin) {
-    const std::int64_t unit = encoding == TextEncoding::bytes ? 1 : 2;
-    const std::int64_t size = begin + (file.size() - begin) / unit * unit;
-    std::int64_t line_ends = size;  // of the lines behind
-    for (std::int64_t to = size; to > begin;) {
-        const std::int64_t from = std::max(begin, to - first_overhang);
-        const auto text = TRY(file.text(from, to - from));
-        for (std::int64_t at = std::ssize(text) / unit * unit - unit; at >= 0; at -= unit) {
-            const char character = ascii_at(text, static_cast<std::size_t>(at), encoding);
-            if (ends_line(character)) {
-                line_ends = from + at + unit;
-            } else if (no_content.find(character) == std::string_view::npos) {
-                return line_ends;
-            }
-        }
-        to = from;
-    }
-    return begin;
 }
 
 namespace {
@@ -306,11 +253,17 @@ TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const T
              !(format.decimal_comma && format.delimiter == ',')),
       at_(block.begin) {}
 
+TextFault time_fault(double time, double before) {
+    return {ErrorCode::text_time_backwards, {exact_arg(time), exact_arg(before)}};
+}
+
 Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault) {
     if (fault.code == ErrorCode::format_limit) {
         return line_too_long(file, "text", line);
     }
-    return file.error(fault.code, {count_arg(line), count_arg(fault.column + 1), fault.text});
+    Error error = file.error(fault.code, {count_arg(line)});
+    error.args.insert(error.args.end(), fault.args.begin(), fault.args.end());
+    return error;
 }
 
 bool TextRows::next() {
@@ -416,7 +369,7 @@ const char* TextRows::plain_number(const char* at, const char* end, int column) 
 // Any other line: true where it is a row, too. `ended`: it has a line end.
 bool TextRows::any_row(std::string_view line, bool ended) {
     if (line.size() > longest_line) {
-        fault_ = {ErrorCode::format_limit, 0, ""};
+        fault_ = TextFault{ErrorCode::format_limit};
         return false;
     }
     // A row of delimiters alone is a missing sample only where no time is missing as well.
@@ -489,9 +442,77 @@ bool TextRows::number(int column, double& value) {
 }
 
 bool TextRows::fail(int column) {
-    fault_ = {ErrorCode::text_not_a_number, column, short_quote(field(column))};
+    fault_ = {ErrorCode::text_not_a_number, {count_arg(column + 1), short_quote(field(column))}};
     return false;
 }
+
+namespace {
+
+// The end of the table in a text that ends at `end`: before the last lines that stand behind it, of
+// which few are looked at and those with content counted. Errors: file_read_failed.
+Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, std::int64_t begin,
+                                  std::int64_t end, const TextFormat& format,
+                                  std::int64_t& footer_lines) {
+    constexpr std::int64_t looked_at = 1 << 14;  // bytes
+    const std::size_t unit = encoding == TextEncoding::bytes ? 1 : 2;
+    const std::int64_t from = end - std::min(end - begin, looked_at) /
+                                        static_cast<std::int64_t>(unit * unit) *
+                                        static_cast<std::int64_t>(unit * unit);
+    const auto bytes = TRY(file.text(from, end - from));
+    const std::string_view text = bytes;
+    const auto ends_at = [&](std::size_t at) { return ends_line(ascii_at(text, at, encoding)); };
+    std::size_t to = text.size();
+    while (to > 0) {
+        std::size_t last = to;  // behind the line's characters
+        while (last >= unit && ends_at(last - unit)) {
+            last -= unit;
+        }
+        std::size_t first = last;
+        while (first >= unit && !ends_at(first - unit)) {
+            first -= unit;
+        }
+        if (first < unit && from > begin) {
+            break;  // the line begins before what is looked at
+        }
+        std::string line;
+        if (encoding == TextEncoding::bytes) {
+            line = text.substr(first, last - first);
+        } else {
+            append_utf16(text.substr(first, last - first), encoding, line);
+        }
+        if (!is_behind_table(line, format)) {
+            break;
+        }
+        footer_lines += trimmed(line).empty() ? 0 : 1;
+        to = first;
+    }
+    return from + static_cast<std::int64_t>(to);
+}
+
+// The end of the last line that has content; spreadsheets write rows of delimiters behind it.
+// Errors: file_read_failed.
+Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding,
+                                    std::int64_t begin) {
+    const std::int64_t unit = encoding == TextEncoding::bytes ? 1 : 2;
+    const std::int64_t size = begin + (file.size() - begin) / unit * unit;
+    std::int64_t line_ends = size;  // of the lines behind
+    for (std::int64_t to = size; to > begin;) {
+        const std::int64_t from = std::max(begin, to - first_overhang);
+        const auto text = TRY(file.text(from, to - from));
+        for (std::int64_t at = std::ssize(text) / unit * unit - unit; at >= 0; at -= unit) {
+            const char character = ascii_at(text, static_cast<std::size_t>(at), encoding);
+            if (ends_line(character)) {
+                line_ends = from + at + unit;
+            } else if (no_content.find(character) == std::string_view::npos) {
+                return line_ends;
+            }
+        }
+        to = from;
+    }
+    return begin;
+}
+
+}  // namespace
 
 Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
                              const TextColumns& columns) {
@@ -510,11 +531,7 @@ Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFo
     const auto content = TRY(end_of_content(*file, encoding_of(head), begin));
     std::int64_t footer_lines = 0;
     const auto end =
-        TRY(end_of_table(*file, encoding_of(head), begin, content, [&](std::string_view line) {
-            const bool behind = is_behind_table(line, format);
-            footer_lines += behind && !trimmed(line).empty() ? 1 : 0;
-            return behind;
-        }));
+        TRY(end_of_table(*file, encoding_of(head), begin, content, format, footer_lines));
     return TextTable{TextBlocks(file, encoding_of(head), begin, end), format, columns, header_lines,
                      footer_lines};
 }

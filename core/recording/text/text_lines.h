@@ -8,7 +8,6 @@
 #include "core/recording/text/text_columns.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,23 +15,6 @@
 #include <vector>
 
 namespace vybeg {
-
-constexpr bool ends_line(char c) {
-    return c == '\n' || c == '\r';
-}
-
-// The place of the first line end (LF, CRLF, CR) from `from` on; the end of the text where there is
-// none.
-std::size_t line_end(std::string_view text, std::size_t from);
-
-// The place behind the line end at `end`.
-std::size_t behind_line_end(std::string_view text, std::size_t end);
-
-// Bytes of the longest line that a table may have.
-inline constexpr std::size_t longest_line = std::size_t{1} << 20;
-
-// The error of a longer one.
-Error line_too_long(const FileBytes& file, const char* format, std::int64_t line);
 
 // The lines of a text file one after the other, as UTF-8 bytes without line ends (LF, CRLF, CR) and
 // without the byte order mark. Holds one chunk of the file in memory.
@@ -98,17 +80,6 @@ private:
     std::int64_t end_;
 };
 
-// The end of the table in a text that ends at `end`: before the last lines for which `is_behind` is
-// true, of which few are looked at. Errors: file_read_failed.
-Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, std::int64_t begin,
-                                  std::int64_t end,
-                                  const std::function<bool(std::string_view line)>& is_behind);
-
-// The end of the last line that has content; spreadsheets write rows of delimiters behind it.
-// Errors: file_read_failed.
-Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding,
-                                    std::int64_t begin);
-
 // Which columns of a table are read, from 0; -1 for the time where there is none or it is not
 // wanted.
 struct TextColumns {
@@ -118,12 +89,15 @@ struct TextColumns {
     double d_factor = 1;  // of D's numbers, for them to be in the unit of C
 };
 
-// A line that is no row of the table.
+// Why a line is no row of the table: text_not_a_number, text_time_backwards; format_limit where the
+// line is too long.
 struct TextFault {
-    ErrorCode code{};  // text_not_a_number; format_limit where the line is too long
-    int column = 0;    // from 0
-    std::string text;  // what stands there instead of a number
+    ErrorCode code{};
+    std::vector<MessageArg> args{};  // behind the number of the line
 };
+
+// The fault of a time that follows one that is not before it, both in the column's unit.
+TextFault time_fault(double time, double before);
 
 // The error of a fault that stands in this line of the file, from 1.
 Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault);

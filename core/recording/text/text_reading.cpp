@@ -1,7 +1,6 @@
 #include "core/recording/text/text_reading.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 
 #include <tbb/parallel_for.h>
@@ -11,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -68,33 +66,28 @@ struct BlockScan {
     std::int64_t rows = 0;
     std::int64_t lines = 0;
     LeftOut left_out;
-    std::optional<TextFault> fault;  // in the last line
-    bool backwards = false;          // the time in the last line lies below the one before
-    double time = 0;                 // of that line, in the column's unit
-    double first_time = 0;           // in the column's unit
-    double last_time = 0;            // that did not lie below the one before
-    std::int64_t first_line = 0;     // of the first row
-    std::int64_t repeated_line = 0;  // of the first row whose time is that of the row before
-    double repeated = 0;             // this time
+    std::optional<TextFault> fault;     // in the last line
+    double first_time = 0;              // in the column's unit
+    double last_time = 0;               // that did not lie below the one before
+    std::int64_t first_line = 0;        // of the first row
+    std::optional<TextFault> repeated;  // the time of the row before again, for the first time
+    std::int64_t repeated_line = 0;     // of it
     FinestDigits digits;
     UniformTimeDetector times{0};
 };
 
 // Takes on the time of a row; false where it lies below the one before.
 bool take_time(const TextTable& table, const TextRows& row, BlockScan& found) {
+    if (found.rows > 0 && row.time() < found.last_time) {
+        found.fault = time_fault(row.time(), found.last_time);
+        return false;
+    }
     if (found.rows == 0) {
         found.first_time = row.time();
         found.first_line = row.lines();
-    } else if (row.time() <= found.last_time) {
-        if (row.time() < found.last_time) {
-            found.backwards = true;
-            found.time = row.time();
-            return false;
-        }
-        if (found.repeated_line == 0) {
-            found.repeated_line = row.lines();
-            found.repeated = row.time();
-        }
+    } else if (row.time() == found.last_time && !found.repeated) {
+        found.repeated = time_fault(row.time(), found.last_time);
+        found.repeated_line = row.lines();
     }
     found.last_time = row.time();
     found.digits.add(row.time_digits(), row.time());
@@ -126,7 +119,7 @@ BlockScan scan_block(const TextTable& table, const UniformTimeDetector& empty, s
         }
         ++found.rows;
     }
-    found.fault = rows.fault();
+    found.fault = found.fault ? found.fault : rows.fault();
     found.lines = rows.lines();
     out.lines_ignored = rows.ignored();
     return found;
@@ -143,20 +136,23 @@ public:
             return block.read;
         }
         const bool timed = table_.columns.time >= 0 && block.rows > 0;
+        const auto error = [&](std::int64_t in_block, const TextFault& fault) {
+            return fault_error(table_.blocks.file(),
+                               table_.format.lines_to_skip + lines_ + in_block, fault);
+        };
         if (timed && scan_.rows() > 0 && block.first_time <= last_time_) {
+            const Error repeated =
+                error(block.first_line, time_fault(block.first_time, last_time_));
             if (block.first_time < last_time_) {
-                return backwards(block.first_line, block.first_time, last_time_);
+                return repeated;
             }
-            note_repeated(block.first_line, block.first_time);
+            repeated_ = repeated_.value_or(repeated);
         }
-        if (block.repeated_line > 0) {
-            note_repeated(block.repeated_line, block.repeated);
-        }
-        if (block.backwards) {
-            return backwards(block.lines, block.time, block.last_time);
+        if (block.repeated && !repeated_) {
+            repeated_ = error(block.repeated_line, *block.repeated);
         }
         if (block.fault) {
-            return fault_error(table_.blocks.file(), line(block.lines), *block.fault);
+            return error(block.lines, *block.fault);
         }
         add(block.left_out);
         lines_ += block.lines;
@@ -201,29 +197,13 @@ private:
         all.lines_ignored += next.lines_ignored;
     }
 
-    // Equal times follow each other where they are written more coarsely than they step; of times
-    // that are even otherwise it is no error.
-    void note_repeated(std::int64_t in_block, double time) {
-        if (!repeated_) {
-            repeated_ = backwards(in_block, time, time);
-        }
-    }
-
-    std::int64_t line(std::int64_t in_block) const {
-        return table_.format.lines_to_skip + lines_ + in_block;
-    }
-
-    Error backwards(std::int64_t in_block, double time, double before) const {
-        return table_.blocks.file().error(
-            ErrorCode::text_time_backwards,
-            {count_arg(line(in_block)), exact_arg(time), exact_arg(before)});
-    }
-
     const TextTable& table_;
     TextScan scan_;
     std::int64_t lines_ = 0;  // of the blocks so far
     double last_time_ = 0;
-    std::optional<Error> repeated_;  // the first time that is the one before again
+    // The first time that is the one before again: times may be written more coarsely than they
+    // step; of those that are even otherwise it is no error.
+    std::optional<Error> repeated_;
     FinestDigits digits_;
     UniformTimeDetector times_;
 };
@@ -373,6 +353,17 @@ std::shared_ptr<const SampleSource> text_source(const TextTable& table, const Te
     return joined_source(std::move(pieces));
 }
 
+bool append_rows(const TextTable& table, const TextBlock& block, std::size_t most,
+                 TimedSamples& samples) {
+    TextRows rows(table.format, table.columns, block, SampleUse::read);
+    while (samples.c.size() < most && rows.next()) {
+        samples.time_s.push_back(rows.time() * table.format.time_unit_s);
+        samples.c.push_back(rows.c());
+        samples.d.push_back(rows.d());
+    }
+    return !rows.fault();
+}
+
 Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& scan,
                                      const JobControl& job) {
     TimedSamples samples;
@@ -385,12 +376,7 @@ Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& sca
     for (std::int64_t index = 0; index < count; ++index) {
         TRY(job.go_on());
         TRY(table.blocks.read(index, block));
-        TextRows rows(table.format, table.columns, block, SampleUse::read);
-        while (rows.next() && static_cast<std::int64_t>(samples.c.size()) < scan.rows()) {
-            samples.time_s.push_back(rows.time() * table.format.time_unit_s);
-            samples.c.push_back(rows.c());
-            samples.d.push_back(rows.d());
-        }
+        append_rows(table, block, static_cast<std::size_t>(scan.rows()), samples);
         job.report(static_cast<double>(index) / static_cast<double>(count));
     }
     if (static_cast<std::int64_t>(samples.c.size()) != scan.rows()) {

@@ -44,6 +44,10 @@ Result<TextScan> scan_text(const TextTable& table, const JobControl& job);
 // no time column, or scan.even.
 std::shared_ptr<const SampleSource> text_source(const TextTable& table, const TextScan& scan);
 
+// Appends rows of a block until `samples` has `most`; false at a fault.
+bool append_rows(const TextTable& table, const TextBlock& block, std::size_t most,
+                 TimedSamples& samples);
+
 // The whole table in memory, with its times. Errors: file_read_failed, interrupted.
 Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& scan,
                                      const JobControl& job);

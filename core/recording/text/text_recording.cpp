@@ -5,11 +5,9 @@
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_format.h"
-#include "core/recording/text/text_lines.h"
 #include "core/recording/text/text_reading.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -49,43 +47,34 @@ Result<std::int64_t> take_resampled(const TextTable& table, const TextScan& scan
     return static_cast<std::int64_t>(std::floor(after * grid.rate_hz + 0.5));
 }
 
-// The rate that the lines above the table name, where the times leave it open or are known less
-// well.
-std::optional<SampleRate> better_rate(const std::optional<SampleRate>& of_times,
-                                      const TextTable& table) {
+// The rate of a table whose times have this one: that which the lines above the table name, where
+// the times leave it open or are known less well. Where the two contradict each other, one counts
+// in another unit, and the option says which holds. Errors: rates_differ.
+Result<std::optional<SampleRate>> agreed_rate(const std::optional<SampleRate>& of_times,
+                                              const TextTable& table, const OpenOptions& options) {
     if (table.format.rates.empty()) {
         return of_times;
     }
     const SampleRate& named = table.format.rates[static_cast<std::size_t>(table.columns.c)];
     if (!of_times) {
-        return named;
+        return std::optional(named);
     }
-    constexpr double deviations = 3;
-    constexpr double arithmetic = 1e-12;
-    const double apart = std::abs(named.hz / of_times->hz - 1);
-    const bool agree =
-        apart <= deviations * (named.relative_sd + of_times->relative_sd) + arithmetic;
-    return agree && named.relative_sd < of_times->relative_sd ? named : *of_times;
-}
-
-// The rate of a table whose times have this one. Where the lines above the table state another one,
-// one of the two counts in another unit, and the option says which holds. Errors: rates_differ.
-Result<std::optional<SampleRate>> agreed_rate(const std::optional<SampleRate>& of_times,
-                                              const TextTable& table, const OpenOptions& options) {
-    if (!of_times || table.format.rates.empty()) {
-        return better_rate(of_times, table);
+    if (same_written_rate(named.hz, of_times->hz, of_times->relative_sd)) {
+        constexpr double deviations = 3;
+        constexpr double arithmetic = 1e-12;
+        const double apart = std::abs(named.hz / of_times->hz - 1);
+        const bool agree =
+            apart <= deviations * (named.relative_sd + of_times->relative_sd) + arithmetic;
+        return std::optional(agree && named.relative_sd < of_times->relative_sd ? named
+                                                                                : *of_times);
     }
-    const double stated_hz = table.format.rates[static_cast<std::size_t>(table.columns.c)].hz;
-    if (same_written_rate(stated_hz, of_times->hz, of_times->relative_sd)) {
-        return better_rate(of_times, table);
-    }
-    for (const double hz : {of_times->hz, stated_hz}) {
+    for (const double hz : {of_times->hz, named.hz}) {
         if (options.rate_hz && same_written_rate(*options.rate_hz, hz, of_times->relative_sd)) {
             return std::optional(SampleRate{hz, RateOrigin::option, of_times->relative_sd});
         }
     }
     return table.blocks.file().error(ErrorCode::rates_differ,
-                                     {number_arg(stated_hz), number_arg(of_times->hz)});
+                                     {number_arg(named.hz), number_arg(of_times->hz)});
 }
 
 // Adds rate, samples and diagnostics.
@@ -197,13 +186,6 @@ bool is_of_phasemeter(const TextHead& head) {
                                            first.find("Lock-in") != std::string::npos);
 }
 
-// A table whose columns say by their names that they are no samples.
-struct LogKind {
-    std::vector<const char*> columns;
-    const char* holds;
-    const char* read_with;
-};
-
 // Whether every column beside the time is known of whole-angle logs, an angle among them.
 bool is_whole_angle(const TextFormat& format) {
     bool angle = false;
@@ -216,9 +198,9 @@ bool is_whole_angle(const TextFormat& format) {
         if (column == format.time_column || is_time_name(name)) {
             continue;
         }
-        const bool is_angle = is_one_of(wave_angle_names());
-        if (!is_angle && !is_one_of(amplitude_effort_names()) &&
-            !is_one_of(quadrature_effort_names())) {
+        const bool is_angle = is_one_of(wave_angle_names);
+        if (!is_angle && !is_one_of(amplitude_effort_names) &&
+            !is_one_of(quadrature_effort_names)) {
             return false;
         }
         angle = angle || is_angle;
@@ -228,23 +210,24 @@ bool is_whole_angle(const TextFormat& format) {
 
 // Tracks, whose columns are known, too, open: their values are numbers over time.
 Status check_holds_samples(const FileBytes& file, const TextHead& head, const TextFormat& format) {
-    const std::array<LogKind, 2> kinds{{{{"a", "b", "theta"},
-                                         VYBEG_MESSAGE("Words", "the wave's a, b and theta"),
-                                         "--columns a,b,theta"},
-                                        {{"E", "R", "S", "Q"},
-                                         VYBEG_MESSAGE("Words", "the powers E, R, S and Q"),
-                                         "--columns E,R,S,Q"}}};
-    const auto is_there = [&](const char* column) {
-        return std::ranges::find(format.headings, column, &Channel::name) != format.headings.end();
+    const auto has = [&](std::initializer_list<const char*> columns) {
+        return std::ranges::all_of(columns, [&](const char* column) {
+            return std::ranges::find(format.headings, column, &Channel::name) !=
+                   format.headings.end();
+        });
     };
-    const std::array<const char*, 4> of_phasors{"Xc", "Yc", "Xd", "Yd"};
-    if (is_of_phasemeter(head) || std::ranges::all_of(of_phasors, is_there)) {
+    if (is_of_phasemeter(head) || has({"Xc", "Yc", "Xd", "Yd"})) {
         return holds_phasors(file);
     }
-    for (const LogKind& kind : kinds) {
-        if (std::ranges::all_of(kind.columns, is_there)) {
-            return file.error(ErrorCode::holds_log, {words(kind.holds), kind.read_with});
-        }
+    if (has({"a", "b", "theta"})) {
+        return file.error(
+            ErrorCode::holds_log,
+            {words(VYBEG_MESSAGE("Words", "the wave's a, b and theta")), "--columns a,b,theta"});
+    }
+    if (has({"E", "R", "S", "Q"})) {
+        return file.error(
+            ErrorCode::holds_log,
+            {words(VYBEG_MESSAGE("Words", "the powers E, R, S and Q")), "--columns E,R,S,Q"});
     }
     return is_whole_angle(format) ? Status(file.error(ErrorCode::holds_angle)) : Status();
 }

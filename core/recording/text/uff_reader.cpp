@@ -5,6 +5,7 @@
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
+#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/text_lines.h"
@@ -13,17 +14,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -91,12 +87,10 @@ std::string node_and_direction(std::string_view line) {
 // `values`, missing ones as NaN. Fortran's D is read as E. False where there is anything else in
 // the line.
 bool parse_uff_values(std::string_view line, std::vector<double>& values) {
-    std::string copy;
+    std::string usual;
     if (line.find_first_of("Dd") != line.npos) {
-        copy = line;
-        std::replace_if(
-            copy.begin(), copy.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
-        line = copy;
+        usual = usual_number(line, false);
+        line = usual;
     }
     for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
         line.remove_prefix(line.front() == '+' ? 1 : 0);
@@ -185,40 +179,29 @@ bool is_binary_dataset(std::string_view line) {
     return end < line.size() && is_dataset_number(line.substr(0, end));
 }
 
-// Numbers that were text, as the bytes of a column.
-class HeldNumbers final : public ByteSource {
-public:
-    explicit HeldNumbers(std::vector<double> values) : values_(std::move(values)) {}
-
-    std::int64_t size() const override {
-        return static_cast<std::int64_t>(values_.size() * sizeof(double));
-    }
-
-    Status read(std::int64_t offset, std::span<char> out) const override {
-        std::memcpy(out.data(), reinterpret_cast<const char*>(values_.data()) + offset, out.size());
-        return {};
-    }
-
-private:
-    std::vector<double> values_;
-};
-
 // The samples of a channel that is read: values of text so far, or a place in the file.
 struct UffSamples {
     std::vector<double> values;
     std::optional<SampleColumn> binary;
-
-    SampleColumn take() {
-        if (binary) {
-            return std::move(*binary);
-        }
-        const auto count = static_cast<std::int64_t>(values.size());
-        constexpr bool big_endian = std::endian::native == std::endian::big;
-        return {std::make_shared<HeldNumbers>(std::move(values)),
-                NumberType::f64,
-                {even_run(count, 0, sizeof(double), big_endian)}};
-    }
 };
+
+// Binary numbers beside text are read at once, as it is.
+Result<std::shared_ptr<const SampleSource>> uff_source(UffSamples c, UffSamples d) {
+    if (c.binary && d.binary) {
+        return column_source(std::move(*c.binary), std::move(*d.binary));
+    }
+    for (UffSamples* each : {&c, &d}) {
+        if (each->binary) {
+            each->values.resize(static_cast<std::size_t>(each->binary->frames()));
+            TRY(read_column(*each->binary, 0, each->values));
+        }
+    }
+    const std::size_t frames = std::min(c.values.size(), d.values.size());
+    c.values.resize(frames);
+    d.values.resize(frames);
+    return std::shared_ptr<const SampleSource>(
+        std::make_shared<MemorySource>(std::move(c.values), std::move(d.values)));
+}
 
 // Takes a file's lines one after the other and keeps the samples of the two channels that are asked
 // for.
@@ -268,7 +251,8 @@ public:
         }
         found.start = first.start;
         found.promised_frames = first.count;
-        found.source = column_source(c_.take(), d_.take());
+        auto source = TRY(uff_source(std::move(c_), std::move(d_)));
+        found.source = std::move(source);
         found.present_frames = found.source->frames();
         return complete_recording(file_, std::move(found), options_);
     }

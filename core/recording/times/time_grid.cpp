@@ -76,17 +76,17 @@ UniformSamples interpolate(const TimedSamples& samples, const TimeLine& line, do
     UniformSamples grid;
     grid.c.assign(frames, missing);
     grid.d.assign(frames, missing);
-    std::vector<TimeGap> gaps;
+    std::vector<FrameRange> gaps;
     for (const RowSegment& segment : line.segments) {
         const auto first_row = static_cast<std::size_t>(segment.first_row);
         const auto rows = static_cast<std::size_t>(segment.rows);
         const auto nodes = time.subspan(first_row, rows);
         const double from = std::ceil((nodes.front() - time[0]) / step - grid_slack);
         if (segment.first_row > 0) {
-            const double before = std::floor((time[first_row - 1] - time[0]) / step + grid_slack);
-            if (from > before + 1) {
+            const double end = std::floor((time[first_row - 1] - time[0]) / step + grid_slack) + 1;
+            if (from > end) {
                 gaps.push_back(
-                    {static_cast<std::int64_t>(before), static_cast<std::int64_t>(from)});
+                    {static_cast<std::int64_t>(end), static_cast<std::int64_t>(from - end)});
             }
         }
         const double to = std::floor((nodes.back() - time[0]) / step + grid_slack);
@@ -112,11 +112,11 @@ UniformSamples interpolate(const TimedSamples& samples, const TimeLine& line, do
     return grid;
 }
 
-Diagnostic gap_diagnostic(std::int64_t first, std::int64_t count, double rate_hz) {
+Diagnostic gap_diagnostic(const FrameRange& gap, double rate_hz) {
     return {DiagnosticKind::time_gap,
-            {count_arg(count), number_arg(static_cast<double>(first) / rate_hz, 9)},
-            first,
-            count};
+            {count_arg(gap.count), number_arg(static_cast<double>(gap.first) / rate_hz, 9)},
+            gap.first,
+            gap.count};
 }
 
 }  // namespace
@@ -135,22 +135,19 @@ void interpolate_cubic(std::span<const double> nodes, std::span<const double> va
     }
 }
 
-void report_gaps(std::span<const TimeGap> gaps, double rate_hz,
+void report_gaps(std::span<const FrameRange> gaps, double rate_hz,
                  std::vector<Diagnostic>& diagnostics) {
-    std::int64_t rest = 0;
-    std::int64_t rest_first = 0;
+    FrameRange rest;
     std::size_t listed = 0;
-    for (const TimeGap& gap : gaps) {
-        const std::int64_t count = gap.after - gap.before - 1;
+    for (const FrameRange& gap : gaps) {
         if (++listed < most_gaps_listed || gaps.size() == most_gaps_listed) {
-            diagnostics.push_back(gap_diagnostic(gap.before + 1, count, rate_hz));
+            diagnostics.push_back(gap_diagnostic(gap, rate_hz));
         } else {
-            rest_first = rest == 0 ? gap.before + 1 : rest_first;
-            rest += count;
+            rest = {rest.count == 0 ? gap.first : rest.first, rest.count + gap.count};
         }
     }
-    if (rest > 0) {
-        diagnostics.push_back(gap_diagnostic(rest_first, rest, rate_hz));
+    if (rest.count > 0) {
+        diagnostics.push_back(gap_diagnostic(rest, rate_hz));
     }
 }
 

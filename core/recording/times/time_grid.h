@@ -27,7 +27,7 @@ struct UniformSamples {
 };
 
 // One time_gap for each; from the 20th gap on, one for all.
-void report_gaps(std::span<const TimeGap> gaps, double rate_hz,
+void report_gaps(std::span<const FrameRange> gaps, double rate_hz,
                  std::vector<Diagnostic>& diagnostics);
 
 // out[i] = value at start + i step of the polynomial through the (up to) 4 points (nodes, values)

@@ -3,7 +3,6 @@
 #include "core/numerics/statistics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -95,28 +94,16 @@ std::int64_t EvenTimes::frame_of(std::int64_t row) const {
     return segment.first_frame + row - segment.first_row;
 }
 
-std::vector<TimeGap> EvenTimes::gaps() const {
-    std::vector<TimeGap> gaps;
+std::vector<FrameRange> EvenTimes::gaps() const {
+    std::vector<FrameRange> gaps;
     for (std::size_t s = 1; s < segments.size(); ++s) {
-        const RowSegment& before = segments[s - 1];
-        const TimeGap gap{before.first_frame + before.rows - 1, segments[s].first_frame};
-        if (gap.after > gap.before + 1) {
-            gaps.push_back(gap);
+        const std::int64_t end = segments[s - 1].first_frame + segments[s - 1].rows;
+        if (segments[s].first_frame > end) {
+            gaps.push_back({end, segments[s].first_frame - end});
         }
     }
     return gaps;
 }
-
-// late_s against frame, both against the first time and multiples of step_s_:
-// mean_late_s + slope (frame - mean_frame).
-struct UniformTimeDetector::Line {
-    double mean_frame = 0;
-    double mean_late_s = 0;
-    double slope = 0;
-    double slope_sd = 0;
-    double squares = 0;           // sum of (frame - mean_frame)^2
-    std::vector<double> offsets;  // late_s of the first row of each segment
-};
 
 UniformTimeDetector::UniformTimeDetector(std::span<const double> times_s, double step_s,
                                          const TimeResolution& resolution)
@@ -167,11 +154,10 @@ void UniformTimeDetector::Segment::join(const Segment& next, double step_s) {
     last_s = next.last_s;
     for (const Hull& part : next.hulls) {
         Hull& whole = hull(part.time_s);
-        for (const Point& point : part.early.points) {
-            whole.early.add({before + point.row, point.late_s + shift});
-        }
-        for (const Point& point : part.late.points) {
-            whole.late.add({before + point.row, point.late_s + shift});
+        for (std::size_t i = 0; i < part.sides.size(); ++i) {
+            for (const Point& point : part.sides.at(i).points) {
+                whole.sides.at(i).add({before + point.row, point.late_s + shift});
+            }
         }
     }
 }
@@ -239,9 +225,9 @@ void UniformTimeDetector::add(double time_s) {
     segment.last_s = time_s;
     segment.late_sum += late;
     segment.late_row_sum += row * late;
-    Hull& hull = segment.hull(decade);
-    hull.early.add_row({row, late});
-    hull.late.add_row({row, late});
+    for (Chain& side : segment.hull(decade).sides) {
+        side.add_row({row, late});
+    }
 }
 
 void UniformTimeDetector::append(const UniformTimeDetector& next) {
@@ -291,13 +277,13 @@ std::vector<RowSegment> UniformTimeDetector::number_rows(double step_s) const {
     return numbered;
 }
 
-UniformTimeDetector::Line UniformTimeDetector::fit_line(
-    const std::vector<RowSegment>& segments) const {
-    Line line;
+// The line of least squares through all rows, numbered by steps of that length.
+TimeLine UniformTimeDetector::fit_line(double step_s) const {
+    TimeLine line{.segments = number_rows(step_s)};
     double rows = 0;
-    for (std::size_t s = 0; s < segments.size(); ++s) {
-        const auto n = static_cast<double>(segments[s].rows);
-        const auto frame = static_cast<double>(segments[s].first_frame);
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
+        const auto n = static_cast<double>(segments_[s].rows);
+        const auto frame = static_cast<double>(line.segments[s].first_frame);
         line.offsets.push_back(segments_[s].first_s - segments_[0].first_s - step_s_ * frame);
         line.mean_frame += n * (frame + 0.5 * (n - 1));
         line.mean_late_s += n * line.offsets[s] + segments_[s].late_sum;
@@ -306,65 +292,68 @@ UniformTimeDetector::Line UniformTimeDetector::fit_line(
     line.mean_frame /= rows;
     line.mean_late_s /= rows;
     double products = 0;
-    double squares = 0;
-    for (std::size_t s = 0; s < segments.size(); ++s) {
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
         const Segment& segment = segments_[s];
         const auto n = static_cast<double>(segment.rows);
         const double centre =
-            static_cast<double>(segments[s].first_frame) + 0.5 * (n - 1) - line.mean_frame;
+            static_cast<double>(line.segments[s].first_frame) + 0.5 * (n - 1) - line.mean_frame;
         products += centre * (n * (line.offsets[s] - line.mean_late_s) + segment.late_sum) +
                     segment.late_row_sum - 0.5 * (n - 1) * segment.late_sum;
-        squares += n * centre * centre + spread(n);
+        line.squares += n * centre * centre + spread(n);
     }
-    line.slope = products / squares;
-    line.squares = squares;
+    line.slope = products / line.squares;
+    line.start_s = segments_[0].first_s + line.mean_late_s - line.slope * line.mean_frame;
+    line.step_s = step_s_ + line.slope;
     return line;
 }
 
 // The bounds that rounding by half of the last digit sets to a straight line.
-UniformTimeDetector::Bounds UniformTimeDetector::bounds(const std::vector<RowSegment>& segments,
-                                                        const TimeResolution& resolution,
-                                                        const Line& line) const {
+UniformTimeDetector::Bounds UniformTimeDetector::bounds(const TimeResolution& resolution,
+                                                        const TimeLine& line) const {
     Bounds result;
     const double reach_s =
         std::max(std::abs(segments_.front().first_s), std::abs(segments_.back().last_s));
-    for (std::size_t s = 0; s < segments.size(); ++s) {
-        const auto first = static_cast<double>(segments[s].first_frame);
-        for (const Hull& hull : segments_[s].hulls) {
-            const double half_s = 0.5 * resolution.at(hull.time_s) + arithmetic_error * reach_s;
-            for (const Point& point : hull.early.points) {
-                result.most.push_back({first + point.row, line.offsets[s] + point.late_s + half_s});
-            }
-            for (const Point& point : hull.late.points) {
-                result.least.push_back(
-                    {first + point.row, line.offsets[s] + point.late_s - half_s});
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
+        const Segment& segment = segments_[s];
+        const auto first = static_cast<double>(line.segments[s].first_frame);
+        const auto half_of = [&](double time_s) {
+            return 0.5 * resolution.at(time_s) + arithmetic_error * reach_s;
+        };
+        for (const Hull& hull : segment.hulls) {
+            const double half_s = half_of(hull.time_s);
+            for (std::size_t i = 0; i < result.size(); ++i) {
+                const Chain& chain = hull.sides.at(i);
+                for (const Point& point : chain.points) {
+                    result.at(i).push_back(
+                        {first + point.row, line.offsets[s] + point.late_s + chain.side * half_s});
+                }
             }
         }
         // The last row, which the hulls may leave out, has the longest lever.
-        const Segment& segment = segments_[s];
         const auto last = static_cast<double>(segment.rows - 1);
         const double late_s = line.offsets[s] + segment.last_s - segment.first_s - step_s_ * last;
-        const double half_s = 0.5 * resolution.at(segment.last_s) + arithmetic_error * reach_s;
-        result.most.push_back({first + last, late_s + half_s});
-        result.least.push_back({first + last, late_s - half_s});
+        const double half_s = half_of(segment.last_s);
+        result[0].push_back({first + last, late_s + half_s});
+        result[1].push_back({first + last, late_s - half_s});
     }
     return result;
 }
 
 // Rounded times leave an interval of slopes open: those of the lines that pass each time within
-// half of its last digit. Takes the slope from there, with the standard deviation of one that may
-// lie anywhere in it. Returns false and leaves the line where no line passes all of them.
-bool UniformTimeDetector::pass_all(const Bounds& bounds, Line& line) const {
+// half of its last digit. Takes the slope from there; returns the standard deviation of one that
+// may lie anywhere in it. Returns nothing and leaves the line where no line passes all of them.
+std::optional<double> UniformTimeDetector::pass_all(const Bounds& bounds, TimeLine& line) {
+    const auto& [all_most, all_least] = bounds;
     double lowest = -std::numeric_limits<double>::infinity();
     double highest = std::numeric_limits<double>::infinity();
     // Some of many bounds leave a wider interval open than all of them.
     const auto stride = [](const std::vector<Bound>& all) {
         return std::max<std::size_t>(all.size() / most_bounds, 1);
     };
-    for (std::size_t i = 0; i < bounds.most.size(); i += stride(bounds.most)) {
-        for (std::size_t j = 0; j < bounds.least.size(); j += stride(bounds.least)) {
-            const Bound& most = bounds.most[i];
-            const Bound& least = bounds.least[j];
+    for (std::size_t i = 0; i < all_most.size(); i += stride(all_most)) {
+        for (std::size_t j = 0; j < all_least.size(); j += stride(all_least)) {
+            const Bound& most = all_most[i];
+            const Bound& least = all_least[j];
             const double frames = most.frame - least.frame;
             const double slope = (most.late_s - least.late_s) / frames;
             lowest = frames < 0 ? std::max(lowest, slope) : lowest;
@@ -372,7 +361,7 @@ bool UniformTimeDetector::pass_all(const Bounds& bounds, Line& line) const {
         }
     }
     if (!(lowest <= highest) || !std::isfinite(lowest) || !std::isfinite(highest)) {
-        return false;
+        return std::nullopt;
     }
     const double middle = 0.5 * (lowest + highest);
     const double middle_sd = (highest - lowest) / std::sqrt(12.0);
@@ -382,62 +371,51 @@ bool UniformTimeDetector::pass_all(const Bounds& bounds, Line& line) const {
     const double slope = pulled ? middle : line.slope;
     double earliest = -std::numeric_limits<double>::infinity();  // late_s at the frame 0
     double latest = std::numeric_limits<double>::infinity();
-    for (const Bound& bound : bounds.least) {
+    for (const Bound& bound : all_least) {
         earliest = std::max(earliest, bound.late_s - slope * bound.frame);
     }
-    for (const Bound& bound : bounds.most) {
+    for (const Bound& bound : all_most) {
         latest = std::min(latest, bound.late_s - slope * bound.frame);
     }
     // The rows that the hulls leave out lie as much further outside as the line rises over them.
     if (earliest > latest + 2 * rows_left_out * std::abs(slope)) {
-        return false;
+        return std::nullopt;
     }
     line.slope = slope;
-    line.mean_late_s = 0.5 * (earliest + latest) + slope * line.mean_frame;
-    line.slope_sd = pulled ? middle_sd : std::hypot(middle_sd, off_middle);
-    return true;
+    return pulled ? middle_sd : std::hypot(middle_sd, off_middle);
 }
 
-// Whether no time lies further from the line than allowed_deviation(). The largest deviation
-// then stands for that of each time in the slope's standard deviation.
-bool UniformTimeDetector::pass_nearly(const std::vector<RowSegment>& segments,
-                                      const TimeResolution& resolution, Line& line) const {
+// The standard deviation of the slope where no time lies further from the line than
+// allowed_deviation(), by the largest deviation in place of that of each time; else nothing.
+std::optional<double> UniformTimeDetector::pass_nearly(const TimeResolution& resolution,
+                                                       const TimeLine& line) const {
     double largest_s = 0;
-    for (std::size_t s = 0; s < segments.size(); ++s) {
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
         for (const Hull& hull : segments_[s].hulls) {
-            const double allowed =
-                allowed_deviation(step_s_ + line.slope, resolution, hull.time_s) -
-                rows_left_out * std::abs(line.slope);
-            const auto fits = [&](const Point& point) {
-                const double frame = static_cast<double>(segments[s].first_frame) + point.row;
-                const double expected = line.mean_late_s + line.slope * (frame - line.mean_frame);
-                const double deviation_s = std::abs(line.offsets[s] + point.late_s - expected);
-                largest_s = std::max(largest_s, deviation_s);
-                return deviation_s <= allowed;
-            };
-            if (!std::ranges::all_of(hull.early.points, fits) ||
-                !std::ranges::all_of(hull.late.points, fits)) {
-                return false;
+            const double allowed = allowed_deviation(line.step_s, resolution, hull.time_s) -
+                                   rows_left_out * std::abs(line.slope);
+            for (const Chain& chain : hull.sides) {
+                for (const Point& point : chain.points) {
+                    const double frame =
+                        static_cast<double>(line.segments[s].first_frame) + point.row;
+                    const double expected =
+                        line.mean_late_s + line.slope * (frame - line.mean_frame);
+                    const double deviation_s = std::abs(line.offsets[s] + point.late_s - expected);
+                    if (!(deviation_s <= allowed)) {
+                        return std::nullopt;
+                    }
+                    largest_s = std::max(largest_s, deviation_s);
+                }
             }
         }
     }
-    line.slope_sd = largest_s / std::sqrt(line.squares);
-    return true;
+    return largest_s / std::sqrt(line.squares);
 }
 
 std::vector<std::int64_t> UniformTimeDetector::rows_between_gaps() const {
     std::vector<std::int64_t> rows;
     std::ranges::transform(segments_, std::back_inserter(rows), &Segment::rows);
     return rows;
-}
-
-TimeLine UniformTimeDetector::line() const {
-    TimeLine found{.segments = number_rows(step_s_)};
-    const Line line = fit_line(found.segments);
-    found.start_s = segments_[0].first_s + line.mean_late_s - line.slope * line.mean_frame;
-    found.step_s = step_s_ + line.slope;
-    found.squares = line.squares;
-    return found;
 }
 
 std::optional<EvenTimes> UniformTimeDetector::judge(const TimeResolution& resolution) const {
@@ -453,15 +431,14 @@ std::optional<EvenTimes> UniformTimeDetector::judge(const TimeResolution& resolu
     if (!is_plausible_grid(reach_s / *step_s, rows)) {
         return std::nullopt;
     }
-    EvenTimes even{.segments = number_rows(*step_s)};
-    Line line = fit_line(even.segments);
-    if (!pass_all(bounds(even.segments, resolution, line), line) &&
-        !pass_nearly(even.segments, resolution, line)) {
+    TimeLine line = fit_line(*step_s);
+    const auto passed = pass_all(bounds(resolution, line), line);
+    const auto slope_sd = passed ? passed : pass_nearly(resolution, line);
+    if (!slope_sd) {
         return std::nullopt;
     }
-    even.rate_hz = 1 / (step_s_ + line.slope);
-    even.rate_relative_sd = line.slope_sd * even.rate_hz;
-    return even;
+    const double rate_hz = 1 / (step_s_ + line.slope);
+    return EvenTimes{rate_hz, *slope_sd * rate_hz, std::move(line.segments)};
 }
 
 }  // namespace vybeg

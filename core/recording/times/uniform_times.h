@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -42,10 +43,14 @@ struct RowSegment {
     std::int64_t rows = 0;
 };
 
-// The frames between `before` and `after` are missing.
-struct TimeGap {
-    std::int64_t before;
-    std::int64_t after;
+// Frames [first, first + count).
+struct FrameRange {
+    std::int64_t first = 0;
+    std::int64_t count = 0;
+
+    std::int64_t end() const { return first + count; }
+
+    friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
 // Times that lie on a uniform grid.
@@ -56,15 +61,20 @@ struct EvenTimes {
 
     std::int64_t frames() const { return segments.back().first_frame + segments.back().rows; }
     std::int64_t frame_of(std::int64_t row) const;
-    std::vector<TimeGap> gaps() const;
+    std::vector<FrameRange> gaps() const;  // what is missing between them
 };
 
-// The straight line of least squares through times against their frames, even or not.
+// A straight line through times against their frames, even or not. `late_s` is against the first
+// time and multiples of a given step: mean_late_s + slope (frame - mean_frame).
 struct TimeLine {
-    std::vector<RowSegment> segments;
+    std::vector<RowSegment> segments{};
     double start_s = 0;  // at the frame 0
     double step_s = 0;
-    double squares = 0;  // of the frames round their mean
+    double mean_frame = 0;
+    double mean_late_s = 0;
+    double slope = 0;
+    double squares = 0;             // sum of (frame - mean_frame)^2
+    std::vector<double> offsets{};  // late_s of the first row of each segment
 };
 
 // Judges a column of times, the only judge of whether they are even: while it is read, piece by
@@ -93,8 +103,9 @@ public:
 
     std::vector<std::int64_t> rows_between_gaps() const;
 
-    // Precondition: all times of a column, two or more, over a plausible number of steps.
-    TimeLine line() const;
+    // That of least squares. Precondition: all times of a column, two or more, over a plausible
+    // number of steps.
+    TimeLine line() const { return fit_line(step_s_); }
 
 private:
     // A row by its number and by how late it is against multiples of step_s_, both from the start
@@ -120,8 +131,7 @@ private:
     // rises over the rows left out behind it.
     struct Hull {
         double time_s = 0;  // well inside of theirs
-        Chain early{1, {}};
-        Chain late{-1, {}};
+        std::array<Chain, 2> sides{Chain{1, {}}, Chain{-1, {}}};
     };
 
     struct Segment {
@@ -150,24 +160,17 @@ private:
         double late_s;
     };
 
-    struct Bounds {
-        std::vector<Bound> most;
-        std::vector<Bound> least;
-    };
-
-    struct Line;  // of least squares through all rows
+    using Bounds = std::array<std::vector<Bound>, 2>;  // at most, at least
 
     bool continues(double time_s);
     void enter_decade(double time_s);
     double decade_of(double time_s);
     std::optional<double> fitted_step() const;
     std::vector<RowSegment> number_rows(double step_s) const;
-    Line fit_line(const std::vector<RowSegment>& segments) const;
-    Bounds bounds(const std::vector<RowSegment>& segments, const TimeResolution& resolution,
-                  const Line& line) const;
-    bool pass_all(const Bounds& bounds, Line& line) const;
-    bool pass_nearly(const std::vector<RowSegment>& segments, const TimeResolution& resolution,
-                     Line& line) const;
+    TimeLine fit_line(double step_s) const;
+    Bounds bounds(const TimeResolution& resolution, const TimeLine& line) const;
+    static std::optional<double> pass_all(const Bounds& bounds, TimeLine& line);
+    std::optional<double> pass_nearly(const TimeResolution& resolution, const TimeLine& line) const;
 
     double step_s_;
     TimeResolution expected_;

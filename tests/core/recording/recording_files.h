@@ -62,6 +62,12 @@ inline Recording opened(const std::filesystem::path& path, const OpenOptions& op
     return *recording;
 }
 
+// Channel D has a file of its own.
+inline OpenOptions d_in(const std::filesystem::path& path) {
+    OpenOptions options{.channel_d_file = path.string()};
+    return options;
+}
+
 inline const Diagnostic* find(const Recording& recording, DiagnosticKind kind) {
     for (const Diagnostic& diagnostic : recording.diagnostics) {
         if (diagnostic.kind == kind) {

@@ -27,6 +27,11 @@ QString text(const std::vector<PhaseStep>& steps) {
     return all;
 }
 
+void check_none(const Signal& signal, double f0_hz, double rate_hz, const QString& what) {
+    const auto steps = steps_of(signal, f0_hz, rate_hz);
+    QVERIFY2(steps.empty(), qPrintable(what + text(steps)));
+}
+
 double uniform(double low, double high, std::mt19937_64& random) {
     return std::uniform_real_distribution(low, high)(random);
 }
@@ -49,8 +54,8 @@ private slots:
                 line.start_s = seed % 2 == 0 ? 0.3 : 0;
             }
             const double noise = std::array{1e-4, 1e-3, 1e-2}[seed % 3];
-            const auto steps = steps_of(signal_of(lines, 44100, 5, noise, seed), 198.3, 44100);
-            QVERIFY2(steps.empty(), qPrintable(QString("seed %1: ").arg(seed) + text(steps)));
+            check_none(signal_of(lines, 44100, 5, noise, seed), 198.3, 44100,
+                       QString("seed %1: ").arg(seed));
         }
     }
 
@@ -68,9 +73,8 @@ private slots:
                                          amplitude * uniform(0.3, 1, random), random));
             }
             const double f0 = lines[0].f_hz;
-            const auto steps = steps_of(signal_of(lines, 44100, 4, 1e-3, seed), f0, 44100);
-            QVERIFY2(steps.empty(),
-                     qPrintable(QString("seed %1, %2 Hz: ").arg(seed).arg(f0) + text(steps)));
+            check_none(signal_of(lines, 44100, 4, 1e-3, seed), f0, 44100,
+                       QString("seed %1, %2 Hz: ").arg(seed).arg(f0));
         }
     }
 
@@ -85,12 +89,11 @@ private slots:
                         {any_line(f, 10, 1, random), any_line(f + off_hz, tau, ratio, random),
                          any_line(f - 1.7 * off_hz, 2 * tau, ratio, random)},
                         rate, 2, 0.003, seed);
-                    const auto steps = steps_of(signal, f + 0.02, rate);
-                    QVERIFY2(steps.empty(), qPrintable(QString("neighbour %1 at %2 Hz, tau %3 s: ")
-                                                           .arg(ratio)
-                                                           .arg(off_hz)
-                                                           .arg(tau) +
-                                                       text(steps)));
+                    check_none(signal, f + 0.02, rate,
+                               QString("neighbour %1 at %2 Hz, tau %3 s: ")
+                                   .arg(ratio)
+                                   .arg(off_hz)
+                                   .arg(tau));
                 }
             }
         }
@@ -108,12 +111,9 @@ private slots:
                     const Signal signal =
                         signal_of({line, {f + split, 3.1, other * line.c, other * line.d}}, rate, 3,
                                   std::array{1e-4, 0.01, 0.1}[seed % 3], seed);
-                    const auto steps = steps_of(signal, f + 0.01, rate);
-                    QVERIFY2(
-                        steps.empty(),
-                        qPrintable(
-                            QString("split %1, %2 of it, %3 Hz: ").arg(split).arg(second).arg(f) +
-                            text(steps)));
+                    check_none(
+                        signal, f + 0.01, rate,
+                        QString("split %1, %2 of it, %3 Hz: ").arg(split).arg(second).arg(f));
                 }
             }
         }
@@ -132,18 +132,15 @@ private slots:
                 signal_of({{f - turn_hz, 3, one, i * one}, {f + turn_hz, 3, two, -i * two}}, rate,
                           6, 0.1, seed);
             for (const double off : {0.0, 10.0, 80.0, 300.0}) {
-                const auto steps = steps_of(signal, f + off, rate);
-                QVERIFY2(steps.empty(),
-                         qPrintable(QString("seed %1, %2 Hz beside f0: ").arg(seed).arg(off) +
-                                    text(steps)));
+                check_none(signal, f + off, rate,
+                           QString("seed %1, %2 Hz beside f0: ").arg(seed).arg(off));
             }
         }
         // It sinks into the noise, and there is nothing but noise.
         for (std::uint64_t seed = 1; seed <= 6; ++seed) {
             std::mt19937_64 random(seed);
             const Signal sinks = signal_of({any_line(5300, 0.5, 1, random)}, rate, 8, 0.1, seed);
-            const auto steps = steps_of(sinks, 5300.02, rate);
-            QVERIFY2(steps.empty(), qPrintable(QString("seed %1: ").arg(seed) + text(steps)));
+            check_none(sinks, 5300.02, rate, QString("seed %1: ").arg(seed));
         }
     }
 
@@ -158,8 +155,8 @@ private slots:
                     lines.push_back(line);
                 }
             }
-            const auto steps = steps_of(signal_of(lines, rate, 3, 0.003, seed), 5300.02, rate);
-            QVERIFY2(steps.empty(), qPrintable(QString("seed %1: ").arg(seed) + text(steps)));
+            check_none(signal_of(lines, rate, 3, 0.003, seed), 5300.02, rate,
+                       QString("seed %1: ").arg(seed));
         }
     }
 
@@ -180,9 +177,8 @@ private slots:
             signal.d.resize(signal.c.size());
             QVERIFY(recording->source->read(0, signal.c, signal.d));
             for (double f0 = 150; f0 < 8000; f0 *= 1.3) {
-                const auto steps = steps_of(signal, f0, recording->rate_hz);
-                QVERIFY2(steps.empty(),
-                         qPrintable(QString("%1, %2 Hz: ").arg(name).arg(f0) + text(steps)));
+                check_none(signal, f0, recording->rate_hz,
+                           QString("%1, %2 Hz: ").arg(name).arg(f0));
             }
         }
     }

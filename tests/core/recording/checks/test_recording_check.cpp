@@ -315,12 +315,13 @@ private slots:
             signal.c[frame] = std::nan("");
         }
         const auto check = std::make_shared<FaultCheck>(5300, rate);
-        const CheckedSource source(std::make_shared<MemorySource>(signal.c, signal.d), check);
+        const auto source =
+            checked_source(std::make_shared<MemorySource>(signal.c, signal.d), check);
         std::vector<double> c(40000);
         std::vector<double> d(40000);
         // Overlapping portions: each frame counts once.
-        for (std::int64_t at = 0; at + 40000 <= source.frames(); at += 10000) {
-            QVERIFY(source.read(at, c, d));
+        for (std::int64_t at = 0; at + 40000 <= source->frames(); at += 10000) {
+            QVERIFY(source->read(at, c, d));
             QVERIFY(std::equal(d.begin(), d.end(), signal.d.begin() + at));
         }
         QCOMPARE(text(check->finish().findings), "missing-samples(2)");

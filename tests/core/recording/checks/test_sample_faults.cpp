@@ -1,5 +1,6 @@
 #include "core/recording/checks/fault_checks.h"
 #include "tests/closeness.h"
+#include "tests/core/recording/checks/line_signal.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
@@ -11,13 +12,9 @@
 namespace test_sample_faults {
 
 using namespace vybeg;
+using namespace vybeg::test;
 
 namespace {
-
-struct Signal {
-    std::vector<double> c;
-    std::vector<double> d;
-};
 
 // 28 s of a decaying wave whose angle turns, at 40 dB.
 Signal decay(std::uint64_t seed, double f, double seconds = 28) {
@@ -40,18 +37,6 @@ Signal decay(std::uint64_t seed, double f, double seconds = 28) {
         signal.d.push_back(wave * std::sin(turned) + quadrature * std::cos(turned) + gauss(random));
     }
     return signal;
-}
-
-std::vector<PhaseStep> steps_of(const Signal& signal, double f0) {
-    PhaseStepCheck check(f0, 33333);
-    // In uneven portions, as a reader gives them.
-    for (std::size_t at = 0; at < signal.c.size();) {
-        const std::size_t count = std::min<std::size_t>(10007, signal.c.size() - at);
-        check.add(static_cast<std::int64_t>(at), std::span(signal.c).subspan(at, count),
-                  std::span(signal.d).subspan(at, count));
-        at += count;
-    }
-    return check.finish();
 }
 
 }  // namespace
@@ -78,7 +63,7 @@ private slots:
                     signal.d.erase(signal.d.begin() + frame);
                 }
                 std::ranges::reverse(lost);
-                const std::vector<PhaseStep> steps = steps_of(signal, f + 0.02);
+                const std::vector<PhaseStep> steps = steps_of(signal, f + 0.02, 33333);
                 int found = 0;
                 for (std::size_t k = 0; k < lost.size(); ++k) {
                     const std::int64_t frame = lost[k] - static_cast<std::int64_t>(k);
@@ -110,7 +95,7 @@ private slots:
         for (std::uint64_t seed = 1; seed <= 100; ++seed) {
             const double f = 4000 + 50.123 * static_cast<double>(seed);
             const std::vector<PhaseStep> steps =
-                steps_of(decay(seed, f, seed <= 10 ? 28 : 5), f - 0.03);
+                steps_of(decay(seed, f, seed <= 10 ? 28 : 5), f - 0.03, 33333);
             QVERIFY2(steps.empty(), qPrintable(QString("seed %1").arg(seed)));
         }
     }
@@ -120,7 +105,7 @@ private slots:
         for (std::size_t j = 50000; j < 50007; ++j) {
             signal.c[j] = std::nan("");
         }
-        QVERIFY(steps_of(signal, 5300).empty());
+        QVERIFY(steps_of(signal, 5300, 33333).empty());
     }
 
     void clippedSamplesAreCounted_data() {

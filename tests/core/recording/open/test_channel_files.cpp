@@ -43,11 +43,6 @@ std::string table(const std::string& names, int rows, double from_s,
     return text;
 }
 
-OpenOptions d_in(const std::filesystem::path& path) {
-    OpenOptions options{.channel_d_file = path.string()};
-    return options;
-}
-
 OpenOptions joined_with(std::initializer_list<std::filesystem::path> paths) {
     OpenOptions options;
     for (const auto& path : paths) {

@@ -17,11 +17,6 @@ constexpr double rate = 33333;
 constexpr double digits = 1e-8;       // of the text
 constexpr double float_digit = 1e-7;  // of samples below 1
 
-OpenOptions d_in(const std::filesystem::path& path) {
-    OpenOptions options{.channel_d_file = path.string()};
-    return options;
-}
-
 // Two files of ZETLAB, their headers where they are wanted.
 struct Zetlab {
     Folder folder;

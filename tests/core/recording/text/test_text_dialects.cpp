@@ -3,6 +3,7 @@
 #include "core/recording/text/text_header.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/data/trade_files.h"
 #include "tests/test_registry.h"
 
 namespace test_text_dialects {
@@ -39,14 +40,6 @@ std::string table(const std::string& row, char decimal, const std::string& line_
             text += number;
         }
         text += line_end;
-    }
-    return text;
-}
-
-std::string utf16(std::string_view ascii, bool big_endian) {
-    std::string text = big_endian ? "\xFE\xFF" : "\xFF\xFE";
-    for (const char c : ascii) {
-        text += big_endian ? std::string{'\0', c} : std::string{c, '\0'};
     }
     return text;
 }

@@ -3,6 +3,7 @@
 #include "core/recording/times/time_grid.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/data/trade_files.h"
 #include "tests/test_registry.h"
 
 #include <atomic>
@@ -35,15 +36,6 @@ std::string number(double value, const Dialect& dialect) {
     return dialect.quoted ? "\"" + text + "\"" : text;
 }
 
-std::string as_utf16(const std::string& ascii) {
-    std::string bytes = "\xFE\xFF";
-    for (const char c : ascii) {
-        bytes += '\0';
-        bytes += c;
-    }
-    return bytes;
-}
-
 // The samples with the times of their frames at 33333 Hz; `skipped` frames have no row.
 std::string text_of(const Samples& samples, const Dialect& dialect, std::size_t skip_from = 0,
                     std::size_t skip_to = 0) {
@@ -56,7 +48,7 @@ std::string text_of(const Samples& samples, const Dialect& dialect, std::size_t 
                 number(samples.c[i], dialect) + dialect.separator + number(samples.d[i], dialect) +
                 dialect.line_end;
     }
-    return dialect.utf16 ? as_utf16(text) : text;
+    return dialect.utf16 ? utf16(text, true) : text;
 }
 
 Samples some_samples() {

@@ -2,6 +2,7 @@
 // as laboratories have them; encodings and line ends take turns.
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/data/trade_files.h"
 #include "tests/test_registry.h"
 
 #include <QStringList>
@@ -175,33 +176,14 @@ std::vector<Layout> layouts() {
     return all;
 }
 
-QByteArray windows_1251(const QString& text) {
-    QByteArray bytes;
-    for (const QChar c : text) {
-        const ushort code = c.unicode();
-        bytes += code >= 0x410 && code <= 0x44F ? static_cast<char>(0xC0 + code - 0x410)
-                                                : static_cast<char>(code);
-    }
-    return bytes;
-}
-
 // `turn` chooses one of the encodings.
-QByteArray encoded(const QString& text, std::size_t turn) {
+std::string encoded(const QString& text, std::size_t turn) {
     switch (turn % 5) {
-        case 0: return text.toUtf8();
-        case 1: return "\xEF\xBB\xBF" + text.toUtf8();
+        case 0: return text.toStdString();
+        case 1: return "\xEF\xBB\xBF" + text.toStdString();
         case 2: return windows_1251(text);
-        default: break;
+        default: return utf16(text.toStdString(), turn % 5 == 4);
     }
-    const bool big = turn % 5 == 4;
-    QByteArray bytes = big ? "\xFE\xFF" : "\xFF\xFE";
-    for (const QChar c : text) {
-        const char low = static_cast<char>(c.unicode() & 0xFF);
-        const char high = static_cast<char>(c.unicode() >> 8);
-        bytes += big ? high : low;
-        bytes += big ? low : high;
-    }
-    return bytes;
 }
 
 }  // namespace
@@ -228,7 +210,7 @@ private slots:
         QString text = layout.text();
         text.replace('\n', turn % 3 == 0 ? "\n" : turn % 3 == 1 ? "\r\n" : "\r");
         const Folder folder;
-        const auto recording = open(folder.write("run.csv", encoded(text, turn / 3).toStdString()));
+        const auto recording = open(folder.write("run.csv", encoded(text, turn / 3)));
         QVERIFY2(recording, recording ? "" : english(recording.error()).c_str());
 
         Samples expected;

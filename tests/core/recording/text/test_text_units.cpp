@@ -277,24 +277,35 @@ private slots:
             "run.csv", line.toStdString() + "\n" + table("Ramp (V),C (V),D (V)", 2, 1))));
     }
 
-    void thousands_in_a_rate_are_read_data() {
+    void thousands_in_a_rate_are_refused_data() {
         QTest::addColumn<QString>("rate");
         QTest::addColumn<bool>("decimal_comma");
-        QTest::newRow("point") << "Sample Rate: 33,333 Hz" << false;
-        QTest::newRow("point, with decimals") << "Sample Rate: 33,333.0 Hz" << false;
-        QTest::newRow("comma") << "Abtastrate: 33.333 Hz" << true;
-        QTest::newRow("no thousands") << "Sample Rate: 33.333 kHz" << false;
-        QTest::newRow("no thousands, comma") << "Abtastrate: 33,333 kHz" << true;
-        QTest::newRow("comma in the header alone") << "Sample Rate: 33,333 kHz" << false;
-        QTest::newRow("comma, the unit in the key") << "Input Rate In kHz: 33,333" << false;
+        QTest::addColumn<bool>("refused");
+        const auto row = [](const char* rate, bool decimal_comma, bool refused) {
+            QTest::newRow(rate) << rate << decimal_comma << refused;
+        };
+        row("Sample Rate: 33,333 Hz", false, true);
+        row("Sample Rate: 33,333.0 Hz", false, true);
+        row("Abtastrate: 33.333 Hz", true, true);
+        row("Sample Rate: 33.333 kHz", false, false);
+        row("Abtastrate: 33,333 kHz", true, false);
+        row("Sample Rate: 33,333 kHz", false, false);
+        row("Input Rate In kHz: 33,333", false, false);
     }
-    void thousands_in_a_rate_are_read() {
+    void thousands_in_a_rate_are_refused() {
         QFETCH(QString, rate);
         QFETCH(bool, decimal_comma);
+        QFETCH(bool, refused);
         const Folder folder;
-        QString text = QString::fromStdString(table("No;C (V);D (V)", 0, 1, ';', decimal_comma));
-        check_samples(
-            opened(folder.write("run.csv", rate.toStdString() + "\n" + text.toStdString())));
+        const std::string text = table("No;C (V);D (V)", 0, 1, ';', decimal_comma);
+        const auto path = folder.write("run.csv", rate.toStdString() + "\n" + text);
+        if (!refused) {
+            check_samples(opened(path));
+            return;
+        }
+        const auto recording = open(path);
+        QVERIFY(!recording);
+        QCOMPARE(recording.error().code, ErrorCode::rate_unknown);
     }
 
     void the_unit_of_a_step_may_stand_in_a_line_of_its_own() {
