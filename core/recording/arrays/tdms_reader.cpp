@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -23,12 +22,8 @@
 namespace vybeg {
 namespace {
 
-// y over x, linear between the points; beyond the ends the value of the end, as in DAQmx. Without
-// points x a polynomial of the coefficients y: y0 + y1 x + y2 x^2 + ...
-struct TdmsStep {
-    std::vector<double> x;  // rising
-    std::vector<double> y;
-};
+// Coefficients of a polynomial, from the constant on.
+using Polynomial = std::vector<double>;
 
 // Conversion of a channel's raw numbers to its unit: the linear scale of the decoder, then the
 // steps.
@@ -36,7 +31,7 @@ struct TdmsScaling {
     std::optional<std::uint32_t>
         scaler;  // id of the number of a DAQmx channel; empty: its only one
     Scale linear;
-    std::vector<TdmsStep> steps;
+    std::vector<Polynomial> steps;
 };
 
 constexpr double raw_numbers = 0xFFFFFFFF;  // as the input source of a scale
@@ -113,20 +108,23 @@ private:
                 return damaged(VYBEG_MESSAGE(
                     "Words", "the channel %1 has a linear scale without slope or intercept"));
             }
-            scaling.steps.emplace_back(TdmsStep{{}, {*intercept, *slope}});
+            scaling.steps.push_back({*intercept, *slope});
         } else if (type == "Polynomial") {
             constexpr double usual = 4;
             const double size =
                 number(scale_name(index, "Polynomial_Coefficients_Size")).value_or(usual);
-            const auto coefficients = list(scale_name(index, "Polynomial_Coefficients"), size);
-            if (!coefficients) {
-                return damaged(VYBEG_MESSAGE(
-                    "Words",
-                    "the channel %1 has a polynomial scale without all of its coefficients"));
+            Polynomial coefficients;
+            for (int i = 0; i < size; ++i) {
+                const auto value =
+                    number(scale_name(index, "Polynomial_Coefficients[" + std::to_string(i) + "]"));
+                if (!value || !std::isfinite(*value)) {
+                    return damaged(VYBEG_MESSAGE(
+                        "Words",
+                        "the channel %1 has a polynomial scale without all of its coefficients"));
+                }
+                coefficients.push_back(*value);
             }
-            scaling.steps.emplace_back(TdmsStep{{}, *coefficients});
-        } else if (type == "Table") {
-            return take_table(index, scaling);
+            scaling.steps.push_back(std::move(coefficients));
         } else {
             return file_.unsupported(
                 "TDMS", VYBEG_MESSAGE("Words", "a scale of the kind \"%1\" (channel %2)"),
@@ -135,52 +133,12 @@ private:
         return {};
     }
 
-    // "Scaled values" of the properties are the input, "pre-scaled" the output.
-    Status take_table(int index, TdmsScaling& scaling) const {
-        const double size = number(scale_name(index, "Table_Scaled_Values_Size")).value_or(0);
-        auto x = list(scale_name(index, "Table_Scaled_Values"), size);
-        auto y = list(scale_name(index, "Table_Pre_Scaled_Values"), size);
-        const auto falls = [](const std::vector<double>& values) {
-            return std::adjacent_find(values.begin(), values.end(), std::less_equal<double>()) ==
-                   values.end();
-        };
-        if (!x || !y || x->empty() ||
-            number(scale_name(index, "Table_Pre_Scaled_Values_Size")).value_or(size) != size) {
-            return damaged(VYBEG_MESSAGE(
-                "Words", "the channel %1 has a table scale without all of its values"));
-        }
-        if (x->size() > 1 && falls(*x)) {
-            std::reverse(x->begin(), x->end());
-            std::reverse(y->begin(), y->end());
-        }
-        if (std::adjacent_find(x->begin(), x->end(), [](double a, double b) { return !(a < b); }) !=
-            x->end()) {
-            return damaged(VYBEG_MESSAGE(
-                "Words", "the channel %1 has a table scale that neither rises nor falls"));
-        }
-        scaling.steps.emplace_back(TdmsStep{std::move(*x), std::move(*y)});
-        return {};
-    }
-
-    // name[0], name[1], ...; empty if one is missing.
-    std::optional<std::vector<double>> list(const std::string& name, double size) const {
-        std::vector<double> values;
-        for (int i = 0; i < size; ++i) {
-            const auto value = number(name + "[" + std::to_string(i) + "]");
-            if (!value || !std::isfinite(*value)) {
-                return std::nullopt;
-            }
-            values.push_back(*value);
-        }
-        return values;
-    }
-
     // Moves linear steps at the beginning into the scale of the decoder.
     static void fold(TdmsScaling& scaling) {
         auto& steps = scaling.steps;
-        while (!steps.empty() && steps.front().x.empty() && steps.front().y.size() == 2) {
-            const double offset = steps.front().y[0];
-            const double slope = steps.front().y[1];
+        while (!steps.empty() && steps.front().size() == 2) {
+            const double offset = steps.front()[0];
+            const double slope = steps.front()[1];
             scaling.linear.gain *= slope;
             scaling.linear.offset = scaling.linear.offset * slope + offset;
             steps.erase(steps.begin());
@@ -197,30 +155,13 @@ private:
     const TdmsObject& owner_;
 };
 
-double value_at(const TdmsStep& step, double x) {
-    if (step.x.empty()) {
-        double y = 0;
-        for (auto c = step.y.rbegin(); c != step.y.rend(); ++c) {
-            y = y * x + *c;
-        }
-        return y;
-    }
-    const auto next = std::upper_bound(step.x.begin(), step.x.end(), x);
-    if (next == step.x.begin() || std::isnan(x)) {
-        return std::isnan(x) ? x : step.y.front();
-    }
-    if (next == step.x.end()) {
-        return step.y.back();
-    }
-    const auto i = static_cast<std::size_t>(next - step.x.begin());
-    const double part = (x - step.x[i - 1]) / (step.x[i] - step.x[i - 1]);
-    return step.y[i - 1] + part * (step.y[i] - step.y[i - 1]);
-}
-
 void apply(const TdmsScaling& scaling, std::span<double> samples) {
-    for (const TdmsStep& step : scaling.steps) {
+    for (const Polynomial& step : scaling.steps) {
         for (double& sample : samples) {
-            const double y = value_at(step, sample);
+            double y = 0;
+            for (auto c = step.rbegin(); c != step.rend(); ++c) {
+                y = y * sample + *c;
+            }
             sample = std::isfinite(y) && !std::isnan(sample)
                          ? y
                          : std::numeric_limits<double>::quiet_NaN();
