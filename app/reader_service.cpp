@@ -46,7 +46,7 @@ Result<std::unique_ptr<HelperFile>> open_file(std::string_view kind) {
     if (kind != "audio") {
         return open_hdf5_file(reader_file, kind == "mat73" ? Naming::matlab : Naming::hdf5);
     }
-    auto file = FileBytes::adopt("", reader_file);
+    auto file = FileBytes::adopt("", Descriptor(reader_file));
     return file ? open_audio_file(std::move(*file)) : file.error();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/recording/bytes/file_bytes.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -22,10 +23,6 @@ public:
     // while another process holds the file and where another kind of file has this name;
     // file_read_failed.
     static Result<RowJournal> open(const std::filesystem::path& path, bool resume);
-
-    RowJournal(RowJournal&& other) noexcept;
-    RowJournal& operator=(RowJournal&&) = delete;
-    ~RowJournal();
 
     // `key` names the row and all that it depends on, in one line without spaces.
     bool has(const std::string& key) const { return rows_.contains(key); }
@@ -57,7 +54,7 @@ private:
     Error failed(int error) const;
 
     std::filesystem::path path_;
-    int descriptor_ = -1;
+    Descriptor descriptor_;
     std::int64_t end_ = 0;
     std::map<std::string, Place> rows_;
     std::size_t found_ = 0;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -75,29 +74,23 @@ Status MemoryColumns::flags(const FlagSink& sink) const {
     return pass(track_.flags(), sink);
 }
 
-Spool::~Spool() {
-    if (descriptor_ >= 0) {
-        close(descriptor_);
-    }
-}
-
 Error Spool::failed(int error) const {
     return output_.failure(system_reason(error));
 }
 
 Status Spool::create() {
     const std::filesystem::path folder = output_.spool_folder();
-    descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
+    descriptor_ = Descriptor(open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
+    if (!descriptor_ && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
         // For a file system without unnamed files.
-        const TemporaryFile named = make_temporary(folder);
-        if (named.descriptor < 0) {
+        TemporaryFile named = make_temporary(folder);
+        if (!named.descriptor) {
             return failed(named.error);
         }
         unlink(named.path.c_str());
-        descriptor_ = named.descriptor;
+        descriptor_ = std::move(named.descriptor);
     }
-    return descriptor_ >= 0 ? Status{} : failed(errno);
+    return descriptor_ ? Status{} : failed(errno);
 }
 
 Status Spool::write(std::span<const std::byte> bytes) {
@@ -110,7 +103,7 @@ Status Spool::write(std::span<const std::byte> bytes) {
 }
 
 Status Spool::spill() {
-    if (descriptor_ < 0) {
+    if (!descriptor_) {
         TRY(create());
     }
     TRY(write_out(memory_));
@@ -122,7 +115,7 @@ Status Spool::write_out(std::string_view left) {
     while (!left.empty()) {
         TRY(job_.go_on());
         const ssize_t written =
-            ::write(descriptor_, left.data(), std::min(left.size(), piece_bytes));
+            ::write(descriptor_.get(), left.data(), std::min(left.size(), piece_bytes));
         if (written < 0 && errno != EINTR) {
             return failed(errno);
         }
@@ -133,19 +126,19 @@ Status Spool::write_out(std::string_view left) {
 }
 
 Status Spool::read(std::int64_t from, std::span<std::byte> to) const {
-    while (!to.empty() && from < spilled_) {
+    const std::span<char> bytes(reinterpret_cast<char*>(to.data()), to.size());
+    std::size_t of_file = 0;
+    if (from < spilled_) {
         TRY(job_.go_on());
-        const auto wanted = std::min(static_cast<std::size_t>(spilled_ - from), to.size());
-        const ssize_t got = pread(descriptor_, to.data(), wanted, from);
-        if (got <= 0 && errno != EINTR) {
-            return failed(got == 0 ? EIO : errno);
+        of_file = std::min(static_cast<std::size_t>(spilled_ - from), to.size());
+        const std::int64_t got = read_at(descriptor_.get(), from, bytes.first(of_file));
+        if (got != static_cast<std::int64_t>(of_file)) {
+            return failed(got < 0 ? errno : EIO);
         }
-        from += std::max<ssize_t>(got, 0);
-        to = to.subspan(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        from = spilled_;
     }
-    if (!to.empty()) {
-        std::memcpy(to.data(), memory_.data() + (from - spilled_), to.size());
-    }
+    memory_.copy(bytes.data() + of_file, bytes.size() - of_file,
+                 static_cast<std::size_t>(from - spilled_));
     return {};
 }
 

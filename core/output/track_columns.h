@@ -71,7 +71,6 @@ public:
     Spool(const OutputFile& output, const JobControl& job) : output_(output), job_(job) {}
     Spool(const Spool&) = delete;
     Spool& operator=(const Spool&) = delete;
-    ~Spool();
 
     Status write(std::span<const std::byte> bytes);
 
@@ -87,7 +86,7 @@ private:
     const OutputFile& output_;
     JobControl job_;
     std::string memory_;
-    int descriptor_ = -1;
+    Descriptor descriptor_;
     std::int64_t spilled_ = 0;  // bytes
 };
 
