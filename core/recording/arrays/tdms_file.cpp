@@ -337,20 +337,17 @@ Status TdmsFile::take_metadata(std::int64_t offset, std::int64_t size, bool big_
 }
 
 Status TdmsFile::take_object(TdmsMetadata& metadata) {
-    const auto object = object_named(metadata.string());
+    const std::string path = metadata.string();
     if (metadata.ended()) {
         return file_->damaged("TDMS", VYBEG_MESSAGE("Words", "its metadata end too early"));
     }
-    if (!object) {
-        return object.error();
-    }
-    TRY(list_raw_index(metadata, *object));
-    return take_properties(metadata, objects_[*object]);
+    const auto object = TRY(object_named(path));
+    TRY(list_raw_index(metadata, object));
+    return take_properties(metadata, objects_[object]);
 }
 
 Result<std::size_t> TdmsFile::object_named(const std::string& path) {
-    const auto known = places_.find(path);
-    if (known != places_.end()) {
+    if (const auto known = places_.find(path); known != places_.end()) {
         return known->second;
     }
     auto object = tdms_object(path);
