@@ -90,19 +90,6 @@ Json parsed(const std::string& text) {
     }
 }
 
-// Numbers that are not finite are null.
-std::vector<double> numbers_in(const std::string& text) {
-    std::vector<double> values;
-    for (const Json& number : parsed(text)) {
-        if (!number.is_null() && !number.is_number()) {
-            throw DamagedRow("a text stands in place of a number");
-        }
-        values.push_back(number.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                          : number.get<double>());
-    }
-    return values;
-}
-
 std::vector<std::string> texts_in(const std::string& text) {
     std::vector<std::string> texts;
     for (const Json& one : parsed(text)) {
@@ -305,24 +292,6 @@ std::vector<double> lower_part(const RawParameters& raw) {
     return part;
 }
 
-// Its inverse. A document of schema 3 has the whole covariance.
-std::vector<double> whole_covariance(const std::vector<double>& part, std::size_t count) {
-    if (part.size() == count * count) {
-        return part;
-    }
-    if (part.size() != count * (count + 1) / 2) {
-        throw DamagedRow("parameters and covariance differ in size");
-    }
-    std::vector<double> whole(count * count);
-    auto next = part.begin();
-    for (std::size_t row = 0; row < count; ++row) {
-        for (std::size_t column = 0; column <= row; ++column) {
-            whole[row * count + column] = whole[column * count + row] = *next++;
-        }
-    }
-    return whole;
-}
-
 }  // namespace
 
 StoredDate date_of(const MeasurementSet& set) {
@@ -378,8 +347,7 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
 
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id) {
     SqliteStatement head(connection, (R"sql(
-        SELECT key, set_name, gyro, date, date_from, program, model,
-            raw_names, raw_values, raw_covariance, json, )sql" +
+        SELECT key, set_name, gyro, date, date_from, program, model, json, )sql" +
                                       column_since(connection, 3, "warnings", "''") + R"sql(
         FROM result JOIN document ON document.result = result.id WHERE result.id = ?)sql")
                                          .c_str());
@@ -394,21 +362,9 @@ std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64
     result.date = {head.text(3), source_of(head.text(4))};
     result.program = head.text(5);
     result.model = head.text(6);
-    result.raw = {texts_in(head.text(7)), numbers_in(head.text(8)), {}};
-    result.raw.covariance = whole_covariance(numbers_in(head.text(9)), result.raw.names.size());
-    if (result.raw.values.size() != result.raw.names.size()) {
-        throw DamagedRow("parameters and covariance differ in size");
-    }
-    result.json = head.text(10);
-    result.warnings = head.text(11);
+    result.json = head.text(7);
+    result.warnings = head.text(8);
     result.recordings = read_recordings(connection, id);
-    SqliteStatement row(connection, R"sql(
-        SELECT name, value, sd, u, reason, reason_args
-        FROM parameter WHERE result = ? ORDER BY position)sql");
-    row.bind(id);
-    while (row.step()) {
-        result.parameters.push_back({row.text(0), read_estimate(row, 1)});
-    }
     return result;
 }
 
