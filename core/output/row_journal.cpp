@@ -18,7 +18,6 @@ namespace {
 // The first line. Another one means another file, which is not to be lost.
 constexpr std::string_view head = "# rows of an unfinished vybeg batch, 1\n";
 constexpr std::size_t hash_digits = 16;
-constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 
 // A line of the file: the hash of the rest, the key, the row.
 Result<std::string> line_of(const std::string& key, std::string_view row) {
@@ -96,30 +95,28 @@ Status RowJournal::begin(bool resume) {
 
 Status RowJournal::find_rows() {
     end_ = static_cast<std::int64_t>(head.size());
-    std::string left;
-    for (;;) {
-        const auto chunk = TRY(read(end_ + static_cast<std::int64_t>(left.size()), chunk_bytes));
-        left += chunk;
-        for (std::size_t feed = left.find('\n'); feed != std::string::npos;
-             feed = left.find('\n')) {
-            const std::string line = left.substr(0, feed + 1);
-            const std::size_t key_end = line.find(' ', hash_digits + 1);
-            if (line.size() > hash_digits && key_end != std::string::npos) {
-                const std::string key = line.substr(hash_digits + 1, key_end - hash_digits - 1);
-                const std::string row = line.substr(key_end + 1, feed - key_end - 1);
-                const auto whole = TRY(line_of(key, row));
-                if (whole == line) {
-                    rows_[key] = {end_ + static_cast<std::int64_t>(key_end) + 1, row.size()};
-                }
-            }
-            end_ += static_cast<std::int64_t>(line.size());
-            left.erase(0, line.size());
-        }
-        if (chunk.empty()) {
-            // Otherwise the next row would continue a half one.
-            return ftruncate(descriptor_.get(), end_) == 0 ? Status() : failed(errno);
-        }
+    struct stat status {};
+    if (fstat(descriptor_.get(), &status) != 0) {
+        return failed(errno);
     }
+    const auto text = TRY(read(end_, static_cast<std::size_t>(status.st_size - end_)));
+    std::size_t feed = 0;
+    for (std::size_t begin = 0; (feed = text.find('\n', begin)) != std::string::npos;
+         begin = feed + 1) {
+        const std::string line = text.substr(begin, feed + 1 - begin);
+        const std::size_t key_end = line.find(' ', hash_digits + 1);
+        if (line.size() > hash_digits && key_end != std::string::npos) {
+            const std::string key = line.substr(hash_digits + 1, key_end - hash_digits - 1);
+            const std::string row = line.substr(key_end + 1, line.size() - key_end - 2);
+            const auto whole = TRY(line_of(key, row));
+            if (whole == line) {
+                rows_[key] = {end_ + static_cast<std::int64_t>(key_end) + 1, row.size()};
+            }
+        }
+        end_ += static_cast<std::int64_t>(line.size());
+    }
+    // Otherwise the next row would continue a half one.
+    return ftruncate(descriptor_.get(), end_) == 0 ? Status() : failed(errno);
 }
 
 Result<std::string> RowJournal::read(std::int64_t offset, std::size_t size) const {
