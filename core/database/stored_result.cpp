@@ -80,25 +80,19 @@ std::vector<StoredParameter> parameters_of(const ResonatorFit& fit) {
 
 using Json = nlohmann::ordered_json;
 
-Json parsed(const std::string& text) {
+using Texts = std::vector<std::string>;
+
+template <class Value>
+Value value_in(const std::string& text) {
     try {
-        return Json::parse(text);
+        return Json::parse(text).get<Value>();
     } catch (const Json::parse_error& error) {
         throw DamagedRow("it is no JSON at byte " + std::to_string(error.byte));
+    } catch (const Json::type_error&) {
+        throw DamagedRow("a number stands in place of a text");
     } catch (const Json::exception&) {
         throw DamagedRow("it holds a number beyond all ranges");
     }
-}
-
-std::vector<std::string> texts_in(const std::string& text) {
-    std::vector<std::string> texts;
-    for (const Json& one : parsed(text)) {
-        if (!one.is_string()) {
-            throw DamagedRow("a number stands in place of a text");
-        }
-        texts.push_back(one.get<std::string>());
-    }
-    return texts;
 }
 
 // As DateSource.
@@ -119,7 +113,7 @@ Estimate read_estimate(const SqliteStatement& row, int column) {
     estimate.sd = row.number(column + 1);
     estimate.u = row.number(column + 2);
     if (const std::string name = row.text(column + 3); !name.empty()) {
-        std::optional<Reason> reason = stored_reason(name, texts_in(row.text(column + 4)));
+        std::optional<Reason> reason = stored_reason(name, value_in<Texts>(row.text(column + 4)));
         if (!reason) {
             throw DamagedRow("the reason \"" + name + "\" is not known");
         }
@@ -189,12 +183,11 @@ std::string opening_of(const OpenOptions& options) {
 // Pairs of a name and a value.
 std::vector<std::pair<std::string, std::string>> pairs_in(const std::string& text) {
     std::vector<std::pair<std::string, std::string>> pairs;
-    for (const Json& pair : parsed(text)) {
-        const std::vector<std::string> texts = texts_in(pair.dump());
-        if (texts.size() != 2) {
+    for (const Texts& pair : value_in<std::vector<Texts>>(text)) {
+        if (pair.size() != 2) {
             throw DamagedRow("a name has no value");
         }
-        pairs.emplace_back(texts[0], texts[1]);
+        pairs.emplace_back(pair[0], pair[1]);
     }
     return pairs;
 }
