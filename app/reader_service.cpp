@@ -14,6 +14,7 @@
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <span>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -46,7 +47,7 @@ Result<std::unique_ptr<HelperFile>> open_file(std::string_view kind) {
     if (kind != "audio") {
         return open_hdf5_file(reader_file, kind == "mat73" ? Naming::matlab : Naming::hdf5);
     }
-    auto file = FileBytes::adopt("", reader_file);
+    auto file = FileBytes::adopt("", Descriptor(reader_file));
     return file ? open_audio_file(std::move(*file)) : file.error();
 }
 
@@ -105,61 +106,46 @@ constexpr std::uint32_t architecture = 0;
     SYS_gettid,       SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_restart_syscall,
     SYS_sched_yield,  SYS_exit,         SYS_exit_group};
 
-// A list of what is allowed, as the kernel's filter runs it for each system call.
-class CallFilter {
-public:
-    CallFilter() {
-        load(offsetof(seccomp_data, arch));
-        unless_equal(architecture, kill);
-        load(offsetof(seccomp_data, nr));
-    }
-
-    void allow(int call) {
-        unless_equal(static_cast<std::uint32_t>(call), next);
-        add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
-    }
-
-    // Where the low half of an argument has none of `bits`, or equals `value`.
-    void allow_without(int call, int argument, std::uint32_t bits) {
-        allow_where(call, argument, BPF_JSET, bits, false);
-    }
-    void allow_with(int call, int argument, std::uint32_t value) {
-        allow_where(call, argument, BPF_JEQ, value, true);
-    }
-
-    bool install() {
-        add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
-        const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
-        return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
-    }
-
-private:
-    enum Otherwise { next, kill };
-
-    void add(std::uint16_t operation, std::uint32_t value, std::uint8_t if_so = 0,
-             std::uint8_t if_not = 0) {
-        code_.push_back({operation, if_so, if_not, value});
-    }
-    void load(std::size_t offset) {
-        add(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset));
-    }
-    void unless_equal(std::uint32_t value, Otherwise otherwise) {
-        add(BPF_JMP | BPF_JEQ | BPF_K, value, otherwise == kill ? 1 : 0, otherwise == kill ? 0 : 1);
-        if (otherwise == kill) {
-            add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
-        }
-    }
-    void allow_where(int call, int argument, std::uint16_t test, std::uint32_t value, bool so) {
-        // Passes over the four instructions that follow where it is another call.
-        add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 4);
-        load(offsetof(seccomp_data, args) + static_cast<std::size_t>(argument) * 8);
-        add(static_cast<std::uint16_t>(BPF_JMP | test | BPF_K), value, so ? 0 : 1, so ? 1 : 0);
-        add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
-        add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
-    }
-
-    std::vector<sock_filter> code_;
+// A call that is allowed where a test of the low half of an argument has this result.
+struct Condition {
+    int call;
+    std::uint32_t argument;
+    std::uint16_t test;
+    std::uint32_t value;
+    bool result;
 };
+
+// The lists as the kernel's filter runs them for each system call.
+[[maybe_unused]] std::vector<sock_filter> call_filter(std::span<const Condition> conditions) {
+    constexpr sock_filter allow BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+    constexpr sock_filter kill BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
+    const auto load = [](std::size_t offset) -> sock_filter {
+        return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset));
+    };
+    // Passes over so many instructions where it is another call.
+    const auto unless = [](int call, std::uint8_t over) -> sock_filter {
+        return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, over);
+    };
+    std::vector<sock_filter> code{load(offsetof(seccomp_data, arch)),
+                                  BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0), kill,
+                                  load(offsetof(seccomp_data, nr))};
+    for (const int call : allowed_calls) {
+        code.insert(code.end(), {unless(call, 1), allow});
+    }
+    for (const Condition& each : conditions) {
+        const std::uint8_t over_if_so = each.result ? 0 : 1;
+        const std::uint8_t over_if_not = each.result ? 1 : 0;
+        const auto test = static_cast<std::uint16_t>(BPF_JMP | each.test | BPF_K);
+        code.insert(code.end(),
+                    {unless(each.call, 4),
+                     load(offsetof(seccomp_data, args) + std::size_t{each.argument} * 8),
+                     {test, over_if_so, over_if_not, each.value},
+                     allow,
+                     kill});
+    }
+    code.push_back(kill);
+    return code;
+}
 
 // What vybeg-reader gives up before it looks at a file: new privileges, memory beyond the file's
 // size and 64 MB (until allow_memory()) and 6 pieces of most_packed_bytes at all, writing to files,
@@ -199,19 +185,18 @@ bool forbid_system_calls() {
     if (architecture == 0) {
         return false;
     }
-    CallFilter filter;
-    for (const int call : allowed_calls) {
-        filter.allow(call);
-    }
-    filter.allow_without(SYS_mmap, 2, PROT_EXEC);
-    filter.allow_without(SYS_mprotect, 2, PROT_EXEC);
-    filter.allow_with(SYS_newfstatat, 3, AT_EMPTY_PATH);  // fstat() of the C library
-    filter.allow_with(SYS_prlimit64, 0, 0);               // its own limits, downwards
-    // What abort() does: a sentence to /dev/null, and a signal to itself.
-    filter.allow_with(SYS_write, 0, STDERR_FILENO);
-    filter.allow_with(SYS_writev, 0, STDERR_FILENO);
-    filter.allow_with(SYS_tgkill, 0, static_cast<std::uint32_t>(::getpid()));
-    return filter.install();
+    const std::array conditions{
+        Condition{SYS_mmap, 2, BPF_JSET, PROT_EXEC, false},
+        Condition{SYS_mprotect, 2, BPF_JSET, PROT_EXEC, false},
+        Condition{SYS_newfstatat, 3, BPF_JEQ, AT_EMPTY_PATH, true},  // fstat() of the C library
+        Condition{SYS_prlimit64, 0, BPF_JEQ, 0, true},               // its own limits, downwards
+        // What abort() does: a sentence to /dev/null, and a signal to itself.
+        Condition{SYS_write, 0, BPF_JEQ, STDERR_FILENO, true},
+        Condition{SYS_writev, 0, BPF_JEQ, STDERR_FILENO, true},
+        Condition{SYS_tgkill, 0, BPF_JEQ, static_cast<std::uint32_t>(::getpid()), true}};
+    std::vector<sock_filter> code = call_filter(conditions);
+    const sock_fprog program{static_cast<unsigned short>(code.size()), code.data()};
+    return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 #endif
 }
 

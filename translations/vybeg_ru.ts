@@ -3851,14 +3851,6 @@
         <translation>шкалу вида «%1» (канал %2)</translation>
     </message>
     <message>
-        <source>the channel %1 has a table scale without all of its values</source>
-        <translation>у канала %1 табличная шкала без части значений</translation>
-    </message>
-    <message>
-        <source>the channel %1 has a table scale that neither rises nor falls</source>
-        <translation>у канала %1 табличная шкала не монотонна</translation>
-    </message>
-    <message>
         <source>there is no segment where one should begin</source>
         <translation>нет сегмента там, где он должен начинаться</translation>
     </message>
@@ -4549,6 +4541,10 @@
     <message>
         <source>a positive number</source>
         <translation>положительное число</translation>
+    </message>
+    <message>
+        <source>its schema %1 is that of an early version, which is read no longer: identify its recordings again</source>
+        <translation>его схема %1 — схема ранней версии, которая больше не читается: идентифицируйте его записи заново</translation>
     </message>
     <message>
         <source>a reason known here</source>

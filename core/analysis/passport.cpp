@@ -115,7 +115,7 @@ private:
 
     void add_modes() {
         const std::size_t modes = std::max(passport_.modes.size(), now_.modes.size());
-        const bool alike = passport_.mode_order && *passport_.mode_order == now_.mode_order;
+        const bool alike = passport_.mode_order == now_.mode_order;
         const bool both = !passport_.modes.empty() && !now_.modes.empty();
         const Incomparable order =
             alike || !both ? Incomparable::none : Incomparable::other_mode_order;

@@ -15,9 +15,8 @@
 namespace vybeg {
 
 // Individual wave pattern of a gyro: resonator with covariance, motion of its waves, and sources.
-// Files of before have no runs.
 struct Passport : ResonatorNumbers {
-    // Schema of its file. 2 adds the uncertainties u, modes_by and runs.
+    // Schema of its file.
     static constexpr int schema = 2;
 
     std::string program;
@@ -26,8 +25,7 @@ struct Passport : ResonatorNumbers {
     std::vector<std::pair<std::string, std::string>> conditions;  // columns of a list, those told
     std::vector<RecordingRef> inputs;                             // name and content
     std::vector<std::pair<std::string, std::string>> settings;    // name and value, as options
-    // Order of the modes; empty: unknown, in an old file.
-    std::optional<ModeOrder> mode_order = ModeOrder::frequency;
+    ModeOrder mode_order = ModeOrder::frequency;
     std::vector<RunTrack> tracks;  // one for each input
 };
 

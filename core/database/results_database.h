@@ -62,9 +62,10 @@ struct StoredResult {
     std::string model;                     // "structured" or "free"
     std::string warnings;                  // warning_kinds()
     std::vector<RecordingRef> recordings;  // with absolute paths
+    std::string json;                      // as identify writes it
+    // For history() and other programs; ResultsDatabase::result() leaves these empty.
     std::vector<StoredParameter> parameters;
     RawParameters raw;
-    std::string json;  // as identify writes it
 };
 
 // The first date in the list, otherwise the first start of a recording that is ISO 8601.
@@ -89,7 +90,7 @@ struct DamagedRow : std::runtime_error {
 std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
                           std::optional<std::int64_t> wanted = {});
 
-// All rows of a result; nothing: there is none.
+// A result without its parameters; nothing: there is none.
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id);
 
 // The points of a parameter of one gyro, or of all, in no order.
@@ -151,7 +152,7 @@ public:
     // which they came. Without `gyro`, of all gyros.
     Result<std::vector<HistoryPoint>> history(const std::optional<std::string>& gyro,
                                               const std::string& parameter);
-    // All of a result; nothing: the file has no such id.
+    // A result without its parameters; nothing: the file has no such id.
     Result<std::optional<StoredResult>> result(std::int64_t id);
 
 private:

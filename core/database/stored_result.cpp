@@ -80,38 +80,19 @@ std::vector<StoredParameter> parameters_of(const ResonatorFit& fit) {
 
 using Json = nlohmann::ordered_json;
 
-Json parsed(const std::string& text) {
+using Texts = std::vector<std::string>;
+
+template <class Value>
+Value value_in(const std::string& text) {
     try {
-        return Json::parse(text);
+        return Json::parse(text).get<Value>();
     } catch (const Json::parse_error& error) {
         throw DamagedRow("it is no JSON at byte " + std::to_string(error.byte));
+    } catch (const Json::type_error&) {
+        throw DamagedRow("a number stands in place of a text");
     } catch (const Json::exception&) {
         throw DamagedRow("it holds a number beyond all ranges");
     }
-}
-
-// Numbers that are not finite are null.
-std::vector<double> numbers_in(const std::string& text) {
-    std::vector<double> values;
-    for (const Json& number : parsed(text)) {
-        if (!number.is_null() && !number.is_number()) {
-            throw DamagedRow("a text stands in place of a number");
-        }
-        values.push_back(number.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                          : number.get<double>());
-    }
-    return values;
-}
-
-std::vector<std::string> texts_in(const std::string& text) {
-    std::vector<std::string> texts;
-    for (const Json& one : parsed(text)) {
-        if (!one.is_string()) {
-            throw DamagedRow("a number stands in place of a text");
-        }
-        texts.push_back(one.get<std::string>());
-    }
-    return texts;
 }
 
 // As DateSource.
@@ -132,7 +113,7 @@ Estimate read_estimate(const SqliteStatement& row, int column) {
     estimate.sd = row.number(column + 1);
     estimate.u = row.number(column + 2);
     if (const std::string name = row.text(column + 3); !name.empty()) {
-        std::optional<Reason> reason = stored_reason(name, texts_in(row.text(column + 4)));
+        std::optional<Reason> reason = stored_reason(name, value_in<Texts>(row.text(column + 4)));
         if (!reason) {
             throw DamagedRow("the reason \"" + name + "\" is not known");
         }
@@ -202,12 +183,11 @@ std::string opening_of(const OpenOptions& options) {
 // Pairs of a name and a value.
 std::vector<std::pair<std::string, std::string>> pairs_in(const std::string& text) {
     std::vector<std::pair<std::string, std::string>> pairs;
-    for (const Json& pair : parsed(text)) {
-        const std::vector<std::string> texts = texts_in(pair.dump());
-        if (texts.size() != 2) {
+    for (const Texts& pair : value_in<std::vector<Texts>>(text)) {
+        if (pair.size() != 2) {
             throw DamagedRow("a name has no value");
         }
-        pairs.emplace_back(texts[0], texts[1]);
+        pairs.emplace_back(pair[0], pair[1]);
     }
     return pairs;
 }
@@ -305,24 +285,6 @@ std::vector<double> lower_part(const RawParameters& raw) {
     return part;
 }
 
-// Its inverse. A document of schema 3 has the whole covariance.
-std::vector<double> whole_covariance(const std::vector<double>& part, std::size_t count) {
-    if (part.size() == count * count) {
-        return part;
-    }
-    if (part.size() != count * (count + 1) / 2) {
-        throw DamagedRow("parameters and covariance differ in size");
-    }
-    std::vector<double> whole(count * count);
-    auto next = part.begin();
-    for (std::size_t row = 0; row < count; ++row) {
-        for (std::size_t column = 0; column <= row; ++column) {
-            whole[row * count + column] = whole[column * count + row] = *next++;
-        }
-    }
-    return whole;
-}
-
 }  // namespace
 
 StoredDate date_of(const MeasurementSet& set) {
@@ -378,8 +340,7 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
 
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id) {
     SqliteStatement head(connection, (R"sql(
-        SELECT key, set_name, gyro, date, date_from, program, model,
-            raw_names, raw_values, raw_covariance, json, )sql" +
+        SELECT key, set_name, gyro, date, date_from, program, model, json, )sql" +
                                       column_since(connection, 3, "warnings", "''") + R"sql(
         FROM result JOIN document ON document.result = result.id WHERE result.id = ?)sql")
                                          .c_str());
@@ -394,21 +355,9 @@ std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64
     result.date = {head.text(3), source_of(head.text(4))};
     result.program = head.text(5);
     result.model = head.text(6);
-    result.raw = {texts_in(head.text(7)), numbers_in(head.text(8)), {}};
-    result.raw.covariance = whole_covariance(numbers_in(head.text(9)), result.raw.names.size());
-    if (result.raw.values.size() != result.raw.names.size()) {
-        throw DamagedRow("parameters and covariance differ in size");
-    }
-    result.json = head.text(10);
-    result.warnings = head.text(11);
+    result.json = head.text(7);
+    result.warnings = head.text(8);
     result.recordings = read_recordings(connection, id);
-    SqliteStatement row(connection, R"sql(
-        SELECT name, value, sd, u, reason, reason_args
-        FROM parameter WHERE result = ? ORDER BY position)sql");
-    row.bind(id);
-    while (row.step()) {
-        result.parameters.push_back({row.text(0), read_estimate(row, 1)});
-    }
     return result;
 }
 

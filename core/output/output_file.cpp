@@ -246,9 +246,11 @@ TemporaryFile make_temporary(const std::filesystem::path& folder) {
     const std::string own = std::string(prefix) + integer_text(process) + "-" +
                             integer_text(start_of(process).value_or(0)) + "-";
     for (std::int64_t attempt = 0;; ++attempt) {
-        TemporaryFile file{-1, 0, folder / (own + integer_text(attempt) + std::string(ending))};
-        file.descriptor = open(file.path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file.descriptor < 0) {
+        TemporaryFile file{Descriptor(), 0,
+                           folder / (own + integer_text(attempt) + std::string(ending))};
+        file.descriptor =
+            Descriptor(open(file.path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+        if (!file.descriptor) {
             if (errno == EEXIST) {
                 continue;
             }
@@ -256,12 +258,12 @@ TemporaryFile make_temporary(const std::filesystem::path& folder) {
             return file;
         }
         // On a file system without locks the process number alone decides.
-        flock(file.descriptor, LOCK_EX | LOCK_NB);
+        flock(file.descriptor.get(), LOCK_EX | LOCK_NB);
         struct stat status {};
-        if (fstat(file.descriptor, &status) == 0 && status.st_nlink > 0) {
+        if (fstat(file.descriptor.get(), &status) == 0 && status.st_nlink > 0) {
             return file;
         }
-        close(file.descriptor);  // removed as abandoned before it was locked
+        // It was removed as abandoned before it was locked.
     }
 }
 
@@ -274,16 +276,13 @@ void remove_abandoned(const std::filesystem::path& folder) {
         if (!owner || lives(*owner)) {
             continue;
         }
-        const int descriptor = open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-        if (descriptor < 0) {
-            continue;
-        }
+        const Descriptor descriptor(
+            open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
         struct stat status {};
-        if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
-            flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+        if (fstat(descriptor.get(), &status) == 0 && S_ISREG(status.st_mode) &&
+            flock(descriptor.get(), LOCK_EX | LOCK_NB) == 0) {
             unlink(path.c_str());
         }
-        close(descriptor);
     }
 }
 
@@ -296,13 +295,13 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& target, const
     }
     if (exists && !S_ISREG(existing.st_mode)) {
         // Without O_NONBLOCK, opening a pipe without reader would block and ignore cancellation.
-        const int descriptor = open(target.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-        if (descriptor < 0) {
+        Descriptor own(open(target.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+        if (!own) {
             return failure_of(name, errno);
         }
-        fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
-        OutputFile file(descriptor, name, job);
-        file.owned_ = true;
+        fcntl(own.get(), F_SETFL, fcntl(own.get(), F_GETFL) & ~O_NONBLOCK);
+        OutputFile file(own.get(), name, job);
+        file.own_ = std::move(own);
         return file;
     }
     std::error_code unresolved;
@@ -318,14 +317,14 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& target, const
     const std::filesystem::path folder = resolved.parent_path();
     remove_abandoned(folder);
     TemporaryFile temporary = make_temporary(folder);
-    if (temporary.descriptor < 0) {
+    if (!temporary.descriptor) {
         return failure_of(name, temporary.error);
     }
-    OutputFile file(temporary.descriptor, name, job);
-    file.owned_ = true;
+    OutputFile file(temporary.descriptor.get(), name, job);
+    file.own_ = std::move(temporary.descriptor);
     file.target_ = std::move(resolved);
     file.temporary_ = std::move(temporary.path);
-    if (exists && fchmod(temporary.descriptor, existing.st_mode & 07777) != 0) {
+    if (exists && fchmod(file.descriptor_, existing.st_mode & 07777) != 0) {
         return failure_of(name, errno);
     }
     return file;
@@ -337,7 +336,7 @@ OutputFile OutputFile::onto(int descriptor, std::string name, const JobControl& 
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)),
-      owned_(std::exchange(other.owned_, false)),
+      own_(std::move(other.own_)),
       name_(std::move(other.name_)),
       target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
@@ -352,10 +351,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::discard() noexcept {
-    if (owned_) {
-        close(descriptor_);
-        owned_ = false;
-    }
+    own_.close();
     if (!temporary_.empty()) {
         unlink(temporary_.c_str());
         temporary_.clear();
@@ -428,15 +424,12 @@ Status OutputFile::take_place(bool returnable) {
         return {};
     }
     // close() reports errors of a network drive; a copy of the descriptor keeps the lock.
-    const int copy = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
-    owned_ = false;
-    if (close(descriptor_) != 0) {
-        const int error = errno;
-        close(copy);
-        return failed(error);
+    Descriptor copy(fcntl(descriptor_, F_DUPFD_CLOEXEC, 0));
+    if (own_.close() != 0) {
+        return failed(errno);
     }
-    descriptor_ = copy;
-    owned_ = copy >= 0;
+    descriptor_ = copy.get();
+    own_ = std::move(copy);
     if (returnable &&
         renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {
         placed_ = Placed::exchanged;

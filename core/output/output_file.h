@@ -3,6 +3,7 @@
 #include "core/base/job_control.h"
 #include "core/base/message_arg.h"
 #include "core/base/result.h"
+#include "core/recording/bytes/file_bytes.h"
 
 #include <compare>
 #include <cstddef>
@@ -78,8 +79,8 @@ Status check_outputs(const std::vector<OutputPath>& outputs, const std::vector<I
 // time at which that process began, in the system's clock ticks. The descriptor is locked (flock)
 // until it is closed.
 struct TemporaryFile {
-    int descriptor = -1;  // -1: it could not be made
-    int error = 0;        // the system's number, why
+    Descriptor descriptor;  // none: it could not be made
+    int error = 0;          // the system's number, why
     std::filesystem::path path;
 };
 
@@ -125,8 +126,6 @@ public:
     // rename.
     static Status commit_together(std::span<OutputFile* const> files);
 
-    // Descriptor for libraries that write themselves. Preconditions: flush(), seekable().
-    int descriptor() const { return descriptor_; }
     bool seekable() const { return !temporary_.empty(); }
     const std::string& name() const { return name_; }
     // Folder for intermediate files: that of the file, on its disk; the system's temporary folder
@@ -153,7 +152,7 @@ private:
     Error failed(int error) const;
 
     int descriptor_ = -1;
-    bool owned_ = false;  // closed by this object
+    Descriptor own_;  // descriptor_, where this object closes it
     std::string name_;
     std::filesystem::path target_;
     std::filesystem::path temporary_;  // empty: written directly, or already in place

@@ -1,6 +1,5 @@
 #include "core/output/passport_json.h"
 
-#include "core/base/number_text.h"
 #include "core/output/identify_json.h"
 #include "core/output/quantity_json.h"
 #include "core/recording/bytes/file_bytes.h"
@@ -9,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -172,32 +170,7 @@ Reason known_reason(const Node& name, const std::vector<std::string>& args) {
     return std::move(*reason);
 }
 
-// Nearest present reason for reasons of schema 1 that were removed or have other arguments now.
-Reason old_reason(const Node& node, const std::vector<std::string>& args) {
-    const std::string name = node.text();
-    constexpr std::array<std::pair<const char*, ReasonCode>, 7> nearest{{
-        {"below-noise", ReasonCode::modes_not_apart},
-        {"kappa-still-wave", ReasonCode::as_given},
-        {"kappa-not-seen", ReasonCode::as_given},
-        {"not-asked", ReasonCode::as_given},
-        {"channels-one-number", ReasonCode::held},
-        {"amplitude-like-drift", ReasonCode::rests_on_unseen},
-        {"residual-from-elsewhere", ReasonCode::rests_on_unseen},
-    }};
-    for (const auto& [old, code] : nearest) {
-        if (name == old) {
-            return {code, {}};
-        }
-    }
-    if (name == "no-decay" && args.size() == 2) {  // 1/tau and its deviation
-        const double rate = parse_number(args[0]).value_or(0);
-        const double sd = parse_number(args[1]).value_or(0);
-        return {ReasonCode::no_decay, {number_arg(1 / (std::max(rate, 0.0) + 2 * sd), 3)}};
-    }
-    return known_reason(node, args);
-}
-
-Estimate read_estimate(const Node& json, int schema) {
+Estimate read_estimate(const Node& json) {
     Estimate estimate;
     if (!json.at("value").is_null()) {
         estimate.value = json.at("value").number();
@@ -209,9 +182,7 @@ Estimate read_estimate(const Node& json, int schema) {
     }
     // A value that was not finite when written has neither code nor arguments.
     if (json.has("code")) {
-        const Node name = json.at("code");
-        const std::vector<std::string> args = json.at("args").texts();
-        estimate.reason = schema == 1 ? old_reason(name, args) : known_reason(name, args);
+        estimate.reason = known_reason(json.at("code"), json.at("args").texts());
     } else {
         estimate.reason.code = ReasonCode::too_few_windows;
     }
@@ -219,10 +190,10 @@ Estimate read_estimate(const Node& json, int schema) {
 }
 
 template <class Owner, class Parameters>
-Owner read_parameters(const Node& json, const Parameters& parameters, int schema) {
+Owner read_parameters(const Node& json, const Parameters& parameters) {
     Owner owner;
     for (const auto& parameter : parameters) {
-        owner.*parameter.member = read_estimate(json.at(parameter.name), schema);
+        owner.*parameter.member = read_estimate(json.at(parameter.name));
     }
     return owner;
 }
@@ -257,24 +228,6 @@ ResonatorModel read_model(const Node& name) {
     return name.text() == "free" ? ResonatorModel::free : ResonatorModel::structured;
 }
 
-// Order of the modes of a file of schema 1, always by frequency; empty where their frequencies do
-// not differ.
-std::optional<ModeOrder> old_mode_order(const Passport& passport) {
-    constexpr double needed = 5;  // deviations
-    const Estimate& split = passport.resonator.split_hz;
-    if (split.given() && split.value > needed * split.sd) {
-        return ModeOrder::frequency;
-    }
-    if (passport.modes.size() == 2) {
-        const Estimate& high = passport.modes[0].f_hz;
-        const Estimate& low = passport.modes[1].f_hz;
-        if (high.value - low.value > needed * std::hypot(high.sd, low.sd)) {
-            return ModeOrder::frequency;
-        }
-    }
-    return std::nullopt;
-}
-
 ModeOrder read_mode_order(const Node& name) {
     for (const ModeOrder order : {ModeOrder::frequency, ModeOrder::decay}) {
         if (name.text() == mode_order_name(order)) {
@@ -284,7 +237,7 @@ ModeOrder read_mode_order(const Node& name) {
     name.wrong(VYBEG_MESSAGE("Words", "an order of the modes"));
 }
 
-Passport read_all(const Node& json, int schema) {
+Passport read_all(const Node& json) {
     Passport passport;
     passport.program = json.at("program").text();
     // Optional: files of before have none of these.
@@ -299,18 +252,13 @@ Passport read_all(const Node& json, int schema) {
     passport.settings = json.at("settings").texts_by_name();
     passport.model = read_model(json.at("model"));
     passport.resonator =
-        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters, schema);
+        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters);
     for (const Node& mode : json.at("modes").elements()) {
-        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters, schema));
+        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters));
     }
-    if (schema == 1) {
-        passport.mode_order = old_mode_order(passport);
-    } else {
-        const Node by = json.at("modes_by");
-        passport.mode_order = by.is_null() ? std::nullopt : std::optional(read_mode_order(by));
-        for (const Node& run : json.at("runs").elements()) {
-            passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters, schema));
-        }
+    passport.mode_order = read_mode_order(json.at("modes_by"));
+    for (const Node& run : json.at("runs").elements()) {
+        passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters));
     }
     const Node parameters = json.at("parameters");
     passport.raw.names = parameters.at("names").texts();
@@ -351,8 +299,7 @@ Json passport_object(const Passport& passport) {
             {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
             {"resonator", parameters_json(passport.resonator, resonator_parameters, written)},
             {"modes", parameters_json(passport.modes, mode_parameters, written)},
-            {"modes_by",
-             passport.mode_order ? Json(mode_order_name(*passport.mode_order)) : Json(nullptr)},
+            {"modes_by", mode_order_name(passport.mode_order)},
             {"runs", parameters_json(passport.runs, run_parameters, written)},
             {"parameters",
              {{"names", passport.raw.names},
@@ -369,7 +316,13 @@ Passport read_any(const Node& whole) {
     if (schema.whole_number() > Passport::schema) {
         throw LaterSchema{schema.whole_number()};
     }
-    return read_all(whole, schema.whole_number());
+    if (schema.whole_number() < Passport::schema) {
+        throw Fault{words(VYBEG_MESSAGE("Words",
+                                        "its schema %1 is that of an early version, which is read "
+                                        "no longer: identify its recordings again"),
+                          {count_arg(schema.whole_number())})};
+    }
+    return read_all(whole);
 }
 
 // What `read` makes of a text.
@@ -437,7 +390,7 @@ SetResult read_saved(const Node& whole) {
     fit.model = passport.model;
     fit.resonator = passport.resonator;
     fit.modes = std::move(passport.modes);
-    fit.mode_order = passport.mode_order.value_or(ModeOrder::frequency);
+    fit.mode_order = passport.mode_order;
     fit.runs = std::move(passport.runs);
     fit.raw = std::move(passport.raw);
     const Node no_modes = whole.at("no_modes");

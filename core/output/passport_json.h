@@ -15,8 +15,8 @@ namespace vybeg {
 // its sentence, so that they read back. Numbers round-trip.
 std::string passport_json(const Passport& passport);
 
-// Reads such a text, also of older schemas. Errors, with `where` as given: passport_damaged with
-// the fault and its place in the file; passport_schema for a schema newer than this program.
+// Reads such a text. Errors, with `where` as given: passport_damaged with the fault and its place
+// in the file, also of schema 1; passport_schema for a schema newer than this program.
 Result<Passport> read_passport(std::string_view text, const std::string& where);
 
 // Reads a passport file. Errors also: those of own_file_text().

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -18,7 +17,6 @@ namespace {
 // The first line. Another one means another file, which is not to be lost.
 constexpr std::string_view head = "# rows of an unfinished vybeg batch, 1\n";
 constexpr std::size_t hash_digits = 16;
-constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 
 // A line of the file: the hash of the rest, the key, the row.
 Result<std::string> line_of(const std::string& key, std::string_view row) {
@@ -31,12 +29,9 @@ Result<std::string> line_of(const std::string& key, std::string_view row) {
 // systems refuse this, and keep the name anyway.
 void keep_name(const std::filesystem::path& path) {
     const std::filesystem::path folder = path.parent_path();
-    const int descriptor =
-        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor >= 0) {
-        fsync(descriptor);
-        close(descriptor);
-    }
+    const Descriptor opened(
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    fsync(opened.get());
 }
 
 }  // namespace
@@ -44,43 +39,28 @@ void keep_name(const std::filesystem::path& path) {
 Result<RowJournal> RowJournal::open(const std::filesystem::path& path, bool resume) {
     RowJournal journal(path);
     if (path.empty()) {
-        journal.descriptor_ = memfd_create("rows", MFD_CLOEXEC);
-        return journal.descriptor_ >= 0 ? Result(std::move(journal)) : journal.failed(errno);
+        return journal;
     }
     for (;;) {
-        journal.descriptor_ =
-            ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-        if (journal.descriptor_ < 0) {
+        journal.descriptor_ = Descriptor(
+            ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+        if (!journal.descriptor_) {
             return journal.failed(errno);
         }
         // A file system without locks lets two processes pass, as it does elsewhere.
-        if (flock(journal.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        if (flock(journal.descriptor_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
             return Error{ErrorCode::output_failed,
                          path.string(),
                          {words(VYBEG_MESSAGE("Words", "another program is writing it"))}};
         }
         struct stat status {};
-        if (fstat(journal.descriptor_, &status) == 0 && status.st_nlink > 0) {
+        if (fstat(journal.descriptor_.get(), &status) == 0 && status.st_nlink > 0) {
             break;
         }
-        close(journal.descriptor_);  // removed by its owner before it was locked
-        journal.descriptor_ = -1;
+        // It was removed by its owner before it was locked.
     }
     TRY(journal.begin(resume));
     return journal;
-}
-
-RowJournal::RowJournal(RowJournal&& other) noexcept
-    : path_(std::move(other.path_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      end_(other.end_),
-      rows_(std::move(other.rows_)),
-      found_(other.found_) {}
-
-RowJournal::~RowJournal() {
-    if (descriptor_ >= 0) {
-        close(descriptor_);
-    }
 }
 
 Status RowJournal::begin(bool resume) {
@@ -99,7 +79,7 @@ Status RowJournal::begin(bool resume) {
         }
         return found;
     }
-    if (ftruncate(descriptor_, 0) != 0) {
+    if (ftruncate(descriptor_.get(), 0) != 0) {
         return failed(errno);
     }
     Status written = write(head);
@@ -113,76 +93,62 @@ Status RowJournal::begin(bool resume) {
 
 Status RowJournal::find_rows() {
     end_ = static_cast<std::int64_t>(head.size());
-    std::string left;
-    for (;;) {
-        const auto chunk = TRY(read(end_ + static_cast<std::int64_t>(left.size()), chunk_bytes));
-        left += chunk;
-        for (std::size_t feed = left.find('\n'); feed != std::string::npos;
-             feed = left.find('\n')) {
-            const std::string line = left.substr(0, feed + 1);
-            const std::size_t key_end = line.find(' ', hash_digits + 1);
-            if (line.size() > hash_digits && key_end != std::string::npos) {
-                const std::string key = line.substr(hash_digits + 1, key_end - hash_digits - 1);
-                const std::string row = line.substr(key_end + 1, feed - key_end - 1);
-                const auto whole = TRY(line_of(key, row));
-                if (whole == line) {
-                    rows_[key] = {end_ + static_cast<std::int64_t>(key_end) + 1, row.size()};
-                }
-            }
-            end_ += static_cast<std::int64_t>(line.size());
-            left.erase(0, line.size());
-        }
-        if (chunk.empty()) {
-            // Otherwise the next row would continue a half one.
-            return ftruncate(descriptor_, end_) == 0 ? Status() : failed(errno);
-        }
+    struct stat status {};
+    if (fstat(descriptor_.get(), &status) != 0) {
+        return failed(errno);
     }
+    const auto text = TRY(read(end_, static_cast<std::size_t>(status.st_size - end_)));
+    std::size_t feed = 0;
+    for (std::size_t begin = 0; (feed = text.find('\n', begin)) != std::string::npos;
+         begin = feed + 1) {
+        const std::string line = text.substr(begin, feed + 1 - begin);
+        const std::size_t key_end = line.find(' ', hash_digits + 1);
+        if (line.size() > hash_digits && key_end != std::string::npos) {
+            const std::string key = line.substr(hash_digits + 1, key_end - hash_digits - 1);
+            const std::string row = line.substr(key_end + 1, line.size() - key_end - 2);
+            const auto whole = TRY(line_of(key, row));
+            if (whole == line) {
+                rows_[key] = row;
+            }
+        }
+        end_ += static_cast<std::int64_t>(line.size());
+    }
+    // Otherwise the next row would continue a half one.
+    return ftruncate(descriptor_.get(), end_) == 0 ? Status() : failed(errno);
 }
 
 Result<std::string> RowJournal::read(std::int64_t offset, std::size_t size) const {
     std::string text(size, '\0');
-    std::size_t at = 0;
-    while (at < size) {
-        const ssize_t got = pread(descriptor_, text.data() + at, size - at,
-                                  static_cast<off_t>(offset) + static_cast<off_t>(at));
-        if (got < 0 && errno != EINTR) {
-            return Error{ErrorCode::file_read_failed, path_.string(), {system_reason(errno)}};
-        }
-        if (got == 0) {
-            break;
-        }
-        at += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+    const std::int64_t got = read_at(descriptor_.get(), offset, text);
+    if (got < 0) {
+        return Error{ErrorCode::file_read_failed, path_.string(), {system_reason(errno)}};
     }
-    text.resize(at);
+    text.resize(static_cast<std::size_t>(got));
     return text;
 }
 
-Result<std::string> RowJournal::row(const std::string& key) const {
-    const Place& place = rows_.at(key);
-    return read(place.offset, place.size);
-}
-
 Status RowJournal::append(const std::string& key, std::string_view row) {
-    const auto line = TRY(line_of(key, row));
-    const auto offset = end_ + static_cast<std::int64_t>(line.size() - row.size()) - 1;
-    TRY(write(line));
-    rows_[key] = {offset, row.size()};
+    if (descriptor_) {
+        const auto line = TRY(line_of(key, row));
+        TRY(write(line));
+    }
+    rows_[key] = row;
     return {};
 }
 
 Status RowJournal::write(std::string_view bytes) {
     for (std::size_t at = 0; at < bytes.size();) {
-        const ssize_t written = pwrite(descriptor_, bytes.data() + at, bytes.size() - at,
+        const ssize_t written = pwrite(descriptor_.get(), bytes.data() + at, bytes.size() - at,
                                        static_cast<off_t>(end_) + static_cast<off_t>(at));
         if (written < 0 && errno != EINTR) {
             const Error error = failed(errno);
             // Half a row goes; where even that fails, its hash tells.
-            [[maybe_unused]] const int cut = ftruncate(descriptor_, end_);
+            [[maybe_unused]] const int cut = ftruncate(descriptor_.get(), end_);
             return error;
         }
         at += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
     }
-    if (fdatasync(descriptor_) != 0) {
+    if (fdatasync(descriptor_.get()) != 0) {
         return failed(errno);
     }
     end_ += static_cast<std::int64_t>(bytes.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/recording/bytes/file_bytes.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -18,14 +19,10 @@ class RowJournal {
 public:
     // Opens the file, makes it if there is none, and locks it until this object goes. `resume`:
     // takes the rows found; otherwise begins without rows, and those found stay in the file. An
-    // empty path: a file without a name, for rows of this run only. Errors: output_failed, also
+    // empty path: no file, for rows of this run only. Errors: output_failed, also
     // while another process holds the file and where another kind of file has this name;
     // file_read_failed.
     static Result<RowJournal> open(const std::filesystem::path& path, bool resume);
-
-    RowJournal(RowJournal&& other) noexcept;
-    RowJournal& operator=(RowJournal&&) = delete;
-    ~RowJournal();
 
     // `key` names the row and all that it depends on, in one line without spaces.
     bool has(const std::string& key) const { return rows_.contains(key); }
@@ -34,8 +31,8 @@ public:
     // Number of rows found that are not taken.
     std::size_t found() const { return found_; }
     std::size_t size() const { return rows_.size(); }
-    // Precondition: has(key). Errors: file_read_failed.
-    Result<std::string> row(const std::string& key) const;
+    // Precondition: has(key).
+    const std::string& row(const std::string& key) const { return rows_.at(key); }
     // `row`: one line without its line feed. An error leaves the rows before. Errors:
     // output_failed.
     Status append(const std::string& key, std::string_view row);
@@ -44,11 +41,6 @@ public:
     void remove() noexcept;
 
 private:
-    struct Place {
-        std::int64_t offset = 0;
-        std::size_t size = 0;
-    };
-
     explicit RowJournal(std::filesystem::path path) : path_(std::move(path)) {}
     Status begin(bool resume);
     Status find_rows();
@@ -57,9 +49,9 @@ private:
     Error failed(int error) const;
 
     std::filesystem::path path_;
-    int descriptor_ = -1;
+    Descriptor descriptor_;
     std::int64_t end_ = 0;
-    std::map<std::string, Place> rows_;
+    std::map<std::string, std::string> rows_;
     std::size_t found_ = 0;
 };
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -75,54 +74,40 @@ Status MemoryColumns::flags(const FlagSink& sink) const {
     return pass(track_.flags(), sink);
 }
 
-Spool::~Spool() {
-    if (descriptor_ >= 0) {
-        close(descriptor_);
-    }
-}
-
-Error Spool::failed(int error) const {
-    return output_.failure(system_reason(error));
-}
-
-Status Spool::create() {
+Status TrackSpool::create_file() {
     const std::filesystem::path folder = output_.spool_folder();
-    descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
+    file_ = Descriptor(open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
+    if (!file_ && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
         // For a file system without unnamed files.
-        const TemporaryFile named = make_temporary(folder);
-        if (named.descriptor < 0) {
+        TemporaryFile named = make_temporary(folder);
+        if (!named.descriptor) {
             return failed(named.error);
         }
         unlink(named.path.c_str());
-        descriptor_ = named.descriptor;
+        file_ = std::move(named.descriptor);
     }
-    return descriptor_ >= 0 ? Status{} : failed(errno);
+    return file_ ? Status{} : failed(errno);
 }
 
-Status Spool::write(std::span<const std::byte> bytes) {
+Status TrackSpool::write(std::span<const std::byte> bytes) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (spilled_ > 0 && memory_.empty() && text.size() >= least_direct) {
         return write_out(text);
     }
     memory_.append(text);
-    return memory_.size() < most_in_memory ? Status{} : spill();
-}
-
-Status Spool::spill() {
-    if (descriptor_ < 0) {
-        TRY(create());
+    if (memory_.size() >= most_in_memory) {
+        TRY(file_ ? Status{} : create_file());
+        TRY(write_out(memory_));
+        memory_.clear();
     }
-    TRY(write_out(memory_));
-    memory_.clear();
     return {};
 }
 
-Status Spool::write_out(std::string_view left) {
+Status TrackSpool::write_out(std::string_view left) {
     while (!left.empty()) {
         TRY(job_.go_on());
         const ssize_t written =
-            ::write(descriptor_, left.data(), std::min(left.size(), piece_bytes));
+            ::write(file_.get(), left.data(), std::min(left.size(), piece_bytes));
         if (written < 0 && errno != EINTR) {
             return failed(errno);
         }
@@ -132,39 +117,37 @@ Status Spool::write_out(std::string_view left) {
     return {};
 }
 
-Status Spool::read(std::int64_t from, std::span<std::byte> to) const {
-    while (!to.empty() && from < spilled_) {
+Status TrackSpool::read(std::int64_t from, std::span<std::byte> to) const {
+    const std::span<char> bytes(reinterpret_cast<char*>(to.data()), to.size());
+    std::size_t of_file = 0;
+    if (from < spilled_) {
         TRY(job_.go_on());
-        const auto wanted = std::min(static_cast<std::size_t>(spilled_ - from), to.size());
-        const ssize_t got = pread(descriptor_, to.data(), wanted, from);
-        if (got <= 0 && errno != EINTR) {
-            return failed(got == 0 ? EIO : errno);
+        of_file = std::min(static_cast<std::size_t>(spilled_ - from), to.size());
+        const std::int64_t got = read_at(file_.get(), from, bytes.first(of_file));
+        if (got != static_cast<std::int64_t>(of_file)) {
+            return failed(got < 0 ? errno : EIO);
         }
-        from += std::max<ssize_t>(got, 0);
-        to = to.subspan(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        from = spilled_;
     }
-    if (!to.empty()) {
-        std::memcpy(to.data(), memory_.data() + (from - spilled_), to.size());
-    }
+    memory_.copy(bytes.data() + of_file, bytes.size() - of_file,
+                 static_cast<std::size_t>(from - spilled_));
     return {};
 }
 
 Status TrackSpool::append(const Track& rows) {
-    blocks_.push_back({rows_, rows.rows(), bytes_});
+    blocks_.push_back({rows_, rows.rows(), spilled_ + static_cast<std::int64_t>(memory_.size())});
     for (std::size_t column = 0; column < track_number_columns; ++column) {
-        TRY(spool_.write(std::as_bytes(track_column(rows, column))));
+        TRY(write(std::as_bytes(track_column(rows, column))));
     }
     rows_ += rows.rows();
-    bytes_ += static_cast<std::int64_t>(rows.rows() *
-                                        (track_number_columns * sizeof(double) + sizeof(Flags)));
-    return spool_.write(std::as_bytes(rows.flags()));
+    return write(std::as_bytes(rows.flags()));
 }
 
 Status TrackSpool::numbers(std::size_t column, const NumberSink& sink) const {
     std::vector<double> piece;
     for (const Block& block : blocks_) {
         piece.resize(block.rows);
-        TRY(spool_.read(block.place_of(column), std::as_writable_bytes(std::span(piece))));
+        TRY(read(block.place_of(column), std::as_writable_bytes(std::span(piece))));
         TRY(sink(piece));
     }
     return {};
@@ -194,16 +177,14 @@ Status TrackSpool::whole_rows(std::size_t at_once, const TrackSink& sink) const 
 }
 
 Status TrackSpool::read_flags(const Block& block, std::span<Flags> flags) const {
-    const Status read =
-        spool_.read(block.place_of(track_number_columns), std::as_writable_bytes(flags));
+    const Status done = read(block.place_of(track_number_columns), std::as_writable_bytes(flags));
     set_flags(flags, block.first, flagged_);
-    return read;
+    return done;
 }
 
 Status TrackSpool::read_block(const Block& block, Track& rows) const {
     for (std::size_t column = 0; column < track_number_columns; ++column) {
-        TRY(spool_.read(block.place_of(column),
-                        std::as_writable_bytes(track_column(rows, column))));
+        TRY(read(block.place_of(column), std::as_writable_bytes(track_column(rows, column))));
     }
     return read_flags(block, rows.flags());
 }

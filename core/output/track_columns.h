@@ -62,41 +62,14 @@ private:
     const Track& track_;
 };
 
-// Bytes stored until the preceding part of an output is known: a few MiB in memory, the rest in an
-// unnamed file, which the system removes in any case. Every write checks the stop token. Errors:
-// output_failed, interrupted.
-class Spool {
-public:
-    // Spool for `output`, which must outlive it, with its file in output.spool_folder().
-    Spool(const OutputFile& output, const JobControl& job) : output_(output), job_(job) {}
-    Spool(const Spool&) = delete;
-    Spool& operator=(const Spool&) = delete;
-    ~Spool();
-
-    Status write(std::span<const std::byte> bytes);
-
-    // Reads bytes from the position `from` on. Preconditions: as many were written; no more writes.
-    Status read(std::int64_t from, std::span<std::byte> to) const;
-
-private:
-    Status spill();
-    Status write_out(std::string_view bytes);
-    Status create();
-    Error failed(int error) const;
-
-    const OutputFile& output_;
-    JobControl job_;
-    std::string memory_;
-    int descriptor_ = -1;
-    std::int64_t spilled_ = 0;  // bytes
-};
-
 // The rows of a track from their computation until its header is known, because the last warnings
-// come with the last window. Not for two threads at once. Errors: those of Spool.
+// come with the last window: a few MiB in memory, the rest in an unnamed file in
+// output.spool_folder(), which the system removes in any case. Every write checks the stop token.
+// Not for two threads at once. Errors: output_failed, interrupted.
 class TrackSpool final : public TrackColumns {
 public:
-    // `file` must outlive it.
-    TrackSpool(const OutputFile& file, const JobControl& job) : spool_(file, job) {}
+    // `output` must outlive it.
+    TrackSpool(const OutputFile& output, const JobControl& job) : output_(output), job_(job) {}
 
     Status append(const Track& rows);
     // Rows that get a flag while they are read.
@@ -113,19 +86,27 @@ private:
     struct Block {  // of one append()
         std::size_t first = 0;
         std::size_t rows = 0;
-        std::int64_t place = 0;  // in the spool: column behind column, then the flags
+        std::int64_t place = 0;  // of its bytes: column behind column, then the flags
 
         std::int64_t place_of(std::size_t column) const {
             return place + static_cast<std::int64_t>(column * rows * sizeof(double));
         }
     };
+    Status write(std::span<const std::byte> bytes);
+    Status write_out(std::string_view bytes);
+    Status create_file();
+    Status read(std::int64_t from, std::span<std::byte> to) const;
+    Error failed(int error) const { return output_.failure(system_reason(error)); }
     Status read_flags(const Block& block, std::span<Flags> flags) const;
     Status read_block(const Block& block, Track& rows) const;
 
-    Spool spool_;
+    const OutputFile& output_;
+    JobControl job_;
+    Descriptor file_;
+    std::int64_t spilled_ = 0;  // bytes in the file
+    std::string memory_;        // those behind them
     std::vector<Block> blocks_;
     std::size_t rows_ = 0;
-    std::int64_t bytes_ = 0;
     std::vector<FlaggedRows> flagged_;
 };
 

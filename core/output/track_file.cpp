@@ -108,50 +108,51 @@ Status pass_cells(const TrackColumns& columns, const FlagCells& cells, const Byt
 }
 
 // An array of a file whose bytes can be passed as often as they are needed.
-struct TrackArray {
-    std::string name;
-    std::string unit;
-    std::size_t rows = 0;
-    std::size_t width = 0;  // characters of each row's text; 0: float64
+struct TrackArray : Hdf5Array {
     std::function<Status(const ByteSink&)> pass;
 };
 
-// How a format keeps texts of one width, which is at least 1: no format has texts without any room.
-struct TextFormat {
-    std::size_t (*length)(const std::string& text);
-    std::string (*padded)(const std::string& text, std::size_t width);
-};
+// The bytes of a text in a format that keeps texts of one width, with zeros behind the last
+// character.
+using TextBytes = std::string (*)(const std::string& text);
 
 // Every array of a file: a column each, the flags and the header's lines. `columns` must outlive
 // them.
 Result<std::vector<TrackArray>> arrays_of(const TrackColumns& columns,
                                           std::span<const std::string> header,
-                                          const TextFormat& texts) {
+                                          TextBytes text_bytes) {
     const auto counts = TRY(count_flags(columns));
+    const auto rows = static_cast<std::int64_t>(columns.rows());
     std::vector<TrackArray> arrays;
     for (std::size_t k = 0; k < track_number_columns; ++k) {
         arrays.push_back(
-            {track_column_name(k), track_column_unit(k), columns.rows(), 0,
+            {{track_column_name(k), rows, 0, track_column_unit(k)},
              [&columns, k](const ByteSink& sink) { return pass_numbers(columns, k, sink); }});
     }
-    std::size_t width = 1;
-    for (const auto& [flags, rows] : counts) {
-        width = std::max(width, texts.length(flags_text(flags)));
+    // No format has texts without any room.
+    std::size_t width = text_bytes(" ").size();
+    std::size_t longest = width;
+    for (const auto& [flags, rows_of] : counts) {
+        width = std::max(width, text_bytes(flags_text(flags)).size());
     }
+    const auto padded = [text_bytes](const std::string& text, std::size_t bytes) {
+        std::string cell = text_bytes(text);
+        cell.resize(bytes);
+        return cell;
+    };
     const FlagCells cells =
-        make_cells(counts, [&](const std::string& text) { return texts.padded(text, width); });
+        make_cells(counts, [&](const std::string& text) { return padded(text, width); });
     arrays.push_back(
-        {flag_column_name, "", columns.rows(), width,
+        {{flag_column_name, rows, static_cast<std::int64_t>(width)},
          [&columns, cells](const ByteSink& sink) { return pass_cells(columns, cells, sink); }});
-    std::size_t longest = 1;
     for (const std::string& line : header) {
-        longest = std::max(longest, texts.length(line));
+        longest = std::max(longest, text_bytes(line).size());
     }
     std::string lines;
     for (const std::string& line : header) {
-        lines += texts.padded(line, longest);
+        lines += padded(line, longest);
     }
-    arrays.push_back({header_name, "", header.size(), longest,
+    arrays.push_back({{header_name, std::ssize(header), static_cast<std::int64_t>(longest)},
                       [lines](const ByteSink& sink) { return sink(lines); }});
     return arrays;
 }
@@ -163,29 +164,27 @@ std::uint32_t crc_of(std::uint32_t crc, std::string_view bytes) {
 
 // The checksum stands before the bytes, so that they are passed twice.
 Status write_member(OutputFile& file, StoredZip& zip, const TrackArray& array) {
+    constexpr std::int64_t character = sizeof(char32_t);
     const std::string type =
-        array.width == 0 ? "<f8" : "<U" + integer_text(static_cast<std::int64_t>(array.width));
-    const std::size_t bytes_per_row =
-        array.width == 0 ? sizeof(double) : array.width * sizeof(char32_t);
-    const std::string head =
-        npy_head(type, integer_text(static_cast<std::int64_t>(array.rows)) + ",");
+        array.text_bytes == 0 ? "<f8" : "<U" + integer_text(array.text_bytes / character);
+    const std::string head = npy_head(type, integer_text(array.rows) + ",");
     std::uint32_t crc = crc_of(0, head);
     TRY(array.pass([&crc](std::string_view bytes) -> Status {
         crc = crc_of(crc, bytes);
         return {};
     }));
-    TRY(zip.begin(array.name + ".npy", head.size() + array.rows * bytes_per_row, crc));
+    TRY(zip.begin(array.name + ".npy", head.size() + static_cast<std::uint64_t>(array.bytes()),
+                  crc));
     TRY(file.write(head));
     return array.pass(into(file));
 }
 
-// A text of so many characters, as NumPy keeps it: 4 bytes for each, zeros behind the last.
-std::string numpy_text(const std::string& text, std::size_t width) {
+// As NumPy keeps them: 4 bytes for each character.
+std::string numpy_text(const std::string& text) {
     std::string bytes;
     for (const char32_t point : code_points(text)) {
         append_bytes(bytes, point);
     }
-    bytes.resize(width * sizeof(char32_t), '\0');
     return bytes;
 }
 
@@ -215,28 +214,6 @@ Result<Hdf5Layout> layout_of(const OutputFile& file, const std::string& program,
     }
     return layout;
 }
-
-// Writes the layout's own bytes, which stand before and between the arrays, in order.
-class LayoutBytes {
-public:
-    LayoutBytes(OutputFile& file, const Hdf5Layout& layout) : file_(file), layout_(layout) {}
-
-    // Those up to `place`.
-    Status write_up_to(std::int64_t place) {
-        const auto end = static_cast<std::size_t>(place);
-        const std::string_view own = layout_.bytes;
-        std::string piece(own.substr(std::min(at_, own.size()), end - at_));
-        piece.resize(end - at_, '\0');
-        at_ = end;
-        return file_.write(piece);
-    }
-    void skip(std::int64_t bytes) { at_ += static_cast<std::size_t>(bytes); }
-
-private:
-    OutputFile& file_;
-    const Hdf5Layout& layout_;
-    std::size_t at_ = 0;
-};
 
 // Writes a track as MAT of level 5: a column of doubles (n x 1) per column, the flags and the
 // header's lines as cells of texts (n x 1). Errors: output_failed, also for more rows than the
@@ -278,9 +255,7 @@ Status write_track_mat(OutputFile& file, const TrackColumns& columns,
 // TrackColumns.
 Status write_track_npz(OutputFile& file, const TrackColumns& columns,
                        std::span<const std::string> header) {
-    const TextFormat texts{[](const std::string& text) { return code_points(text).size(); },
-                           numpy_text};
-    const auto arrays = TRY(arrays_of(columns, header, texts));
+    const auto arrays = TRY(arrays_of(columns, header, numpy_text));
     StoredZip zip(file);
     for (const TrackArray& array : arrays) {
         TRY(write_member(file, zip, array));
@@ -293,27 +268,29 @@ Status write_track_npz(OutputFile& file, const TrackColumns& columns,
 // cannot be loaded; interrupted; those of TrackColumns.
 Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
                         std::span<const std::string> header) {
-    const TextFormat texts{[](const std::string& text) { return text.size(); },
-                           [](const std::string& text, std::size_t width) {
-                               return text + std::string(width - text.size(), '\0');
-                           }};
-    const auto arrays = TRY(arrays_of(columns, header, texts));
-    std::vector<Hdf5Array> laid_out;
-    for (const TrackArray& array : arrays) {
-        laid_out.push_back({array.name, static_cast<std::int64_t>(array.rows),
-                            static_cast<std::int64_t>(array.width), array.unit});
-    }
-    const auto layout = TRY(layout_of(file, header.empty() ? "" : header.front(), laid_out));
-    LayoutBytes own(file, layout);
+    const auto arrays =
+        TRY(arrays_of(columns, header, [](const std::string& text) { return text; }));
+    const auto layout =
+        TRY(layout_of(file, header.empty() ? "" : header.front(), {arrays.begin(), arrays.end()}));
+    // The layout's own bytes stand before and between the arrays, in order.
+    std::int64_t at = 0;
+    const auto write_up_to = [&](std::int64_t place) {
+        const auto size = static_cast<std::size_t>(place - at);
+        std::string own(layout.bytes, std::min(static_cast<std::size_t>(at), layout.bytes.size()),
+                        size);
+        own.resize(size);
+        at = place;
+        return file.write(own);
+    };
     for (std::size_t k = 0; k < arrays.size(); ++k) {
         if (arrays[k].rows == 0) {
             continue;  // has no place
         }
-        TRY(own.write_up_to(layout.places[k]));
-        own.skip(laid_out[k].bytes());
+        TRY(write_up_to(layout.places[k]));
+        at += arrays[k].bytes();
         TRY(arrays[k].pass(into(file)));
     }
-    return own.write_up_to(layout.size);
+    return write_up_to(layout.size);
 }
 
 // Rows that one task writes as text, a quarter of a megabyte.

@@ -132,28 +132,20 @@ Files tdms_files() {
                   t.real("NI_Scale[0]_Linear_Y_Intercept", 1)}),
              t.object("/'Run'/'Note'", t.strings(2, 12)), t.object(path_d, t.values(tds_f32, 10))}),
         std::string(40 + 12 + 40, '\1') + std::string(40 + 12 + 40, '\2')));
-    // DAQmx, a polynomial and a table, channels of unequal length, a short last chunk.
-    const auto scaled = [&t](const std::string& kind) {
-        std::vector<std::string> scale{
-            t.whole("NI_Number_Of_Scales", 2), t.words("NI_Scale[1]_Scale_Type", kind),
-            t.count("NI_Scale[1]_" + kind + "_Input_Source", 0),
-            t.count("NI_Scale[1]_Table_Scaled_Values_Size", 4), t.real("wf_increment", 1e-4)};
-        for (const char* list :
-             {"Polynomial_Coefficients", "Table_Scaled_Values", "Table_Pre_Scaled_Values"}) {
-            for (int i = 0; i < 4; ++i) {
-                scale.push_back(t.real(
-                    "NI_Scale[1]_" + std::string(list) + "[" + std::to_string(i) + "]", 0.5 * i));
-            }
-        }
-        return scale;
-    };
-    for (const char* kind : {"Polynomial", "Table"}) {
-        const std::string metadata =
-            t.metadata({t.object(path_c, t.daqmx(20, {t.scaler(3, 0)}, {4}), scaled(kind)),
-                        t.object(path_d, t.daqmx(20, {t.scaler(3, 2)}, {4}), scaled(kind))});
-        files.push_back(t.segment(first_segment | toc_daqmx, metadata, std::string(2 * 80, '\1')) +
-                        t.segment(toc_raw | toc_daqmx, "", std::string(60, '\2')));
+    // DAQmx with a polynomial, channels of unequal length, a short last chunk.
+    std::vector<std::string> scale{
+        t.whole("NI_Number_Of_Scales", 2), t.words("NI_Scale[1]_Scale_Type", "Polynomial"),
+        t.count("NI_Scale[1]_Polynomial_Input_Source", 0), t.real("wf_increment", 1e-4)};
+    for (int i = 0; i < 4; ++i) {
+        scale.push_back(
+            t.real("NI_Scale[1]_Polynomial_Coefficients[" + std::to_string(i) + "]", 0.5 * i));
     }
+    files.push_back(
+        t.segment(first_segment | toc_daqmx,
+                  t.metadata({t.object(path_c, t.daqmx(20, {t.scaler(3, 0)}, {4}), scale),
+                              t.object(path_d, t.daqmx(20, {t.scaler(3, 2)}, {4}), scale)}),
+                  std::string(2 * 80, '\1')) +
+        t.segment(toc_raw | toc_daqmx, "", std::string(60, '\2')));
     files.push_back(t.segment(
         first_segment,
         t.metadata({t.object(path_c, t.values(tds_i16, 12), {t.real("wf_increment", 1e-4)}),

@@ -22,80 +22,41 @@ constexpr std::string_view magic = "\x93NUMPY"sv;
 constexpr std::int64_t most_channels = 4096;
 constexpr std::int64_t longest_npy_header = std::int64_t{1} << 16;  // NumPy itself stops at 10000
 
-// Reads the header, a Python literal, token by token. Blanks are ignored.
-class Literal {
-public:
-    explicit Literal(std::string_view text) : text_(text) {}
-
-    bool at(char token) {
-        while (!text_.empty() && " \t\r\n"sv.find(text_.front()) != ""sv.npos) {
-            text_.remove_prefix(1);
+// The tokens of a Python literal: texts in quotes, words, whole numbers and single characters. None
+// where a quote is not closed.
+std::vector<std::string_view> tokens_of(std::string_view literal) {
+    constexpr std::string_view of_words =
+        "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_";
+    std::vector<std::string_view> tokens;
+    for (;;) {
+        literal.remove_prefix(std::min(literal.find_first_not_of(" \t\r\n"), literal.size()));
+        if (literal.empty()) {
+            return tokens;
         }
-        return !text_.empty() && text_.front() == token;
-    }
-
-    bool take(char token) {
-        const bool is_there = at(token);
-        text_.remove_prefix(is_there ? 1 : 0);
-        return is_there;
-    }
-
-    std::optional<std::string_view> string() {
-        for (const char quote : {'\'', '"'}) {
-            if (take(quote)) {
-                const std::size_t end = text_.find(quote);
-                if (end == text_.npos) {
-                    return std::nullopt;
-                }
-                const std::string_view content = text_.substr(0, end);
-                text_.remove_prefix(end + 1);
-                return content;
+        std::size_t size = std::min(literal.find_first_not_of(of_words), literal.size());
+        if (literal.front() == '\'' || literal.front() == '"') {
+            size = literal.find(literal.front(), 1) + 1;
+            if (size == 0) {
+                return {};
             }
         }
-        return std::nullopt;
+        tokens.push_back(literal.substr(0, std::max(size, std::size_t{1})));
+        literal.remove_prefix(tokens.back().size());
     }
+}
 
-    bool word(std::string_view wanted) {
-        const bool is_there = at(wanted.front()) && text_.starts_with(wanted);
-        text_.remove_prefix(is_there ? wanted.size() : 0);
-        return is_there;
-    }
+std::optional<std::string_view> unquoted(std::string_view token) {
+    const bool quoted = token.starts_with('\'') || token.starts_with('"');
+    return quoted ? std::optional(token.substr(1, token.size() - 2)) : std::nullopt;
+}
 
-    // Not negative; Python 2 appended an L.
-    std::optional<std::int64_t> whole_number() {
-        at(' ');
-        std::int64_t number = 0;
-        const auto end = std::from_chars(text_.data(), text_.data() + text_.size(), number);
-        if (end.ec != std::errc{} || number < 0) {
-            return std::nullopt;
-        }
-        text_.remove_prefix(static_cast<std::size_t>(end.ptr - text_.data()));
-        take('L');
-        return number;
-    }
-
-    bool ended() {
-        at(' ');
-        return text_.empty();
-    }
-
-private:
-    std::string_view text_;
-};
-
-std::optional<std::vector<std::int64_t>> parse_shape(Literal& literal) {
-    std::vector<std::int64_t> shape;
-    if (!literal.take('(')) {
-        return std::nullopt;
-    }
-    while (!literal.take(')')) {
-        const auto number = literal.whole_number();
-        if (!number || !(literal.take(',') || literal.at(')'))) {
-            return std::nullopt;
-        }
-        shape.push_back(*number);
-    }
-    return shape;
+// Python 2 appended an L.
+std::optional<std::int64_t> whole_number(std::string_view token) {
+    token.remove_suffix(token.ends_with('L') ? 1 : 0);
+    std::int64_t number = 0;
+    const char* const end = token.data() + token.size();
+    const auto parsed = std::from_chars(token.data(), end, number);
+    return parsed.ec == std::errc{} && parsed.ptr == end ? std::optional(number) : std::nullopt;
 }
 
 struct Header {
@@ -106,41 +67,49 @@ struct Header {
 
 // Empty if the text is no dictionary of the three known keys.
 std::optional<Header> parse_header(std::string_view text) {
-    Literal literal(text);
+    const std::vector<std::string_view> tokens = tokens_of(text);
+    auto next = tokens.begin();
+    const auto at = [&](std::string_view token) { return next != tokens.end() && *next == token; };
+    const auto take = [&](std::string_view token) {
+        const bool there = at(token);
+        next += there ? 1 : 0;
+        return there;
+    };
+    const auto any = [&] { return next == tokens.end() ? std::string_view() : *next++; };
     Header header;
-    if (!literal.take('{')) {
+    if (!take("{")) {
         return std::nullopt;
     }
-    while (!literal.take('}')) {
-        const auto key = literal.string();
-        if (!key || !literal.take(':')) {
+    while (!take("}")) {
+        const auto key = unquoted(any());
+        if (!key || !take(":")) {
             return std::nullopt;
         }
+        if (*key == "descr" && take("[")) {
+            header.descr = "";
+            return header;
+        }
         if (*key == "descr") {
-            if (literal.at('[')) {
-                header.descr = "";
-                return header;
+            header.descr = unquoted(any());
+        } else if (*key == "fortran_order" && (at("True") || at("False"))) {
+            header.fortran_order = any() == "True";
+        } else if (*key == "shape" && take("(")) {
+            header.shape.emplace();
+            while (!take(")")) {
+                const auto number = whole_number(any());
+                if (!number || !(take(",") || at(")"))) {
+                    return std::nullopt;
+                }
+                header.shape->push_back(*number);
             }
-            const auto descr = literal.string();
-            if (!descr) {
-                return std::nullopt;
-            }
-            header.descr = std::string(*descr);
-        } else if (*key == "fortran_order") {
-            header.fortran_order = literal.word("True");
-            if (!*header.fortran_order && !literal.word("False")) {
-                return std::nullopt;
-            }
-        } else if (*key == "shape") {
-            header.shape = parse_shape(literal);
         } else {
             return std::nullopt;
         }
-        if (!literal.take(',') && !literal.at('}')) {
+        if (!take(",") && !at("}")) {
             return std::nullopt;
         }
     }
-    const bool whole = header.descr && header.fortran_order && header.shape && literal.ended();
+    const bool whole = header.descr && header.fortran_order && header.shape && next == tokens.end();
     return whole ? std::optional(header) : std::nullopt;
 }
 

@@ -1,6 +1,6 @@
 #include "core/recording/arrays/tdms_reader.h"
 
-#include "core/recording/arrays/tdms_segments.h"
+#include "core/recording/arrays/tdms_file.h"
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -23,228 +22,229 @@
 namespace vybeg {
 namespace {
 
-// y over x, linear between the points; beyond the ends the value of the end, as in DAQmx. Without
-// points x a polynomial of the coefficients y: y0 + y1 x + y2 x^2 + ...
-struct TdmsStep {
-    std::vector<double> x;  // rising
-    std::vector<double> y;
+// Layout of a chunk, and position of the channel in it.
+struct Chunk {
+    std::int64_t size = 0;    // bytes
+    std::int64_t offset = 0;  // of the channel's first value
+    std::int64_t stride = 0;  // from value to value
+    std::int64_t width = 0;   // of a value
+    std::int64_t count = 0;   // of the channel's values; 0: the channel is absent
+    bool by_rows = false;     // a value of each channel in turn
 };
 
-// Conversion of a channel's raw numbers to its unit: the linear scale of the decoder, then the
-// steps.
-struct TdmsScaling {
-    std::optional<std::uint32_t>
-        scaler;  // id of the number of a DAQmx channel; empty: its only one
-    Scale linear;
-    std::vector<TdmsStep> steps;
-};
-
-constexpr double raw_numbers = 0xFFFFFFFF;  // as the input source of a scale
-constexpr double most_scales = 1000;
-constexpr std::string_view count_name = "NI_Number_Of_Scales";
-
-std::string scale_name(int index, std::string_view rest) {
-    return "NI_Scale[" + std::to_string(index) + "]_" + std::string(rest);
+Chunk chunk_for(std::size_t object, const std::vector<TdmsRawIndex>& indices, bool interleaved) {
+    Chunk chunk;
+    chunk.by_rows = interleaved;
+    std::int64_t row = 0;
+    for (const TdmsRawIndex& index : indices) {
+        const std::int64_t width = tdms_bytes(index.type).value_or(0);
+        if (index.object == object) {
+            chunk.offset = interleaved ? row : chunk.size;
+            chunk.width = width;
+            chunk.count = index.count;
+        }
+        row += width;
+        chunk.size += index.bytes;
+    }
+    chunk.stride = interleaved ? row : chunk.width;
+    return chunk;
 }
 
-// The scales of one object.
-class Scales {
+// The same for DAQmx: consecutive buffers, each with as many rows as its longest channel has
+// values. Empty if the channels contradict each other about the buffers.
+std::optional<Chunk> daqmx_chunk_for(std::size_t object, std::uint32_t scaler_id,
+                                     const std::vector<TdmsRawIndex>& indices) {
+    const std::vector<std::int64_t>& widths = indices.front().widths;
+    std::vector<std::int64_t> rows(widths.size());
+    for (const TdmsRawIndex& index : indices) {
+        if (index.widths != widths) {
+            return std::nullopt;
+        }
+        for (const TdmsScaler& scaler : index.scalers) {
+            std::int64_t& most = rows[static_cast<std::size_t>(scaler.buffer)];
+            most = std::max(most, index.count);
+        }
+    }
+    std::vector<std::int64_t> starts;
+    Chunk chunk;
+    chunk.by_rows = true;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        starts.push_back(chunk.size);
+        chunk.size += rows[i] * widths[i];
+    }
+    for (const TdmsRawIndex& index : indices) {
+        for (const TdmsScaler& scaler : index.scalers) {
+            if (index.object == object && scaler.id == scaler_id && scaler.type) {
+                const auto buffer = static_cast<std::size_t>(scaler.buffer);
+                chunk.offset = starts[buffer] + scaler.offset;
+                chunk.stride = widths[buffer];
+                chunk.width = bytes_of(*scaler.type);
+                chunk.count = index.count;
+            }
+        }
+    }
+    return chunk;
+}
+
+// Values of the channel in the first `bytes` bytes of a chunk.
+std::int64_t values_in(const Chunk& chunk, std::int64_t bytes) {
+    const std::int64_t room = bytes - chunk.offset - chunk.width;
+    return room < 0 || chunk.count == 0 ? 0 : std::min(chunk.count, room / chunk.stride + 1);
+}
+
+// A last chunk of `bytes` bytes, divided in proportion among the channels. Empty if a product would
+// exceed any file size.
+std::optional<Chunk> shared_out(Chunk chunk, std::size_t object, std::int64_t bytes,
+                                const std::vector<TdmsRawIndex>& indices) {
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    std::int64_t at = 0;
+    for (const TdmsRawIndex& index : indices) {
+        if (index.count > 0 && bytes > most / index.count) {
+            return std::nullopt;
+        }
+        const std::int64_t values = index.count * bytes / chunk.size;
+        if (index.object == object) {
+            chunk.offset = at;
+            chunk.count = values;
+        }
+        at += values * tdms_bytes(index.type).value_or(0);
+    }
+    return chunk;
+}
+
+bool has_texts(const std::vector<TdmsRawIndex>& indices) {
+    return std::any_of(indices.begin(), indices.end(), [](const TdmsRawIndex& index) {
+        return index.count > 0 && !tdms_bytes(index.type);
+    });
+}
+
+// Collects the positions of the values of one channel, segment by segment. Contiguous ranges are
+// merged, so that a file written in many pieces has a short table.
+class TdmsRanges {
 public:
-    Scales(const FileBytes& file, const TdmsObject& channel, const TdmsObject& owner)
-        : file_(file), channel_(channel), owner_(owner) {}
+    // `scaler`: id of the chosen numbers of a DAQmx channel.
+    explicit TdmsRanges(std::size_t object, std::uint32_t scaler = 0)
+        : object_(object), scaler_(scaler) {}
 
-    std::optional<double> number(const std::string& name) const { return owner_.number(name); }
-    std::string text(const std::string& name) const { return owner_.text(name); }
+    // Adds the chunks of one segment. A last chunk that is shorter by its segment is divided in
+    // proportion among consecutive channels; in a truncated file the present bytes count. Returns
+    // the fault of the chunks, if any.
+    std::optional<const char*> take(const TdmsSegment& segment,
+                                    const std::vector<TdmsRawIndex>& chunk);
 
-    // Number of scales by the file, otherwise of those described.
-    double count() const {
-        if (const auto told = number(std::string(count_name))) {
-            return *told;
-        }
-        int found = 0;
-        while (found < most_scales && !text(scale_name(found, "Scale_Type")).empty()) {
-            ++found;
-        }
-        return found;
-    }
-
-    Result<TdmsScaling> read() const {
-        const double scales = count();
-        if (!(scales <= most_scales)) {
-            return damaged(
-                VYBEG_MESSAGE("Words", "the channel %1 has an impossible number of scales"));
-        }
-        TdmsScaling scaling;
-        // From the last scale back to the raw numbers; the step found first is applied last.
-        auto index = static_cast<int>(scales) - 1;
-        for (int seen = 0;; ++seen) {
-            const std::string type = text(scale_name(index, "Scale_Type"));
-            if (type.empty()) {  // raw number of DAQmx with this id
-                scaling.scaler = static_cast<std::uint32_t>(index);
-                break;
-            }
-            if (seen > scales) {
-                return damaged(VYBEG_MESSAGE(
-                    "Words", "the channel %1 has scales that are each other's input"));
-            }
-            TRY(take(type, index, scaling));
-            const double input =
-                number(scale_name(index, type + "_Input_Source")).value_or(raw_numbers);
-            if (input == raw_numbers || input == -1) {
-                break;
-            }
-            if (!(input >= 0 && input < scales)) {
-                return damaged(VYBEG_MESSAGE(
-                    "Words", "the channel %1 has a scale whose input does not exist"));
-            }
-            index = static_cast<int>(input);
-        }
-        std::reverse(scaling.steps.begin(), scaling.steps.end());
-        fold(scaling);
-        return scaling;
-    }
+    const std::vector<StridedRange>& ranges() const { return ranges_; }
+    std::vector<StridedRange> take_ranges() { return std::move(ranges_); }
+    // Number of values by the lead-ins of the segments; of an unclosed segment, whole chunks.
+    std::int64_t promised() const { return promised_; }
 
 private:
-    Status take(const std::string& type, int index, TdmsScaling& scaling) const {
-        if (type == "Linear") {
-            const auto slope = number(scale_name(index, "Linear_Slope"));
-            const auto intercept = number(scale_name(index, "Linear_Y_Intercept"));
-            if (!slope || !intercept) {
-                return damaged(VYBEG_MESSAGE(
-                    "Words", "the channel %1 has a linear scale without slope or intercept"));
-            }
-            scaling.steps.emplace_back(TdmsStep{{}, {*intercept, *slope}});
-        } else if (type == "Polynomial") {
-            constexpr double usual = 4;
-            const double size =
-                number(scale_name(index, "Polynomial_Coefficients_Size")).value_or(usual);
-            const auto coefficients = list(scale_name(index, "Polynomial_Coefficients"), size);
-            if (!coefficients) {
-                return damaged(VYBEG_MESSAGE(
-                    "Words",
-                    "the channel %1 has a polynomial scale without all of its coefficients"));
-            }
-            scaling.steps.emplace_back(TdmsStep{{}, *coefficients});
-        } else if (type == "Table") {
-            return take_table(index, scaling);
-        } else {
-            return file_.unsupported(
-                "TDMS", VYBEG_MESSAGE("Words", "a scale of the kind \"%1\" (channel %2)"),
-                {type, channel_.channel});
-        }
-        return {};
-    }
+    void append(StridedRange range);
 
-    // "Scaled values" of the properties are the input, "pre-scaled" the output.
-    Status take_table(int index, TdmsScaling& scaling) const {
-        const double size = number(scale_name(index, "Table_Scaled_Values_Size")).value_or(0);
-        auto x = list(scale_name(index, "Table_Scaled_Values"), size);
-        auto y = list(scale_name(index, "Table_Pre_Scaled_Values"), size);
-        const auto falls = [](const std::vector<double>& values) {
-            return std::adjacent_find(values.begin(), values.end(), std::less_equal<double>()) ==
-                   values.end();
-        };
-        if (!x || !y || x->empty() ||
-            number(scale_name(index, "Table_Pre_Scaled_Values_Size")).value_or(size) != size) {
-            return damaged(VYBEG_MESSAGE(
-                "Words", "the channel %1 has a table scale without all of its values"));
-        }
-        if (x->size() > 1 && falls(*x)) {
-            std::reverse(x->begin(), x->end());
-            std::reverse(y->begin(), y->end());
-        }
-        if (std::adjacent_find(x->begin(), x->end(), [](double a, double b) { return !(a < b); }) !=
-            x->end()) {
-            return damaged(VYBEG_MESSAGE(
-                "Words", "the channel %1 has a table scale that neither rises nor falls"));
-        }
-        scaling.steps.emplace_back(TdmsStep{std::move(*x), std::move(*y)});
-        return {};
-    }
-
-    // name[0], name[1], ...; empty if one is missing.
-    std::optional<std::vector<double>> list(const std::string& name, double size) const {
-        std::vector<double> values;
-        for (int i = 0; i < size; ++i) {
-            const auto value = number(name + "[" + std::to_string(i) + "]");
-            if (!value || !std::isfinite(*value)) {
-                return std::nullopt;
-            }
-            values.push_back(*value);
-        }
-        return values;
-    }
-
-    // Moves linear steps at the beginning into the scale of the decoder.
-    static void fold(TdmsScaling& scaling) {
-        auto& steps = scaling.steps;
-        while (!steps.empty() && steps.front().x.empty() && steps.front().y.size() == 2) {
-            const double offset = steps.front().y[0];
-            const double slope = steps.front().y[1];
-            scaling.linear.gain *= slope;
-            scaling.linear.offset = scaling.linear.offset * slope + offset;
-            steps.erase(steps.begin());
-        }
-    }
-
-    // %1 stands for the channel.
-    Error damaged(const char* text) const {
-        return file_.damaged("TDMS", text, {channel_.channel});
-    }
-
-    const FileBytes& file_;
-    const TdmsObject& channel_;
-    const TdmsObject& owner_;
+    std::size_t object_;
+    std::uint32_t scaler_;
+    std::int64_t promised_ = 0;
+    std::vector<StridedRange> ranges_;
 };
 
-double value_at(const TdmsStep& step, double x) {
-    if (step.x.empty()) {
-        double y = 0;
-        for (auto c = step.y.rbegin(); c != step.y.rend(); ++c) {
-            y = y * x + *c;
+std::optional<const char*> TdmsRanges::take(const TdmsSegment& segment,
+                                            const std::vector<TdmsRawIndex>& indices) {
+    const bool is_daqmx = !indices.empty() && indices.front().is_daqmx;
+    if (segment.interleaved && !is_daqmx &&
+        std::any_of(indices.begin(), indices.end(), [&](const TdmsRawIndex& index) {
+            return index.count != indices.front().count || !tdms_bytes(index.type);
+        })) {
+        return VYBEG_MESSAGE("Words", "channels of different lengths are interleaved");
+    }
+    const auto made = is_daqmx ? daqmx_chunk_for(object_, scaler_, indices)
+                               : std::optional(chunk_for(object_, indices, segment.interleaved));
+    if (!made) {
+        return VYBEG_MESSAGE("Words", "its channels do not agree on the width of a row");
+    }
+    const Chunk& chunk = *made;
+    if (chunk.size == 0) {
+        return std::nullopt;
+    }
+    const std::int64_t whole = segment.size / chunk.size;
+    const std::int64_t rest = segment.size % chunk.size;
+    if (rest != 0 && !segment.last) {
+        return VYBEG_MESSAGE("Words", "a segment ends within a chunk of its raw data");
+    }
+    if (chunk.count == 0) {
+        return std::nullopt;
+    }
+    StridedRange range;
+    range.count = whole * chunk.count;
+    range.per_chunk = chunk.count;
+    range.offset = segment.offset + chunk.offset;
+    range.stride = chunk.stride;
+    range.chunk_stride = chunk.size;
+    range.big_endian = segment.big_endian;
+
+    // The number of values of an unclosed segment is that of its whole chunks.
+    const std::int64_t bytes = segment.promised.value_or(segment.size);
+    const std::int64_t last = bytes % chunk.size;
+    promised_ += bytes / chunk.size * chunk.count;
+    if (!segment.promised || last == 0 || chunk.by_rows) {
+        promised_ += last == 0 ? 0 : segment.promised ? values_in(chunk, last) : chunk.count;
+        range.count += values_in(chunk, rest);
+        append(range);
+        return std::nullopt;
+    }
+    const auto share = shared_out(chunk, object_, last, indices);
+    if (!share) {
+        return VYBEG_MESSAGE("Words", "it promises more samples than any file can hold");
+    }
+    promised_ += share->count;
+    if (whole < bytes / chunk.size) {  // cut before its last chunk
+        range.count += values_in(chunk, rest);
+        append(range);
+        return std::nullopt;
+    }
+    append(range);
+    // The number of text bytes in a shorter chunk is unknown.
+    StridedRange end = range;
+    end.count = has_texts(indices) ? 0 : values_in(*share, rest);
+    end.per_chunk = std::max<std::int64_t>(share->count, 1);
+    end.offset = segment.offset + whole * chunk.size + share->offset;
+    end.chunk_stride = end.per_chunk * end.stride;
+    append(end);
+    return std::nullopt;
+}
+
+void TdmsRanges::append(StridedRange range) {
+    if (range.count == 0) {
+        return;
+    }
+    range.first = ranges_.empty() ? 0 : ranges_.back().end();
+    if (!ranges_.empty()) {
+        StridedRange& before = ranges_.back();
+        const std::int64_t chunks = before.count / before.per_chunk;
+        const std::int64_t step = range.offset - before.offset - (chunks - 1) * before.chunk_stride;
+        const bool alike = before.per_chunk == range.per_chunk && before.stride == range.stride &&
+                           before.big_endian == range.big_endian &&
+                           before.count % before.per_chunk == 0;
+        if (alike && (chunks == 1 || before.chunk_stride == step) &&
+            (range.count <= range.per_chunk || range.chunk_stride == step)) {
+            before.chunk_stride = step;
+            before.count += range.count;
+            return;
         }
-        return y;
     }
-    const auto next = std::upper_bound(step.x.begin(), step.x.end(), x);
-    if (next == step.x.begin() || std::isnan(x)) {
-        return std::isnan(x) ? x : step.y.front();
-    }
-    if (next == step.x.end()) {
-        return step.y.back();
-    }
-    const auto i = static_cast<std::size_t>(next - step.x.begin());
-    const double part = (x - step.x[i - 1]) / (step.x[i] - step.x[i - 1]);
-    return step.y[i - 1] + part * (step.y[i] - step.y[i - 1]);
+    ranges_.push_back(range);
 }
 
 void apply(const TdmsScaling& scaling, std::span<double> samples) {
-    for (const TdmsStep& step : scaling.steps) {
+    for (const Polynomial& step : scaling.steps) {
         for (double& sample : samples) {
-            const double y = value_at(step, sample);
+            double y = 0;
+            for (auto c = step.rbegin(); c != step.rend(); ++c) {
+                y = y * sample + *c;
+            }
             sample = std::isfinite(y) && !std::isnan(sample)
                          ? y
                          : std::numeric_limits<double>::quiet_NaN();
         }
     }
-}
-
-// Scaling by the NI_Scale properties of the channel, otherwise of its group, otherwise of the file
-// (`objects` in this order): from the last scale back through its input sources to the raw numbers.
-// None if NI_Scaling_Status marks the samples as scaled. Errors: format_unsupported, with the name
-// of the scale, for scales of sensors and others that are no function of one number;
-// format_damaged.
-Result<TdmsScaling> tdms_scaling(const FileBytes& file,
-                                 const std::vector<const TdmsObject*>& nearest_first) {
-    for (const TdmsObject* owner : nearest_first) {
-        const Scales scales(file, *nearest_first.front(), *owner);
-        if (scales.text("NI_Scaling_Status") == "scaled") {
-            return TdmsScaling{};
-        }
-        if (scales.count() >= 1) {
-            return scales.read();
-        }
-    }
-    return TdmsScaling{};
 }
 
 // Source with the steps of each channel's scaling; the source itself without steps. Values that are

@@ -21,8 +21,9 @@ bool is_tdms(std::string_view head);
 // scales of tdms_scaling() are applied. Channels of different lengths get the diagnostic
 // channels_unequal; a file that ends early file_ends_early; one with an unclosed last segment, or
 // truncated within the head of a segment, file_not_closed. Errors: format_damaged;
-// format_unsupported for scales of sensors, an index alone and channels of different rates;
-// too_few_channels, channel_out_of_range, too_few_frames, rate_unknown, interrupted.
+// format_unsupported for scales other than linear and polynomial ones, an index alone and channels
+// of different rates; too_few_channels, channel_out_of_range, too_few_frames, rate_unknown,
+// interrupted.
 Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job);
 

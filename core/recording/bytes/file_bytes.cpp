@@ -25,23 +25,40 @@ Error failure(const std::filesystem::path& path, int number) {
 
 }  // namespace
 
+int Descriptor::close() {
+    const int number = std::exchange(number_, -1);
+    return number < 0 ? 0 : ::close(number);
+}
+
+std::int64_t read_at(int descriptor, std::int64_t offset, std::span<char> out) {
+    std::size_t done = 0;
+    while (done < out.size()) {
+        const ssize_t got = ::pread(descriptor, out.data() + done, out.size() - done,
+                                    offset + static_cast<std::int64_t>(done));
+        if (got < 0 && errno != EINTR) {
+            return -1;
+        }
+        if (got == 0) {
+            break;
+        }
+        done += static_cast<std::size_t>(got > 0 ? got : 0);
+    }
+    return static_cast<std::int64_t>(done);
+}
+
 Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::path& path) {
     // Without O_NONBLOCK, opening a named pipe would block until it has a writer.
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0) {
-        return failure(path, errno);
-    }
-    return adopt(path, descriptor);
+    Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    return descriptor ? adopt(path, std::move(descriptor)) : failure(path, errno);
 }
 
 Result<std::shared_ptr<const FileBytes>> FileBytes::adopt(const std::filesystem::path& path,
-                                                          int descriptor) {
+                                                          Descriptor descriptor) {
     struct stat status {};
-    const int failed = ::fstat(descriptor, &status) == 0 ? 0 : errno;
-    const std::shared_ptr<const FileBytes> file(new FileBytes(path, descriptor, status));
-    if (failed != 0) {
-        return failure(path, failed);
+    if (::fstat(descriptor.get(), &status) != 0) {
+        return failure(path, errno);
     }
+    const std::shared_ptr<const FileBytes> file(new FileBytes(path, std::move(descriptor), status));
     if (S_ISDIR(status.st_mode)) {
         return file->error(ErrorCode::file_is_directory);
     }
@@ -54,16 +71,12 @@ Result<std::shared_ptr<const FileBytes>> FileBytes::adopt(const std::filesystem:
     return file;
 }
 
-FileBytes::FileBytes(std::filesystem::path path, int descriptor, const struct stat& status)
-    : path_(std::move(path)), descriptor_(descriptor), status_(status) {}
-
-FileBytes::~FileBytes() {
-    ::close(descriptor_);
-}
+FileBytes::FileBytes(std::filesystem::path path, Descriptor descriptor, const struct stat& status)
+    : path_(std::move(path)), descriptor_(std::move(descriptor)), status_(status) {}
 
 Status FileBytes::unchanged() const {
     struct stat status {};
-    if (::fstat(descriptor_, &status) != 0) {
+    if (::fstat(descriptor_.get(), &status) != 0) {
         return failure(path_, errno);
     }
     const auto same_time = [](const timespec& a, const timespec& b) {
@@ -93,20 +106,8 @@ Error FileBytes::unsupported(const std::string& format, const char* text,
 }
 
 Result<std::int64_t> FileBytes::read(std::int64_t offset, std::span<char> out) const {
-    std::int64_t done = 0;
-    const auto wanted = static_cast<std::int64_t>(out.size());
-    while (done < wanted) {
-        const ssize_t got = ::pread(descriptor_, out.data() + done,
-                                    static_cast<std::size_t>(wanted - done), offset + done);
-        if (got == 0) {
-            break;
-        }
-        if (got < 0 && errno != EINTR) {
-            return failure(path_, errno);
-        }
-        done += got > 0 ? got : 0;
-    }
-    return done;
+    const std::int64_t got = read_at(descriptor_.get(), offset, out);
+    return got < 0 ? Result<std::int64_t>(failure(path_, errno)) : got;
 }
 
 Result<std::string> FileBytes::text(std::int64_t offset, std::int64_t size) const {

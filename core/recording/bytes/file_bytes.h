@@ -9,8 +9,33 @@
 #include <span>
 #include <string>
 #include <sys/stat.h>
+#include <utility>
 
 namespace vybeg {
+
+// A descriptor that is closed with its object; below 0: none.
+class Descriptor {
+public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    ~Descriptor() { close(); }
+
+    // At once, with the result of the system; 0 where there is none.
+    int close();
+    explicit operator bool() const { return number_ >= 0; }
+    int get() const { return number_; }
+
+private:
+    int number_;
+};
+
+// Fills `out` with a file's bytes from `offset` on. Returns their number, smaller than out.size()
+// only at the end of the file; -1: it failed, and errno tells why.
+std::int64_t read_at(int descriptor, std::int64_t offset, std::span<char> out);
 
 // A regular file open for reading at any position, from several threads at once. A file replaced
 // under the same path later does not affect it.
@@ -21,16 +46,12 @@ public:
 
     // The same for a descriptor that is open for reading, and is closed with the object.
     static Result<std::shared_ptr<const FileBytes>> adopt(const std::filesystem::path& path,
-                                                          int descriptor);
-
-    FileBytes(const FileBytes&) = delete;
-    FileBytes& operator=(const FileBytes&) = delete;
-    ~FileBytes();
+                                                          Descriptor descriptor);
 
     const std::filesystem::path& path() const { return path_; }
     std::int64_t size() const { return status_.st_size; }  // bytes, at the time of opening
     // For another process; this object keeps ownership.
-    int descriptor() const { return descriptor_; }
+    int descriptor() const { return descriptor_.get(); }
 
     // Checks that size and times of the last change are those at the time of opening: that of the
     // bytes, which a program can put back, and that of the inode, unless names or rights changed.
@@ -54,10 +75,10 @@ public:
     Result<std::string> text(std::int64_t offset, std::int64_t size) const;
 
 private:
-    FileBytes(std::filesystem::path path, int descriptor, const struct stat& status);
+    FileBytes(std::filesystem::path path, Descriptor descriptor, const struct stat& status);
 
     std::filesystem::path path_;
-    int descriptor_;
+    Descriptor descriptor_;
     struct stat status_;
 };
 

@@ -402,24 +402,19 @@ Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const File
 Result<std::shared_ptr<const FileBytes>> zip_file(std::shared_ptr<const FileBytes> file,
                                                   const ZipMember& member) {
     const auto content = TRY(zip_content(file, member));
-    const int copy = ::memfd_create("member", MFD_CLOEXEC);
+    Descriptor copy(::memfd_create("member", MFD_CLOEXEC));
     std::vector<char> block(std::size_t{1} << 20);
-    for (std::int64_t at = 0; copy >= 0 && at < content->size();) {
+    for (std::int64_t at = 0; copy && at < content->size();) {
         const auto part = std::span(block).first(static_cast<std::size_t>(
             std::min<std::int64_t>(static_cast<std::int64_t>(block.size()), content->size() - at)));
-        if (const Status got = content->read(at, part); !got) {
-            ::close(copy);
-            return got.error();
-        }
-        const ssize_t put = ::write(copy, part.data(), part.size());
+        TRY(content->read(at, part));
+        const ssize_t put = ::write(copy.get(), part.data(), part.size());
         if (put < 0) {
-            const int failed = errno;
-            ::close(copy);
-            return file->error(ErrorCode::file_read_failed, {system_reason(failed)});
+            return file->error(ErrorCode::file_read_failed, {system_reason(errno)});
         }
         at += put;
     }
-    return FileBytes::adopt(file->path(), copy);
+    return FileBytes::adopt(file->path(), std::move(copy));
 }
 
 }  // namespace vybeg

@@ -1,16 +1,16 @@
 #include "core/recording/mat_hdf5/hdf5_open.h"
 
+#include "core/recording/bytes/file_bytes.h"
 #include "core/recording/variables/reader_protocol.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <iterator>
 #include <memory>
+#include <span>
 #include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace vybeg {
@@ -72,22 +72,10 @@ extern "C" haddr_t end_of_file(const H5FD_t* file, H5FD_mem_t) {
 // Zeros after the end of the file, as sec2 reads it.
 extern "C" herr_t read_lent(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size,
                             void* out) {
-    auto* bytes = static_cast<char*>(out);
-    while (size > 0) {
-        const ssize_t got = ::pread(lent(file)->descriptor, bytes, size, static_cast<off_t>(at));
-        if (got < 0 && errno != EINTR) {
-            return -1;
-        }
-        if (got == 0) {
-            std::memset(bytes, 0, size);
-            return 0;
-        }
-        const auto count = static_cast<std::size_t>(std::max<ssize_t>(got, 0));
-        bytes += count;
-        at += count;
-        size -= count;
-    }
-    return 0;
+    const std::span<char> bytes(static_cast<char*>(out), size);
+    const std::int64_t got = read_at(lent(file)->descriptor, static_cast<std::int64_t>(at), bytes);
+    std::fill(bytes.begin() + std::max<std::int64_t>(got, 0), bytes.end(), '\0');
+    return got < 0 ? -1 : 0;
 }
 
 extern "C" herr_t write_nothing(H5FD_t*, H5FD_mem_t, hid_t, haddr_t, std::size_t, const void*) {
@@ -156,11 +144,10 @@ bool is_marked_as_written(int descriptor, hid_t file) {
     constexpr std::size_t marks_at = 11;
     hsize_t before = 0;
     const Hdf5Handle creation(H5Fget_create_plist(file));
-    std::array<unsigned char, 12> head{};
+    std::array<char, 12> head{};
     return creation && H5Pget_userblock(creation.get(), &before) >= 0 &&
-           ::pread(descriptor, head.data(), head.size(), static_cast<off_t>(before)) ==
-               static_cast<ssize_t>(head.size()) &&
-           head[version_at] >= 3 && (head[marks_at] & 1) != 0;
+           read_at(descriptor, static_cast<std::int64_t>(before), head) == std::ssize(head) &&
+           static_cast<unsigned char>(head[version_at]) >= 3 && (head[marks_at] & 1) != 0;
 }
 
 }  // namespace

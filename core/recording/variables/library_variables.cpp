@@ -26,24 +26,6 @@ constexpr int above_the_readers_descriptors = 10;
 constexpr int slice_ms = 50;
 constexpr int idle_slices = 400;  // 20 s
 
-// A descriptor that is closed at the end of its scope.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number_ >= 0) {
-            ::close(number_);
-        }
-    }
-    int get() const { return number_; }
-    int release() { return std::exchange(number_, -1); }
-
-private:
-    int number_;
-};
-
 // How the helper is started: its descriptors, no other; an empty environment; signals as in a fresh
 // program; in a process group of its own, so that Ctrl-C in a terminal reaches only the program.
 class SpawnPlan {
@@ -113,7 +95,7 @@ Error no_helper(const FileBytes& file, const std::string& program, int number) {
 }
 
 struct Started {
-    int socket = -1;
+    Descriptor socket;
     pid_t id = 0;
 };
 
@@ -130,7 +112,7 @@ Result<Started> spawn(const FileBytes& file, const std::string& kind, const std:
     const Descriptor socket(::fcntl(theirs.get(), F_DUPFD_CLOEXEC, above_the_readers_descriptors));
     const Descriptor lent(
         ::fcntl(file.descriptor(), F_DUPFD_CLOEXEC, above_the_readers_descriptors));
-    if (socket.get() < 0 || lent.get() < 0) {
+    if (!socket || !lent) {
         return no_helper(file, program, errno);
     }
     pid_t id = 0;
@@ -138,7 +120,7 @@ Result<Started> spawn(const FileBytes& file, const std::string& kind, const std:
     if (number != 0) {
         return no_helper(file, program, number);
     }
-    return Started{ours.release(), id};
+    return Started{std::move(ours), id};
 }
 
 }  // namespace
@@ -147,16 +129,16 @@ Result<std::unique_ptr<ReaderProcess>> ReaderProcess::start(std::shared_ptr<cons
                                                             const std::string& kind,
                                                             const std::string& format,
                                                             const std::string& program) {
-    const auto started = TRY(spawn(*file, kind, program));
+    auto started = TRY(spawn(*file, kind, program));
     std::unique_ptr<ReaderProcess> process(
-        new ReaderProcess(std::move(file), format, started.socket, started.id));
+        new ReaderProcess(std::move(file), format, std::move(started.socket), started.id));
     TRY(process->take_catalogue());
     return process;
 }
 
-ReaderProcess::ReaderProcess(std::shared_ptr<const FileBytes> file, std::string format, int socket,
-                             pid_t id)
-    : file_(std::move(file)), format_(std::move(format)), socket_(socket), id_(id) {}
+ReaderProcess::ReaderProcess(std::shared_ptr<const FileBytes> file, std::string format,
+                             Descriptor socket, pid_t id)
+    : file_(std::move(file)), format_(std::move(format)), socket_(std::move(socket)), id_(id) {}
 
 ReaderProcess::~ReaderProcess() {
     end();
@@ -187,7 +169,7 @@ Status ReaderProcess::take_catalogue() {
 Status ReaderProcess::read(const SampleRequest& request, std::span<double> out) {
     allow(seconds_allowed(request));
     Reply reply;
-    if (!send_value(socket_, request) || !receive(reply)) {
+    if (!send_value(socket_.get(), request) || !receive(reply)) {
         return broken_off();
     }
     if (reply.kind != ReplyKind::samples ||
@@ -221,7 +203,7 @@ ReaderProcess::Wait ReaderProcess::wait() {
     constexpr double any_progress_s = 1e-4;
     double used_s = processor_s();
     for (int idle = 0; idle < idle_slices; ++idle) {
-        pollfd waited{socket_, POLLIN, 0};
+        pollfd waited{socket_.get(), POLLIN, 0};
         if (::poll(&waited, 1, slice_ms) > 0) {
             return Wait::ready;
         }
@@ -245,7 +227,7 @@ bool ReaderProcess::receive(std::span<char> bytes) {
         if (last_wait_ != Wait::ready) {
             return false;
         }
-        const ssize_t got = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+        const ssize_t got = ::recv(socket_.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
         if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) {
             return false;
         }
@@ -309,10 +291,10 @@ Error ReaderProcess::broken_off() {
 
 // Ends the helper and returns the status that waitpid() gives.
 int ReaderProcess::end() {
-    if (socket_ < 0) {
+    if (!socket_) {
         return 0;
     }
-    ::close(std::exchange(socket_, -1));
+    socket_.close();
     // Our hanging up ends a sound one at its next message; one that is stuck needs more.
     ::kill(id_, SIGKILL);
     int status = 0;

@@ -45,7 +45,8 @@ public:
     Status read(const SampleRequest& request, std::span<double> out);
 
 private:
-    ReaderProcess(std::shared_ptr<const FileBytes> file, std::string format, int socket, pid_t id);
+    ReaderProcess(std::shared_ptr<const FileBytes> file, std::string format, Descriptor socket,
+                  pid_t id);
 
     Status take_catalogue();
     enum class Wait { ready, used_up, idle };
@@ -62,7 +63,7 @@ private:
 
     std::shared_ptr<const FileBytes> file_;
     std::string format_;
-    int socket_;
+    Descriptor socket_;
     pid_t id_;
     int seconds_ = 0;          // of processor time for this answer
     double used_up_at_s_ = 0;  // by the helper's processor clock

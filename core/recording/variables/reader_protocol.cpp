@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <sys/socket.h>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -12,87 +13,102 @@ namespace {
 constexpr double slowest_bytes_per_second = 2e7;  // a twelfth of what decoding reaches
 constexpr double most_seconds = 3600;
 
-template <class Number>
-void put(std::string& bytes, Number number) {
-    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
-void put(std::string& bytes, const std::string& text) {
-    put(bytes, static_cast<std::uint64_t>(text.size()));
-    bytes += text;
-}
-
-void put(std::string& bytes, const MessageArg& arg) {
-    put(bytes, static_cast<std::uint8_t>(arg.kind));
-    put(bytes, arg.text);
-    put(bytes, arg.unit);
-    put(bytes, static_cast<std::uint64_t>(arg.args.size()));
-    for (const MessageArg& inner : arg.args) {
-        put(bytes, inner);
-    }
-}
-
-// NaN stands for "no number": the fields that use it are never NaN otherwise.
-void put(std::string& bytes, const std::optional<double>& number) {
-    put(bytes, number.value_or(std::numeric_limits<double>::quiet_NaN()));
-}
-
-// Takes values off the front; once something was not there, ok() stays false.
-class Unpacking {
+// A message, which fields are appended to or, where it was received, taken from. Once one was not
+// there, ok() stays false.
+class Message {
 public:
-    explicit Unpacking(std::string_view bytes) : rest_(bytes) {}
+    Message() = default;
+    explicit Message(std::string_view received) : bytes_(received), reading_(true) {}
 
     bool ok() const { return ok_; }
-    bool at_end() const { return rest_.empty(); }
+    const std::string& bytes() const { return bytes_; }
 
-    template <class Number>
-    Number number() {
-        Number value{};
-        const std::string_view bytes = take(sizeof value);
-        if (ok_) {
-            std::memcpy(&value, bytes.data(), sizeof value);
+    template <class... Fields>
+    void operator()(Fields&... fields) {
+        (take(fields), ...);
+    }
+
+    // A list that ends with the message.
+    template <class T>
+    void last(std::vector<T>& list) {
+        for (std::size_t k = 0; reading_ ? ok_ && at_ < bytes_.size() : k < list.size(); ++k) {
+            take_element(list, k);
         }
-        return value;
-    }
-
-    std::string text() {
-        const auto size = number<std::uint64_t>();
-        return std::string(take(size));
-    }
-
-    // Words within words go no deeper than `depth`.
-    MessageArg message_arg(int depth = 2) {
-        MessageArg arg;
-        const auto kind = number<std::uint8_t>();
-        ok_ = ok_ && kind <= static_cast<std::uint8_t>(MessageArg::Kind::words);
-        arg.kind = static_cast<MessageArg::Kind>(kind);
-        arg.text = text();
-        arg.unit = text();
-        const auto count = number<std::uint64_t>();
-        ok_ = ok_ && (count == 0 || depth > 0);
-        for (std::uint64_t k = 0; ok_ && k < count; ++k) {
-            arg.args.push_back(message_arg(depth - 1));
-        }
-        return arg;
-    }
-
-    std::optional<double> optional_number() {
-        const auto value = number<double>();
-        return ok_ && value == value ? std::optional(value) : std::nullopt;
     }
 
 private:
-    std::string_view take(std::uint64_t size) {
-        ok_ = ok_ && size <= rest_.size();
-        if (!ok_) {
-            return {};
+    static constexpr int deepest = 4;  // of words within words
+
+    void take_bytes(void* data, std::size_t size) {
+        if (!reading_) {
+            bytes_.append(static_cast<const char*>(data), size);
+            return;
         }
-        const std::string_view taken = rest_.substr(0, size);
-        rest_.remove_prefix(size);
-        return taken;
+        ok_ = ok_ && size <= bytes_.size() - at_;
+        if (ok_) {
+            std::memcpy(data, bytes_.data() + at_, size);
+            at_ += size;
+        }
     }
 
-    std::string_view rest_;
+    template <class Number>
+    void take(Number& number) {
+        take_bytes(&number, sizeof number);
+    }
+
+    void take(std::string& text) {
+        std::uint64_t size = text.size();
+        take(size);
+        if (reading_) {
+            ok_ = ok_ && size <= bytes_.size() - at_;
+            text.resize(ok_ ? size : 0);
+        }
+        take_bytes(text.data(), text.size());
+    }
+
+    void take(bool& flag) {
+        std::uint8_t byte = flag ? 1 : 0;
+        take(byte);
+        flag = byte != 0;
+    }
+
+    // NaN stands for "no number": the fields that use it are never NaN otherwise.
+    void take(std::optional<double>& number) {
+        double value = number.value_or(std::numeric_limits<double>::quiet_NaN());
+        take(value);
+        number = value == value ? std::optional(value) : std::nullopt;
+    }
+
+    void take(MessageArg& arg) {
+        ++depth_;
+        take(arg.kind);
+        ok_ = ok_ && arg.kind <= MessageArg::Kind::words && depth_ <= deepest;
+        (*this)(arg.text, arg.unit);
+        std::uint64_t count = arg.args.size();
+        take(count);
+        for (std::size_t k = 0; ok_ && k < count; ++k) {
+            take_element(arg.args, k);
+        }
+        --depth_;
+    }
+
+    void take(FileVariable& of) {
+        (*this)(of.name, of.frames, of.channels, of.type, of.unsupported, of.unit, of.value,
+                of.rate_hz);
+    }
+
+    template <class T>
+    void take_element(std::vector<T>& list, std::size_t k) {
+        if (reading_) {
+            list.emplace_back();
+        }
+        take(list[k]);
+    }
+
+    std::string bytes_;
+    bool reading_ = false;
+    std::size_t at_ = 0;
+    int depth_ = 0;
     bool ok_ = true;
 };
 
@@ -123,70 +139,40 @@ int seconds_allowed(const SampleRequest& request) {
     return 2 + static_cast<int>(std::min(before / slowest_bytes_per_second, most_seconds));
 }
 
-std::string encode(const Catalogue& catalogue) {
-    std::string bytes;
-    put(bytes, catalogue.format);
-    put(bytes, catalogue.start);
-    put(bytes, static_cast<std::uint8_t>(catalogue.not_closed));
-    for (const FileVariable& variable : catalogue.variables) {
-        put(bytes, variable.name);
-        put(bytes, variable.frames);
-        put(bytes, variable.channels);
-        put(bytes, variable.type);
-        put(bytes, variable.unsupported);
-        put(bytes, variable.unit);
-        put(bytes, variable.value);
-        put(bytes, variable.rate_hz);
-    }
-    return bytes;
+std::string encode(Catalogue catalogue) {
+    Message message;
+    message(catalogue.format, catalogue.start, catalogue.not_closed);
+    message.last(catalogue.variables);
+    return message.bytes();
 }
 
 std::optional<Catalogue> decode_catalogue(std::string_view bytes) {
-    Unpacking unpacking(bytes);
+    Message message(bytes);
     Catalogue catalogue;
-    catalogue.format = unpacking.text();
-    catalogue.start = unpacking.text();
-    catalogue.not_closed = unpacking.number<std::uint8_t>() != 0;
-    while (unpacking.ok() && !unpacking.at_end()) {
-        FileVariable variable;
-        variable.name = unpacking.text();
-        variable.frames = unpacking.number<std::int64_t>();
-        variable.channels = unpacking.number<std::int64_t>();
-        variable.type = unpacking.text();
-        variable.unsupported = unpacking.message_arg();
-        variable.unit = unpacking.text();
-        variable.value = unpacking.optional_number();
-        variable.rate_hz = unpacking.optional_number();
-        if (variable.frames < 0 || variable.channels < 0) {
-            return {};
-        }
-        catalogue.variables.push_back(std::move(variable));
-    }
-    return unpacking.ok() ? std::optional(std::move(catalogue)) : std::nullopt;
+    message(catalogue.format, catalogue.start, catalogue.not_closed);
+    message.last(catalogue.variables);
+    const bool possible = std::ranges::all_of(catalogue.variables, [](const FileVariable& each) {
+        return each.frames >= 0 && each.channels >= 0;
+    });
+    return message.ok() && possible ? std::optional(std::move(catalogue)) : std::nullopt;
 }
 
-std::string encode(const Error& error) {
-    std::string bytes;
-    put(bytes, static_cast<std::int64_t>(error.code));
-    for (const MessageArg& arg : error.args) {
-        put(bytes, arg);
-    }
-    return bytes;
+std::string encode(Error error) {
+    Message message;
+    message(error.code);
+    message.last(error.args);
+    return message.bytes();
 }
 
 std::optional<Error> decode_error(std::string_view bytes) {
-    Unpacking unpacking(bytes);
+    Message message(bytes);
     Error error;
-    const auto code = unpacking.number<std::int64_t>();
-    while (unpacking.ok() && !unpacking.at_end()) {
-        error.args.push_back(unpacking.message_arg());
-    }
+    message(error.code);
+    message.last(error.args);
     for (const auto& [known, args] : {std::pair(ErrorCode::format_damaged, 2u),
                                       {ErrorCode::format_unsupported, 2u},
                                       {ErrorCode::format_limit, 3u}}) {
-        if (unpacking.ok() && code == static_cast<std::int64_t>(known) &&
-            error.args.size() == args) {
-            error.code = known;
+        if (message.ok() && error.code == known && error.args.size() == args) {
             return error;
         }
     }
@@ -207,11 +193,7 @@ bool send_bytes(int socket, std::span<const char> bytes) {
 bool receive_bytes(int socket, std::span<char> bytes) {
     while (!bytes.empty()) {
         const ssize_t got = ::recv(socket, bytes.data(), bytes.size(), 0);
-        if (got == 0) {
-            errno = 0;
-            return false;
-        }
-        if (got < 0 && errno != EINTR) {
+        if (got == 0 || (got < 0 && errno != EINTR)) {
             return false;
         }
         bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));

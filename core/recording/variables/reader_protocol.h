@@ -81,14 +81,13 @@ inline constexpr int reader_file = 3;
 inline constexpr std::size_t most_packed_bytes = std::size_t{128} << 20;
 inline constexpr std::size_t packed_pieces_held = 6;
 
-std::string encode(const Catalogue& catalogue);
+std::string encode(Catalogue catalogue);
 std::optional<Catalogue> decode_catalogue(std::string_view bytes);
 // Code and arguments; `where` is the caller's to fill in.
-std::string encode(const Error& error);
+std::string encode(Error error);
 std::optional<Error> decode_error(std::string_view bytes);
 
-// The whole of `bytes` to or from a socket; false at its end, at its timeout and on failure (errno
-// tells; 0 at the end).
+// The whole of `bytes` to or from a socket; false at its end and on failure.
 bool send_bytes(int socket, std::span<const char> bytes);
 bool receive_bytes(int socket, std::span<char> bytes);
 

@@ -128,45 +128,6 @@ private slots:
         QVERIFY(read->gyro.empty() && read->date.empty() && read->conditions.empty());
     }
 
-    // Files of the versions before: modes by frequency, whether that told them or not, and no runs.
-    void a_file_of_schema_1_is_read_data() {
-        QTest::addColumn<double>("apart_hz");
-        QTest::addColumn<bool>("named");
-        QTest::newRow("frequencies that differ") << 1e-3 << true;
-        QTest::newRow("frequencies within their noise") << 2e-7 << false;
-    }
-
-    void a_file_of_schema_1_is_read() {
-        QFETCH(double, apart_hz);
-        QFETCH(bool, named);
-        Passport passport = example();
-        passport.resonator.split_hz = {.reason = passport.resonator.theta_w_rad.reason};
-        ModeEstimate mode = passport.modes[0];
-        passport.modes = {mode, mode};
-        passport.modes[0].f_hz.value += apart_hz;
-        QJsonObject old =
-            QJsonDocument::fromJson(QByteArray::fromStdString(passport_json(passport))).object();
-        old["schema"] = 1;
-        // As the versions before wrote it in every passport.
-        QJsonObject resonator = old["resonator"].toObject();
-        resonator["delay_s"] = QJsonObject{{"value", QJsonValue::Null},
-                                           {"reason", "The motion tells one number."},
-                                           {"code", "channels-one-number"},
-                                           {"args", QJsonArray()}};
-        old["resonator"] = resonator;
-        old.remove("modes_by");
-        old.remove("runs");
-        const Result<Passport> read =
-            read_passport(QJsonDocument(old).toJson().toStdString(), "p.json");
-        QVERIFY(read);
-        QVERIFY(read->runs.empty());
-        QVERIFY(read->resonator.delay_s.reason.code == ReasonCode::held);
-        QCOMPARE(read->mode_order.has_value(), named);
-        QVERIFY(!named || *read->mode_order == ModeOrder::frequency);
-        QCOMPARE(read->resonator.tau_s.value, 400.0);
-        QCOMPARE(read->tracks.size(), std::size_t{1});
-    }
-
     void it_is_json_for_everyone() {
         const QJsonObject json =
             QJsonDocument::fromJson(QByteArray::fromStdString(passport_json(example()))).object();
@@ -189,6 +150,8 @@ private slots:
         row("another file", "\"passport\"", "\"session\"", "not a passport's");
         row("schema of nothing", "\"schema\": 2", "\"schema\": 0",
             "schema: a positive number is expected, and 0 is there");
+        row("schema of an early version", "\"schema\": 2", "\"schema\": 1",
+            "its schema 1 is that of an early version");
         row("schema as text", "\"schema\": 2", "\"schema\": \"2\"",
             "schema: a whole number is expected, and \"2\" is there");
         row("member missing", "\"program\"", "\"programme\"", "program is missing");

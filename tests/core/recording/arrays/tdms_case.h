@@ -59,23 +59,6 @@ inline Properties polynomial(const Tdms& t, int index, const Values& coefficient
     return all;
 }
 
-inline Properties table(const Tdms& t, int index, const Values& in, const Values& out,
-                        std::uint32_t input = raw_numbers) {
-    Properties all{t.words(of_scale(index, "Scale_Type"), "Table"),
-                   t.count(of_scale(index, "Table_Input_Source"), input)};
-    // What comes in is called scaled, and what goes out pre-scaled.
-    for (const auto& [name, values] :
-         {std::pair("Table_Scaled_Values", in), std::pair("Table_Pre_Scaled_Values", out)}) {
-        all.push_back(t.count(of_scale(index, std::string(name) + "_Size"),
-                              static_cast<std::uint32_t>(values.size())));
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            all.push_back(t.real(of_scale(index, std::string(name) + "[" + std::to_string(i) + "]"),
-                                 values[i]));
-        }
-    }
-    return all;
-}
-
 inline Properties number_of_scales(const Tdms& t, int count) {
     return {t.words("NI_Scaling_Status", "unscaled"), t.whole("NI_Number_Of_Scales", count)};
 }

@@ -9,28 +9,19 @@ using namespace vybeg::test;
 
 namespace {
 
-const Values table_in{1, 2, 5};
-const Values table_out{10, 30, 0};
-
-double by_table(double x) {
-    return x <= 1 ? 10 : x <= 2 ? 10 + 20 * (x - 1) : x <= 5 ? 30 - 10 * (x - 2) : 0;
-}
-
 void add_scales_by_place() {
     struct Kind {
         const char* name;
         std::function<Properties(const Tdms&)> properties;
         std::function<double(double)> value;
     };
-    const std::vector<Kind> kinds{
-        {"linear", [](const Tdms& t) { return linear(t, 0, 0.25, -1); },
-         [](double x) { return 0.25 * x - 1; }},
-        {"polynomial",
-         [](const Tdms& t) {
-             return polynomial(t, 0, {10, 1, -2, 3});
-         },
-         [](double x) { return 10 + x - 2 * x * x + 3 * x * x * x; }},
-        {"table", [](const Tdms& t) { return table(t, 0, table_in, table_out); }, by_table}};
+    const std::vector<Kind> kinds{{"linear", [](const Tdms& t) { return linear(t, 0, 0.25, -1); },
+                                   [](double x) { return 0.25 * x - 1; }},
+                                  {"polynomial",
+                                   [](const Tdms& t) {
+                                       return polynomial(t, 0, {10, 1, -2, 3});
+                                   },
+                                   [](double x) { return 10 + x - 2 * x * x + 3 * x * x * x; }}};
     for (const Kind& kind : kinds) {
         for (const bool big_endian : {false, true}) {
             const Tdms t{big_endian};
@@ -83,14 +74,10 @@ void add_chains() {
         [](double x) { return 1 + 2 * (0.5 * x + 1) * (0.5 * x + 1); });
     row("linear of polynomial", two + polynomial(t, 0, {1, 0, 2}) + linear(t, 1, 0.5, 1, 0),
         [](double x) { return 0.5 * (1 + 2 * x * x) + 1; });
-    row("table of linear", two + linear(t, 0, 0.5, 1) + table(t, 1, table_in, table_out, 0),
-        [](double x) { return by_table(0.5 * x + 1); });
-    row("linear of table", two + table(t, 0, table_in, table_out) + linear(t, 1, 2, 1, 0),
-        [](double x) { return 2 * by_table(x) + 1; });
-    row("polynomial of table of linear",
-        three + linear(t, 0, 1, 1) + table(t, 1, table_in, table_out, 0) +
+    row("polynomial of polynomial of linear",
+        three + linear(t, 0, 1, 1) + polynomial(t, 1, {2, 0, 1}, 0) +
             polynomial(t, 2, {1, 0, 0, 1}, 1),
-        [](double x) { return 1 + std::pow(by_table(x + 1), 3); });
+        [](double x) { return 1 + std::pow(2 + (x + 1) * (x + 1), 3); });
     row("the second of three is not on the way",
         three + linear(t, 0, 2, 0) + linear(t, 1, 1e9, 0, 0) + linear(t, 2, 5, 1, 0),
         [](double x) { return 10 * x + 1; });
@@ -106,9 +93,6 @@ void add_chains() {
         [](double x) { return 1 + 2 * x + 3 * x * x + 4 * x * x * x; });
     row("polynomial of one coefficient", number_of_scales(t, 1) + polynomial(t, 0, {7}),
         [](double) { return 7.0; });
-    row("a falling table", number_of_scales(t, 1) + table(t, 0, {5, 2, 1}, {0, 30, 10}), by_table);
-    row("a table of one value", number_of_scales(t, 1) + table(t, 0, {3}, {4}),
-        [](double) { return 4.0; });
 }
 
 void add_refused_scales() {
@@ -118,7 +102,8 @@ void add_refused_scales() {
         add(name, {scaled_file(t, {.channel = scales}), {}, {}, {}, refusal});
     };
     const auto one = number_of_scales(t, 1);
-    for (const char* sensor : {"Thermocouple", "RTD", "Strain", "Thermistor", "Add", "Subtract"}) {
+    for (const char* sensor :
+         {"Table", "Thermocouple", "RTD", "Strain", "Thermistor", "Add", "Subtract"}) {
         row(QString("a %1 scale").arg(sensor), std::string("format-unsupported:") + sensor,
             one + Properties{t.words(of_scale(0, "Scale_Type"), sensor)});
         row(QString("a %1 scale before a linear one").arg(sensor),
@@ -134,8 +119,6 @@ void add_refused_scales() {
     polynomial_cut.pop_back();
     row("a polynomial without its last coefficient", "format-damaged:coefficients",
         one + polynomial_cut);
-    row("a table that turns", "format-damaged:rises", one + table(t, 0, {1, 3, 2}, {1, 2, 3}));
-    row("a table of unequal columns", "format-damaged:values", one + table(t, 0, {1, 2}, {1}));
     row("scales in a ring", "format-damaged:input",
         number_of_scales(t, 2) + linear(t, 0, 1, 0, 1) + linear(t, 1, 1, 0, 0));
     row("an input that does not exist", "format-damaged:input", one + linear(t, 0, 1, 0, 7));

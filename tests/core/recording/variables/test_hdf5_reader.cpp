@@ -183,6 +183,32 @@ with open('cut.h5', 'wb') as f:
 def missing(f):
     f['C'], f['D'], f['fs'] = np.where(np.arange(len(c)) == 5, np.inf, c), d, fs
 save('missing.h5', missing)
+def units(other, per_volt):
+    def write(f):
+        f.create_dataset('C', data=c).attrs['unit'] = 'V'
+        f.create_dataset('D', data=per_volt * d).attrs['UNIT'] = other
+        f['fs'] = fs / 1000
+        f['fs'].attrs['units'] = 'kHz'
+    return write
+save('millivolts.h5', units('mV', 1000))
+save('accelerations.h5', units('m/s^2', 1))
+def step_in_ms(f):
+    f['C'], f['D'], f['dt'] = c, d, 1000 / fs
+    f['dt'].attrs['units'] = 'ms'
+save('step_in_ms.h5', step_in_ms)
+def rate_in_khz(f):
+    f['C'], f['D'] = c, d
+    f.attrs['sampling_rate'], f.attrs['sampling_rate_unit'] = fs / 1000, 'kHz'
+save('rate_in_khz.h5', rate_in_khz)
+def two_rates(f):
+    for name, x, rate in (('C', c, fs), ('D', d, 33000.0)):
+        f.create_dataset(name, data=x).attrs['fs'] = rate
+save('two_rates.h5', two_rates)
+def netcdf(f):
+    f.create_dataset('C', data=counts(c).astype('i2')).attrs['scale_factor'] = 1e-3
+    f.create_dataset('D', data=counts(d).astype('i2')).attrs['scale_factor'] = 2e-3
+    f['fs'] = fs
+save('netcdf.h5', netcdf)
 )";
 
 }  // namespace
@@ -269,6 +295,32 @@ private slots:
                  (std::vector<Channel>{{"/2024/run 7/C", "V"}, {"/2024/run 7/D", "V"}}));
         QCOMPARE(recording.rate_hz, 33333.0);  // of the group itself, before the one around it
         QVERIFY(recording.diagnostics.empty());
+    }
+
+    void d_comes_in_the_unit_of_c() {
+        const Recording recording = opened(folder_.file("millivolts.h5"));
+        VYBEG_CLOSE(recording.rate_hz, 33333, 1e-9);
+        const Diagnostic* converted = find(recording, DiagnosticKind::unit_converted);
+        QVERIFY(converted);
+        QCOMPARE(converted->args, (std::vector<MessageArg>{"D", "mV", "V"}));
+        const Samples samples = read_all(recording);
+        for (std::size_t i = 0; i < demo_.d.size(); ++i) {
+            VYBEG_WITHIN(samples.d[i], demo_.d[i], 1e-15);
+        }
+        QCOMPARE(samples.c, demo_.c);
+        QVERIFY(find(opened(folder_.file("accelerations.h5")), DiagnosticKind::units_differ));
+    }
+
+    void a_rate_may_have_a_unit_data() {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("a step in ms") << "step_in_ms.h5";
+        QTest::newRow("a rate in kHz") << "rate_in_khz.h5";
+    }
+
+    void a_rate_may_have_a_unit() {
+        QFETCH(QString, file);
+        const Recording recording = opened(folder_.file(file.toStdString()));
+        VYBEG_CLOSE(recording.rate_hz, 33333, 1e-8);
     }
 
     void times_that_count_in_another_unit_are_converted() {
@@ -378,6 +430,11 @@ private slots:
                                   << "an array of 3 dimensions (/cube)";
         QTest::newRow("lzf.h5") << "format-unsupported"
                                 << "samples packed by the filter lzf, number 32000 (/C)";
+        QTest::newRow("two_rates.h5")
+            << "format-unsupported"
+            << "two sample rates, 33333 and 33000 Hz (--variables C,D,RATE tells which holds)";
+        QTest::newRow("netcdf.h5") << "format-unsupported"
+                                   << "values for scale_factor and add_offset (/C)";
         QTest::newRow("cut.h5") << "format-damaged"
                                 << "it is shorter than its header says: cut off, or never closed";
     }
