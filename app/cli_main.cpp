@@ -264,11 +264,6 @@ int run(int argc, char** argv) {
     if (simulate_command->parsed()) {
         return ended(run_simulate(simulation, log, interrupt.token()));
     }
-    const int threads = std::max(
-        {analyze.settings.threads, identification.settings.threads, batch.settings.threads});
-    if (const Status enough = check_threads(threads); !enough) {
-        return log.fail(enough.error());
-    }
     if (info_command->parsed()) {
         return ended(run_info(info, log, interrupt.token()));
     }
