@@ -5,7 +5,7 @@
 #include "core/analysis/analyse_logs.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/idle_options.h"
-#include "core/analysis/inspect.h"
+#include "core/analysis/identify.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/diagnostic.h"
 #include "core/base/number_text.h"

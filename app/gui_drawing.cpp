@@ -5,7 +5,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/idle_options.h"
-#include "core/analysis/inspect.h"
+#include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
