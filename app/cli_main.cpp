@@ -256,22 +256,9 @@ int run(int argc, char** argv) {
     if (const Status enough = check_stack(); !enough) {
         return log.fail(enough.error());
     }
-    const auto ended = [&log](const Status& done) { return done ? 0 : log.fail(done.error()); };
     const bool identifies = identify_command->parsed() || compare_command->parsed();
     if (identifies && identification.inputs.empty() && identification.list.empty()) {
         return log.fail_usage("FILE or --list is required.");
-    }
-    if (simulate_command->parsed()) {
-        return ended(run_simulate(simulation, log, interrupt.token()));
-    }
-    if (info_command->parsed()) {
-        return ended(run_info(info, log, interrupt.token()));
-    }
-    if (analyze_command->parsed()) {
-        return ended(run_analyze(analyze, log, interrupt.token()));
-    }
-    if (drift_command->parsed()) {
-        return ended(run_drift(drift, log, interrupt.token()));
     }
     if (batch_command->parsed()) {
         for (const char* option : {"--f-limit", "--limit"}) {
@@ -287,9 +274,15 @@ int run(int argc, char** argv) {
         if (batch.list.empty()) {
             return log.fail_usage("LIST is required.");
         }
-        return ended(run_batch(batch, log, interrupt.token()));
     }
-    return ended(run_identify(identification, log, interrupt.token()));
+    const std::stop_token stop = interrupt.token();
+    const Status done = info_command->parsed()       ? run_info(info, log, stop)
+                        : analyze_command->parsed()  ? run_analyze(analyze, log, stop)
+                        : drift_command->parsed()    ? run_drift(drift, log, stop)
+                        : batch_command->parsed()    ? run_batch(batch, log, stop)
+                        : simulate_command->parsed() ? run_simulate(simulation, log, stop)
+                                                     : run_identify(identification, log, stop);
+    return done ? 0 : log.fail(done.error());
 }
 
 }  // namespace

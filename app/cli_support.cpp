@@ -204,6 +204,15 @@ void Log::timing(const nlohmann::ordered_json& times) const {
     }
 }
 
+void Log::timing(const Timing& timing, double write_s, std::int64_t windows) const {
+    this->timing({{"read_s", timing.read_s},
+                  {"carrier_s", timing.carrier_s},
+                  {"estimate_s", timing.estimate_s},
+                  {"write_s", write_s},
+                  {"windows", windows},
+                  {"threads", timing.threads}});
+}
+
 std::string text_of(const Estimate& estimate, const std::string& unit) {
     if (!estimate.given()) {
         return "- " + english(estimate.reason);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
@@ -9,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -39,6 +41,8 @@ public:
     void progress(double fraction);
     // Where the time went, as the last line, where it is asked for.
     void timing(const nlohmann::ordered_json& times) const;
+    // Of an analysis, or of what has no windows.
+    void timing(const Timing& timing, double write_s, std::int64_t windows) const;
 
 private:
     void line(const std::string& text);
