@@ -1,5 +1,7 @@
 #include "core/track/trend.h"
 
+#include "core/numerics/statistics.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -247,32 +249,19 @@ std::optional<Trend> line_trend(const Track& track, SlowVariable variable, doubl
     Trend trend;
     trend.windows = found.size();
     // About the first point: times and frequencies are large against what they change by.
-    double weight = 0;
-    double time = 0;
-    double value = 0;
-    for (const TrendPoint& p : found) {
-        weight += p.weight;
-        time += p.weight * (p.time_s - found[0].time_s);
-        value += p.weight * (p.value - found[0].value);
-    }
-    time /= weight;
-    value /= weight;
-    double spread = 0;
-    double common = 0;
-    for (const TrendPoint& p : found) {
-        const double t = p.time_s - found[0].time_s - time;
-        spread += p.weight * t * t;
-        common += p.weight * t * (p.value - found[0].value - value);
-    }
-    trend.centre_s = found[0].time_s + time;
-    trend.value = found[0].value + value;
-    trend.slope_per_s = common / spread;
+    const LineFit line = fit_line(found.size(), [&found](std::size_t k) {
+        const TrendPoint& p = found[k];
+        return LinePoint{p.time_s - found[0].time_s, p.value - found[0].value, p.weight};
+    });
+    trend.centre_s = found[0].time_s + line.mean_x;
+    trend.value = found[0].value + line.mean_y;
+    trend.slope_per_s = line.slope;
     const Scatter scatter =
         scatter_about(found, 2, [&trend](double time_s) { return trend.at(time_s); });
     trend.chi2_per_dof = scatter.chi2_per_dof;
     trend.enlargement = scatter.enlargement;
-    trend.sd_value = trend.enlargement / std::sqrt(weight);
-    trend.sd_slope_per_s = trend.enlargement / std::sqrt(spread);
+    trend.sd_value = trend.enlargement / std::sqrt(line.weight);
+    trend.sd_slope_per_s = trend.enlargement / std::sqrt(line.spread);
     return trend;
 }
 
