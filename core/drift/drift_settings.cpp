@@ -1,6 +1,5 @@
 #include "core/drift/drift_settings.h"
 
-#include "core/drift/whole_angle_drift.h"
 #include "core/recording/samples/open_table.h"
 
 #include <array>
