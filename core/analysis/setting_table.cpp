@@ -290,8 +290,9 @@ Rows<S> log_rows(Part part) {
             {"angle-unit", "deg|rad|cyc",
              "Unit of theta, or of the phases, where the file does not tell it; cyc: whole turns"},
             [=](auto& s) -> auto& { return part(s).rad_per_angle_unit; },
-            std::array{std::pair{not_set.c_str(), 0.0}, std::pair{"deg", std::numbers::pi / 180},
-                       std::pair{"rad", 1.0}, std::pair{"cyc", 2 * std::numbers::pi}},
+            std::array{std::pair{not_set.c_str(), log_angle_units[0]},
+                       std::pair{"deg", log_angle_units[1]}, std::pair{"rad", log_angle_units[2]},
+                       std::pair{"cyc", log_angle_units[3]}},
             "it is deg, rad or cyc"),
         choice_row<S>(
             {"phasors", "fixed|common|pll",
