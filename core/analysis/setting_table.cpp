@@ -1,5 +1,7 @@
 #include "core/analysis/setting_table.h"
 
+#include <tbb/info.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -401,6 +403,16 @@ std::string in_one(const std::vector<std::vector<NamedValue>>& each, std::size_t
 }
 
 }  // namespace
+
+bool same_carrier_search(const SignalSettings& a, SignalSettings b) {
+    b.f0_hz = a.f0_hz;
+    return a == b;
+}
+
+int threads_of(int asked) {
+    const int cores = tbb::info::default_concurrency();
+    return asked > 0 ? std::min(asked, cores) : cores;
+}
 
 const std::vector<SettingRow<Settings>>& analysis_settings() {
     static const Rows<Settings> rows = rows_of_analysis();
