@@ -2,6 +2,7 @@
 
 #include "core/analysis/prepare.h"
 #include "core/analysis/setting_table.h"
+#include "core/base/guarded.h"
 #include "core/resonator/results/free_decay.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/merge_windows.h"
@@ -15,31 +16,12 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <mutex>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 namespace vybeg {
 namespace {
-
-// Progress of several recordings that are gone through at the same time.
-class SharedProgress {
-public:
-    SharedProgress(const JobControl& job, std::size_t parts) : job_(job), fractions_(parts) {}
-
-    void report(std::size_t part, double fraction) {
-        const std::lock_guard lock(mutex_);
-        fractions_[part] = fraction;
-        job_.report(std::accumulate(fractions_.begin(), fractions_.end(), 0.0) /
-                    static_cast<double>(fractions_.size()));
-    }
-
-private:
-    const JobControl& job_;
-    std::mutex mutex_;
-    std::vector<double> fractions_;
-};
 
 // From one recording to its phasors.
 Result<RecordedRun> run_of(const Recording& recording, const SignalSettings& signal,
@@ -82,12 +64,17 @@ std::vector<Result<RecordedRun>> all_runs(std::span<const Recording> recordings,
                                           const JobControl& job) {
     const Error not_yet{ErrorCode::interrupted, "", {}};
     std::vector<Result<RecordedRun>> found(recordings.size(), Result<RecordedRun>(not_yet));
-    SharedProgress progress(job, recordings.size());
+    Guarded<std::vector<double>> fractions(recordings.size());
     tbb::task_arena(threads).execute([&] {
         tbb::parallel_for(std::size_t{0}, recordings.size(), [&](std::size_t k) {
-            found[k] =
-                run_of(recordings[k], settings.signal_of(k), settings.windows, threads,
-                       job.with_progress([&progress, k](double f) { progress.report(k, f); }));
+            const auto report = [&, k](double fraction) {
+                const auto each = fractions.hold();
+                (*each)[k] = fraction;
+                job.report(std::accumulate(each->begin(), each->end(), 0.0) /
+                           static_cast<double>(each->size()));
+            };
+            found[k] = run_of(recordings[k], settings.signal_of(k), settings.windows, threads,
+                              job.with_progress(report));
         });
     });
     return found;

@@ -1,5 +1,6 @@
 #include "core/numerics/control_chart.h"
 
+#include "core/base/guarded.h"
 #include "core/numerics/minimise.h"
 
 #include <Eigen/Dense>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -371,22 +371,17 @@ double ewma_limit(double lambda, std::size_t baseline, double points_per_alarm) 
         return std::numeric_limits<double>::quiet_NaN();
     }
     // Charts of many quantities have the same baseline, and a limit takes milliseconds.
-    static std::mutex mutex;
-    static std::map<std::tuple<double, std::size_t, double>, double> known;
+    static const Guarded<std::map<std::tuple<double, std::size_t, double>, double>> known;
     const std::tuple key(lambda, baseline, points_per_alarm);
-    {
-        const std::lock_guard lock(mutex);
-        if (const auto found = known.find(key); found != known.end()) {
-            return found->second;
-        }
+    if (const auto all = known.hold(); all->contains(key)) {
+        return all->at(key);
     }
     // The logarithm of the rate falls almost as a parabola: bisection to 1e-3 of a deviation.
     const auto alarms_too_often = [&](double limit) {
         return alarm_rate(lambda, limit, static_cast<double>(baseline)) * points_per_alarm > 1;
     };
     const double limit = bisected(1, 8, alarms_too_often, 1e-3);
-    const std::lock_guard lock(mutex);
-    return known.try_emplace(key, limit).first->second;
+    return known.hold()->try_emplace(key, limit).first->second;
 }
 
 }  // namespace vybeg
