@@ -4,8 +4,8 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analyse_logs.h"
 #include "core/analysis/analysis.h"
+#include "core/analysis/identify.h"
 #include "core/analysis/idle_options.h"
-#include "core/analysis/inspect.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/diagnostic.h"
 #include "core/base/number_text.h"
@@ -78,16 +78,6 @@ std::string described(const Recording& recording, const std::string& sha256,
     return text + check_text(diagnostics, verbose);
 }
 
-// `windows`: of an analysis.
-void tell_timing(const Timing& timing, double write_s, std::int64_t windows, const Log& log) {
-    log.timing({{"read_s", timing.read_s},
-                {"carrier_s", timing.carrier_s},
-                {"estimate_s", timing.estimate_s},
-                {"write_s", write_s},
-                {"windows", windows},
-                {"threads", timing.threads}});
-}
-
 // Of a log in place of a recording; all that needs samples is known to be absent.
 Status write_log_track(const AnalyzeRequest& request, TrackFormat format, OutputFile& output,
                        Log& log, const JobControl& job) {
@@ -103,7 +93,7 @@ Status write_log_track(const AnalyzeRequest& request, TrackFormat format, Output
     TRY(output.commit());
     Timing timing = analysis.timing;
     timing.estimate_s = analysed - begun - timing.read_s;
-    tell_timing(timing, seconds_now() - analysed, analysis.plan.count, log);
+    log.timing(timing, seconds_now() - analysed, analysis.plan.count);
     return {};
 }
 
@@ -188,7 +178,7 @@ Status run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     TRY(write_text(request.json ? recording_json(recording, sha256, faults.findings)
                                 : described(recording, sha256, faults.findings, request.verbose),
                    silent_job(stop)));
-    tell_timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0, log);
+    log.timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0);
     return {};
 }
 
@@ -244,7 +234,7 @@ Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop
     write_s += seconds_now() - analysed;
     Timing timing = analysis->timing;
     timing.read_s += opened - begun;
-    tell_timing(timing, write_s, analysis->plan.count, log);
+    log.timing(timing, write_s, analysis->plan.count);
     return {};
 }
 

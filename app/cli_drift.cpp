@@ -2,7 +2,7 @@
 #include "app/cli_support.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
-#include "core/drift/whole_angle_drift.h"
+#include "core/drift/drift_settings.h"
 #include "core/drift/whole_angle_log.h"
 #include "core/output/drift_json.h"
 #include "core/output/output_file.h"
@@ -72,23 +72,23 @@ Status check_drift_paths(const DriftRequest& request) {
 
 Status run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
     TRY(check_drift_paths(request));
-    std::vector<WholeAngleLog> logs;
+    DriftOutcome found{{}, request.settings, {}};
     for (const std::string& input : request.inputs) {
         auto read = TRY(read_whole_angle_log(input, request.settings.reading, silent_job(stop)));
-        logs.push_back(std::move(read));
+        found.logs.push_back(std::move(read));
     }
     auto output = TRY(open_named(request.output, silent_job(stop)));
-    const auto drift =
-        TRY(whole_angle_drift(logs, job_of(stop, log), pick_offs(request.settings.tolerance)));
-    log.warnings(drift.warnings);
+    auto drift = TRY(
+        whole_angle_drift(found.logs, job_of(stop, log), pick_offs(request.settings.tolerance)));
+    found.drift = std::move(drift);
+    log.warnings(found.drift.warnings);
     const bool whole = file_ending(request.output) == ".json";
-    const std::string json =
-        request.json || whole ? drift_json(program, logs, request.settings, drift) : "";
+    const std::string json = request.json || whole ? drift_json(program, found) : "";
     if (request.output != "-") {
-        TRY(write_text(request.json ? json : drift_text(drift), silent_job(stop)));
+        TRY(write_text(request.json ? json : drift_text(found.drift), silent_job(stop)));
     }
     if (output) {
-        TRY(output->write(whole ? json : drift_csv(program, logs, request.settings, drift)));
+        TRY(output->write(whole ? json : drift_csv(program, found)));
         TRY(output->commit());
     }
     return {};

@@ -21,13 +21,6 @@ namespace {
 using namespace vybeg;
 using namespace vybeg::cli;
 
-struct LogOptions {
-    bool quiet = false;
-    bool json = false;
-    bool verbose = false;
-    bool timing = false;
-};
-
 void add_log_options(CLI::App& app, LogOptions& options, bool with_verbose = true) {
     app.add_flag("--quiet", options.quiet, "Neither progress nor warnings on standard error");
     app.add_flag("--json-log", options.json,
@@ -240,43 +233,25 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help, --version
             const Status written = write_answer(app, error);
-            return written ? 0 : Log(false, true).fail(written.error());
+            return written ? 0 : Log({.quiet = true}).fail(written.error());
         }
         // The parse has failed, and with it perhaps its knowledge of --json-log.
-        return Log(asks_for_json(words), false).fail_usage(parse_fault(app, error, words));
+        return Log({.json = asks_for_json(words)}).fail_usage(parse_fault(app, error, words));
     }
 
     // A simulation has no warnings but of options, and says each.
-    Log log(log_options.json, log_options.quiet, log_options.verbose || simulate_command->parsed(),
-            log_options.timing);
     info.verbose = log_options.verbose;
+    log_options.verbose = log_options.verbose || simulate_command->parsed();
+    Log log(log_options);
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return log.fail_usage(fault);
     }
     if (const Status enough = check_stack(); !enough) {
         return log.fail(enough.error());
     }
-    const auto ended = [&log](const Status& done) { return done ? 0 : log.fail(done.error()); };
     const bool identifies = identify_command->parsed() || compare_command->parsed();
     if (identifies && identification.inputs.empty() && identification.list.empty()) {
         return log.fail_usage("FILE or --list is required.");
-    }
-    if (simulate_command->parsed()) {
-        return ended(run_simulate(simulation, log, interrupt.token()));
-    }
-    const int threads = std::max(
-        {analyze.settings.threads, identification.settings.threads, batch.settings.threads});
-    if (const Status enough = check_threads(threads); !enough) {
-        return log.fail(enough.error());
-    }
-    if (info_command->parsed()) {
-        return ended(run_info(info, log, interrupt.token()));
-    }
-    if (analyze_command->parsed()) {
-        return ended(run_analyze(analyze, log, interrupt.token()));
-    }
-    if (drift_command->parsed()) {
-        return ended(run_drift(drift, log, interrupt.token()));
     }
     if (batch_command->parsed()) {
         for (const char* option : {"--f-limit", "--limit"}) {
@@ -292,9 +267,15 @@ int run(int argc, char** argv) {
         if (batch.list.empty()) {
             return log.fail_usage("LIST is required.");
         }
-        return ended(run_batch(batch, log, interrupt.token()));
     }
-    return ended(run_identify(identification, log, interrupt.token()));
+    const std::stop_token stop = interrupt.token();
+    const Status done = info_command->parsed()       ? run_info(info, log, stop)
+                        : analyze_command->parsed()  ? run_analyze(analyze, log, stop)
+                        : drift_command->parsed()    ? run_drift(drift, log, stop)
+                        : batch_command->parsed()    ? run_batch(batch, log, stop)
+                        : simulate_command->parsed() ? run_simulate(simulation, log, stop)
+                                                     : run_identify(identification, log, stop);
+    return done ? 0 : log.fail(done.error());
 }
 
 }  // namespace
@@ -306,6 +287,6 @@ int main(int argc, char** argv) {
         return run(argc, argv);
     } catch (...) {
         const bool json = asks_for_json(std::span(argv, static_cast<std::size_t>(argc)));
-        return Log(json, false).fail(error_of(std::current_exception()));
+        return Log({.json = json}).fail(error_of(std::current_exception()));
     }
 }

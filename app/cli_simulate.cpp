@@ -14,8 +14,6 @@
 #include "core/simulation/simulate.h"
 #include "core/track/track.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -206,12 +204,7 @@ Status run_simulate(const SimulateRequest& request, Log& log, std::stop_token st
     }
     log.warnings(without_effect(request));
     // The samples are made while they are written.
-    log.timing({{"read_s", 0.0},
-                {"carrier_s", 0.0},
-                {"estimate_s", 0.0},
-                {"write_s", seconds_now() - begun},
-                {"windows", 0},
-                {"threads", 1}});
+    log.timing({.threads = 1}, seconds_now() - begun, 0);
     return {};
 }
 

@@ -59,12 +59,7 @@ Status write_answer(const CLI::App& app, const CLI::ParseError& asked) {
     return write_text(text.str(), JobControl());
 }
 
-Log::Log(bool json, bool quiet, bool verbose, bool timing)
-    : json_(json),
-      quiet_(quiet),
-      verbose_(verbose),
-      timing_(timing),
-      terminal_(isatty(STDERR_FILENO)) {}
+Log::Log(const LogOptions& options) : options_(options), terminal_(isatty(STDERR_FILENO)) {}
 
 Log::~Log() {
     clear_progress();
@@ -77,17 +72,17 @@ void Log::line(const std::string& text) {
 }
 
 void Log::clear_progress() {
-    if (percent_ >= 0 && !json_) {
+    if (percent_ >= 0 && !options_.json) {
         std::fputs("\r      \r", stderr);
         percent_ = -1;
     }
 }
 
 void Log::warnings(std::span<const NamedWarnings> all, const std::string& set) {
-    if (quiet_) {
+    if (options_.quiet) {
         return;
     }
-    if (json_ || verbose_) {
+    if (options_.json || options_.verbose) {
         each_warning(all, set);
     } else {
         worst_warnings(all, set);
@@ -116,7 +111,7 @@ void Log::each_warning(std::span<const NamedWarnings> all, const std::string& se
     std::ranges::stable_sort(each, std::ranges::greater(), &Each::severity);
     for (const auto& [about, diagnostic, severity] : each) {
         const std::string text = english(*diagnostic);
-        if (!json_) {
+        if (!options_.json) {
             line(std::string("vybeg-cli: ") +
                  (severity == Severity::note ? "note: " : "warning: ") +
                  (about.empty() ? "" : plain_text(about) + ": ") + text);
@@ -153,7 +148,7 @@ void Log::worst_warnings(std::span<const NamedWarnings> all, const std::string& 
 int Log::fail(const Error& error, const std::string& about) {
     const std::string text = english(error);
     const int status = exit_status(error.code);
-    if (!json_) {
+    if (!options_.json) {
         // The text begins with the place of the error, of a set that may be its name.
         const bool named =
             error.where == about || std::filesystem::path(error.where).filename() == about;
@@ -171,7 +166,7 @@ int Log::fail(const Error& error, const std::string& about) {
 
 int Log::fail_usage(const std::string& sentence) {
     const int status = exit_status(ErrorCode::setting_invalid);
-    line(json_ ? json_line({{"level", "error"},
+    line(options_.json ? json_line({{"level", "error"},
                             {"code", code_name(ErrorCode::setting_invalid)},
                             {"text", sentence},
                             {"status", status}})
@@ -181,10 +176,10 @@ int Log::fail_usage(const std::string& sentence) {
 
 void Log::progress(double fraction) {
     const int percent = static_cast<int>(100 * fraction);
-    if (quiet_ || percent == percent_ || !(json_ || terminal_)) {
+    if (options_.quiet || percent == percent_ || !(options_.json || terminal_)) {
         return;
     }
-    if (json_) {
+    if (options_.json) {
         if (percent / 10 == percent_ / 10 && percent_ >= 0) {
             return;  // ten lines are enough for a log
         }
@@ -199,9 +194,18 @@ void Log::progress(double fraction) {
 }
 
 void Log::timing(const nlohmann::ordered_json& times) const {
-    if (timing_) {
+    if (options_.timing) {
         std::fputs((times.dump() + "\n").c_str(), stderr);
     }
+}
+
+void Log::timing(const Timing& timing, double write_s, std::int64_t windows) const {
+    this->timing({{"read_s", timing.read_s},
+                  {"carrier_s", timing.carrier_s},
+                  {"estimate_s", timing.estimate_s},
+                  {"write_s", write_s},
+                  {"windows", windows},
+                  {"threads", timing.threads}});
 }
 
 std::string text_of(const Estimate& estimate, const std::string& unit) {

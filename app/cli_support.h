@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
@@ -9,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -19,13 +21,19 @@ namespace vybeg::cli {
 
 // What the subcommands share.
 
+struct LogOptions {
+    bool quiet = false;    // errors alone
+    bool json = false;     // --json-log
+    bool verbose = false;  // people see all warnings, and notes
+    bool timing = false;   // --timing
+};
+
 // What goes to standard error: sentences for people, or with --json-log one JSON object per line,
 // {"level": "warning"|"error"|"progress", "code": .., "text": .., ..}.
 class Log {
 public:
-    // `quiet` leaves only errors; `verbose` shows people all warnings, and notes. Progress for
-    // people is shown on a terminal alone. `timing`: --timing.
-    Log(bool json, bool quiet, bool verbose = false, bool timing = false);
+    // Progress for people is shown on a terminal alone.
+    explicit Log(const LogOptions& options);
     ~Log();
 
     // The worst of them, each kind once. `set`: which they concern, where there are several.
@@ -39,6 +47,8 @@ public:
     void progress(double fraction);
     // Where the time went, as the last line, where it is asked for.
     void timing(const nlohmann::ordered_json& times) const;
+    // Of an analysis, or of what has no windows.
+    void timing(const Timing& timing, double write_s, std::int64_t windows) const;
 
 private:
     void line(const std::string& text);
@@ -46,10 +56,7 @@ private:
     void worst_warnings(std::span<const NamedWarnings> all, const std::string& set);
     void clear_progress();
 
-    bool json_;
-    bool quiet_;
-    bool verbose_;
-    bool timing_;
+    LogOptions options_;
     bool terminal_;
     int percent_ = -1;  // on the screen
 };

@@ -3,9 +3,9 @@
 #include "app/process_guard.h"
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
+#include "core/analysis/identify.h"
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/idle_options.h"
-#include "core/analysis/inspect.h"
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
@@ -72,7 +72,7 @@ void warn(const std::vector<Diagnostic>& diagnostics) {
 namespace {
 
 // Checks what can be checked before the first recording is opened, and warns of settings without
-// effect. Errors: setting_invalid, those of check_threads().
+// effect. Errors: setting_invalid.
 Status check_request(const std::string& option, const std::string& output,
                      const std::vector<std::string>& inputs, const Settings& settings) {
     std::vector<InputPath> paths;
@@ -81,7 +81,6 @@ Status check_request(const std::string& option, const std::string& output,
         paths.push_back({input, "it is one of the recordings"});
     }
     TRY(check_outputs({{option, output, ""}}, paths));
-    TRY(check_threads(settings.threads));
     warn(without_effect(settings));
     return {};
 }

@@ -3,25 +3,18 @@
 #include "core/base/error.h"
 #include "core/base/read_value.h"
 
-#include <tbb/info.h>
-
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <condition_variable>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <fcntl.h>
-#include <mutex>
 #include <pthread.h>
 #include <string_view>
 #include <sys/resource.h>
-#include <system_error>
 #include <thread>
 #include <unistd.h>
-#include <vector>
 
 namespace vybeg::cli {
 namespace {
@@ -77,35 +70,6 @@ void open_missing_descriptors() {
 void make_write_signals_errors() {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-}
-
-Status check_threads(int threads) {
-    const int cores = tbb::info::default_concurrency();
-    const int workers = (threads > 0 ? std::min(threads, cores) : cores) - 1;
-    std::mutex mutex;
-    std::condition_variable all_there;
-    bool go = false;
-    std::vector<std::thread> trial;
-    Status status;
-    try {
-        for (int k = 0; k < workers; ++k) {
-            trial.emplace_back([&] {
-                std::unique_lock lock(mutex);
-                all_there.wait(lock, [&go] { return go; });
-            });
-        }
-    } catch (const std::system_error&) {
-        status = Error{ErrorCode::out_of_threads, {}, {}};
-    }
-    {
-        const std::lock_guard lock(mutex);
-        go = true;
-    }
-    all_there.notify_all();
-    for (std::thread& thread : trial) {
-        thread.join();
-    }
-    return status;
 }
 
 Status check_stack() {

@@ -17,10 +17,6 @@ void open_missing_descriptors();
 // SIGPIPE and SIGXFSZ become errors of write().
 void make_write_signals_errors();
 
-// Whether the system starts the threads of an analysis: out_of_threads. `threads` as in Settings.
-// oneTBB starts its threads from within others, where a failure would end the program.
-Status check_threads(int threads);
-
 // Whether the stack of the process and of its threads is large enough (ulimit -s): setting_invalid.
 // A smaller one ends the program by a signal in the midst of its work.
 Status check_stack();

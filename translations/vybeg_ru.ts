@@ -1321,10 +1321,6 @@
         <translation>Уход f: %1 Гц/с</translation>
     </message>
     <message>
-        <source>No such curve within the noise: %1. The deviations are enlarged.</source>
-        <translation>Кривая не описывает данные в пределах шума: %1. СКО увеличены.</translation>
-    </message>
-    <message>
         <source>%1: amplitude %2 %3, damping %4 1/s</source>
         <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
     </message>
@@ -1335,22 +1331,6 @@
     <message>
         <source>Too few windows between the cursors.</source>
         <translation>Слишком мало окон между курсорами.</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/с²</translation>
-    </message>
-    <message>
-        <source>%1: second derivative %2 %3</source>
-        <translation>%1: вторая производная %2 %3</translation>
-    </message>
-    <message>
-        <source>%1: second derivative at the middle %2 %3, third %4 %5</source>
-        <translation>%1: вторая производная в середине %2 %3, третья %4 %5</translation>
-    </message>
-    <message>
-        <source>%1/s³</source>
-        <translation>%1/с³</translation>
     </message>
     <message>
         <source>too few windows</source>
@@ -1822,10 +1802,6 @@
     <message>
         <source>Interrupted; %2 of %3 sets are done.{ Continue with --resume.}</source>
         <translation>Прервано; готово наборов: %2 из %3.</translation>
-    </message>
-    <message>
-        <source>The column &quot;%1&quot; of the list is kept as it is and changes nothing. Did you mean &quot;%2&quot;? Rename it then.</source>
-        <translation>Столбец «%1» списка сохраняется как есть и ничего не меняет. Имеется в виду «%2»? Тогда переименуйте его.</translation>
     </message>
     <message>
         <source>The table&apos;s field &quot;%1&quot; (%2) begins as a formula does, and a table program that opens the results runs it.</source>
@@ -6584,14 +6560,6 @@
     <message>
         <source>line</source>
         <translation>прямая</translation>
-    </message>
-    <message>
-        <source>parabola</source>
-        <translation>парабола</translation>
-    </message>
-    <message>
-        <source>cubic</source>
-        <translation>кубическая</translation>
     </message>
     <message>
         <source>beat</source>

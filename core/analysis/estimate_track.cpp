@@ -1,6 +1,7 @@
 #include "core/analysis/estimate_track.h"
 
 #include "core/analysis/window_noise.h"
+#include "core/base/guarded.h"
 #include "core/track/motion.h"
 #include "core/track/track.h"
 
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 #include <optional>
 
@@ -257,27 +257,6 @@ private:
         sequential_;  // carries the window before, where the algorithm wants it
 };
 
-// The first error of those who work at the same time.
-class FirstError {
-public:
-    bool take(const Status& status) {
-        if (!status) {
-            const std::lock_guard lock(mutex_);
-            error_ = error_.value_or(status.error());
-        }
-        return static_cast<bool>(status);
-    }
-
-    std::optional<Error> get() const {
-        const std::lock_guard lock(mutex_);
-        return error_;
-    }
-
-private:
-    mutable std::mutex mutex_;
-    std::optional<Error> error_;
-};
-
 // Quotient rounded down, for b > 0.
 std::int64_t floor_div(std::int64_t a, std::int64_t b) {
     return a >= 0 ? a / b : -((-a + b - 1) / b);
@@ -323,8 +302,15 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
     TrackSummariser tracks(static_cast<std::size_t>(plan.count), plan.independent(),
                            summary.f_correlation);
     summary.context = estimation.context();
-    FirstError error;
-    const auto stopped = [&] { return job.cancelled() || error.get(); };
+    Guarded<std::optional<Error>> error;  // the first of those who work at the same time
+    const auto has_failed = [&error](const Status& status) {
+        if (!status) {
+            const auto first = error.hold();
+            *first = first->value_or(status.error());
+        }
+        return !status;
+    };
+    const auto stopped = [&] { return job.cancelled() || error.hold()->has_value(); };
 
     std::array<TrackChunk, chunks_at_once> chunks;
     std::size_t chunks_read = 0;
@@ -333,7 +319,7 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
         TrackChunk& chunk = chunks[chunks_read++ % chunks_at_once];
         const double begun = job.now();
         if (next_window >= plan.count || stopped() ||
-            !error.take(estimation.read(chunk, next_window))) {
+            has_failed(estimation.read(chunk, next_window))) {
             flow.stop();
             return nullptr;
         }
@@ -357,7 +343,7 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
         tracks.take(chunk->rows);
         summary.not_converged += std::ranges::count_if(
             chunk->rows.flags(), [](Flags flags) { return has(flags, Flag::not_converged); });
-        if (error.take(sink(chunk->rows))) {
+        if (!has_failed(sink(chunk->rows))) {
             job.report(static_cast<double>(chunk->first_window + chunk->windows) /
                        static_cast<double>(plan.count));
         }
@@ -369,8 +355,8 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                    tbb::make_filter<TrackChunk*, TrackChunk*>(in_order, estimate) &
                                    tbb::make_filter<TrackChunk*, void>(in_order, deliver));
     });
-    if (const auto failed = error.get()) {
-        return *failed;
+    if (const std::optional<Error> first = *error.hold()) {
+        return *first;
     }
     TRY(job.go_on());
     summary.moving = motion.finish();

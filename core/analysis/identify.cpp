@@ -2,6 +2,7 @@
 
 #include "core/analysis/prepare.h"
 #include "core/analysis/setting_table.h"
+#include "core/base/guarded.h"
 #include "core/resonator/results/free_decay.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/merge_windows.h"
@@ -12,32 +13,15 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <mutex>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 namespace vybeg {
 namespace {
-
-// Progress of several recordings that are gone through at the same time.
-class SharedProgress {
-public:
-    SharedProgress(const JobControl& job, std::size_t parts) : job_(job), fractions_(parts) {}
-
-    void report(std::size_t part, double fraction) {
-        const std::lock_guard lock(mutex_);
-        fractions_[part] = fraction;
-        job_.report(std::accumulate(fractions_.begin(), fractions_.end(), 0.0) /
-                    static_cast<double>(fractions_.size()));
-    }
-
-private:
-    const JobControl& job_;
-    std::mutex mutex_;
-    std::vector<double> fractions_;
-};
 
 // From one recording to its phasors.
 Result<RecordedRun> run_of(const Recording& recording, const SignalSettings& signal,
@@ -80,12 +64,17 @@ std::vector<Result<RecordedRun>> all_runs(std::span<const Recording> recordings,
                                           const JobControl& job) {
     const Error not_yet{ErrorCode::interrupted, "", {}};
     std::vector<Result<RecordedRun>> found(recordings.size(), Result<RecordedRun>(not_yet));
-    SharedProgress progress(job, recordings.size());
+    Guarded<std::vector<double>> fractions(recordings.size());
     tbb::task_arena(threads).execute([&] {
         tbb::parallel_for(std::size_t{0}, recordings.size(), [&](std::size_t k) {
-            found[k] =
-                run_of(recordings[k], settings.signal_of(k), settings.windows, threads,
-                       job.with_progress([&progress, k](double f) { progress.report(k, f); }));
+            const auto report = [&, k](double fraction) {
+                const auto each = fractions.hold();
+                (*each)[k] = fraction;
+                job.report(std::accumulate(each->begin(), each->end(), 0.0) /
+                           static_cast<double>(each->size()));
+            };
+            found[k] = run_of(recordings[k], settings.signal_of(k), settings.windows, threads,
+                              job.with_progress(report));
         });
     });
     return found;
@@ -200,6 +189,27 @@ std::vector<MessageArg> names_of(std::span<const RecordedRun> recordings) {
     return names;
 }
 
+// What the motion shows of the recording: no free decay, channels of one projection. None where an
+// identification is impossible. Errors: interrupted.
+Result<std::vector<Diagnostic>> verdicts_on(const Recording& recording,
+                                            const SignalSettings& signal, const JobControl& job) {
+    constexpr std::array verdicts{DiagnosticKind::no_free_decay, DiagnosticKind::no_free_decay_part,
+                                  DiagnosticKind::same_projection, DiagnosticKind::mode_grows};
+    IdentifySettings settings;
+    settings.signal = signal;
+    const Result<Identification> found = identify({&recording, 1}, settings, job.silent());
+    if (!found) {
+        const bool interrupted = found.error().code == ErrorCode::interrupted;
+        return interrupted ? Result<std::vector<Diagnostic>>(found.error())
+                           : std::vector<Diagnostic>{};
+    }
+    std::vector<Diagnostic> said;
+    std::ranges::copy_if(found->fit.warnings, std::back_inserter(said), [&](const auto& warning) {
+        return std::ranges::find(verdicts, warning.kind) != verdicts.end();
+    });
+    return said;
+}
+
 }  // namespace
 
 Result<Identification> identify(std::span<const Recording> recordings,
@@ -277,6 +287,23 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
     found.timing.fit_s = job.now() - fitted_from;
     TRY(job.go_on());
     return found;
+}
+
+Result<SampleFaults> inspect(const Recording& recording, const SignalSettings& settings,
+                             const JobControl& job) {
+    const Result<double> f0 = find_recording_carrier(recording, settings, job.silent());
+    Result<SampleFaults> faults = check_recording(*recording.source, recording.rate_hz,
+                                                  f0 ? std::optional(*f0) : std::nullopt, job);
+    if (faults && f0) {
+        const auto verdicts = TRY(verdicts_on(recording, settings, job));
+        std::ranges::copy(verdicts, std::back_inserter(faults->findings));
+    }
+    if (faults) {
+        std::vector<Diagnostic> all = recording.diagnostics;
+        add_findings(faults->findings, all);
+        faults->findings = std::move(all);
+    }
+    return faults;
 }
 
 Error named(Error error, std::span<const MessageArg> names) {

@@ -4,6 +4,7 @@
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/phasor_windows.h"
 #include "core/base/job_control.h"
+#include "core/recording/checks/recording_check.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/results/drift_function.h"
 #include "core/resonator/results/resonator_fit.h"
@@ -57,5 +58,12 @@ FitOptions fit_options(const IdentifySettings& settings, double f_hz);
 
 // Why an identification has no drift function; ReasonCode::none where it has one.
 Reason no_drift_function(const Identification& identification);
+
+// The recording check of METHOD section 7 over the whole recording: its own diagnostics, then what
+// the samples and the motion tell. The carrier is looked for as the settings say; where there is
+// none, neither lost samples nor a start transient are looked for. Errors: those of the source,
+// interrupted.
+Result<SampleFaults> inspect(const Recording& recording, const SignalSettings& settings,
+                             const JobControl& job);
 
 }  // namespace vybeg

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,10 +52,15 @@ struct PhasorChoice {
     friend bool operator==(const PhasorChoice&, const PhasorChoice&) = default;
 };
 
+// Units of the angles of a log, rad, as lists of choices have them: by the file, degrees, radians,
+// whole turns.
+inline constexpr std::array log_angle_units{0.0, std::numbers::pi / 180, 1.0,
+                                            2 * std::numbers::pi};
+
 // Logs in place of recordings: what their columns are (column_wishes() of log_columns.h).
 struct LogChoice {
     std::string names;
-    double rad_per_angle_unit = 0;  // 0: by the file
+    double rad_per_angle_unit = 0;  // one of log_angle_units
     PhasorChoice phasors;
 
     // Otherwise the set has recordings.

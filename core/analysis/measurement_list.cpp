@@ -67,30 +67,12 @@ std::string column_name(const std::string& name) {
     return placeholder_of(usual) ? usual : name;
 }
 
-// The column with an effect whose name an unknown one resembles; empty: none.
-std::string option_like(const std::string& name) {
-    std::vector<std::string> known{"file", "set"};
-    known.insert(known.end(), conditions.begin(), conditions.end());
-    const auto add = [&known](const auto& rows) {
-        for (const auto& row : rows) {
-            known.push_back(row.name);
-        }
-    };
-    add(open_settings());
-    add(identify_settings());
-    const auto found = std::ranges::find_if(
-        known, [&name](const std::string& each) { return names_resemble(name, each); });
-    return found == known.end() ? "" : *found;
-}
-
 class Reader {
 public:
-    Reader(const std::filesystem::path& path, const ListDefaults& defaults)
-        : path_(path), defaults_(defaults) {}
+    Reader(CsvRows table, std::filesystem::path folder, const ListDefaults& defaults)
+        : table_(std::move(table)), folder_(std::move(folder)), defaults_(defaults) {}
 
     Result<MeasurementList> read() {
-        auto table = TRY(read_csv(path_, "file", column_name));
-        table_ = std::move(table);
         TRY(name_columns());
         find_formulas();
         make_numbers_usual();
@@ -100,27 +82,20 @@ public:
     }
 
 private:
-    Error invalid(std::int64_t line, const std::string& column, MessageArg reason) const {
-        return {
-            ErrorCode::list_invalid, path_.string(), {count_arg(line), column, std::move(reason)}};
-    }
-
     // The fault of an option's value, at its place in the list.
     Error refused(std::int64_t line, const Error& error) const {
         const std::string column = english(error.args.at(0)).substr(2);  // without the dashes
-        return invalid(line, column,
-                       words(VYBEG_MESSAGE("Words", "\"%1\" is not possible: %2"),
-                             {error.args.at(1), error.args.at(2)}));
+        return table_.invalid(line, column,
+                              words(VYBEG_MESSAGE("Words", "\"%1\" is not possible: %2"),
+                                    {error.args.at(1), error.args.at(2)}));
     }
 
     Status name_columns() {
-        for (std::size_t k = 0; k < table_.names.size(); ++k) {
-            const std::string& name = table_.names[k];
+        for (const std::string& name : table_.names) {
             if (name.starts_with("--") && placeholder_of(name.substr(2))) {
-                return invalid(1, name,
-                               words(VYBEG_MESSAGE("Words", "an option has no dashes here")));
+                return table_.invalid(
+                    1, name, words(VYBEG_MESSAGE("Words", "an option has no dashes here")));
             }
-            columns_[name] = k;
             if (is_idle(name)) {
                 list_.warnings.push_back({DiagnosticKind::option_without_effect,
                                           {"--" + name, "an identification does not use it"}});
@@ -128,14 +103,11 @@ private:
             if (!name.empty() && name != "file" && name != "set" && !is_one_of(conditions, name) &&
                 !placeholder_of(name)) {
                 list_.other_columns.push_back(name);
-                if (const std::string option = option_like(name); !option.empty()) {
-                    list_.warnings.push_back({DiagnosticKind::column_like_option, {name, option}});
-                }
             }
         }
         if (table_.rows.empty()) {
-            return invalid(1, "file",
-                           words(VYBEG_MESSAGE("Words", "no row names a recording below it")));
+            return table_.invalid(
+                1, "file", words(VYBEG_MESSAGE("Words", "no row names a recording below it")));
         }
         return {};
     }
@@ -162,7 +134,8 @@ private:
     }
 
     void make_numbers_usual() {
-        for (const auto& [name, column] : columns_) {
+        for (std::size_t column = 0; column < table_.names.size(); ++column) {
+            const std::string& name = table_.names[column];
             std::optional<std::string> placeholder = placeholder_of(name);
             if (name == "bias_v" || name == "temperature_c") {
                 placeholder = "X";
@@ -179,23 +152,17 @@ private:
         }
     }
 
-    const std::string& field(const CsvRow& row, const std::string& column) const {
-        static const std::string none;
-        const auto found = columns_.find(column);
-        return found == columns_.end() ? none : row.fields[found->second];
-    }
-
     // Rows without the name of a set are sets of their own, named by the file.
     void group_sets() {
         std::map<std::string, std::size_t> places;
         std::set<std::string> taken;
         for (const CsvRow& row : table_.rows) {
-            taken.insert(field(row, "set"));
+            taken.insert(table_.field(row, "set"));
         }
         for (const CsvRow& row : table_.rows) {
-            std::string name = field(row, "set");
+            std::string name = table_.field(row, "set");
             if (name.empty()) {
-                name = field(row, "file");
+                name = table_.field(row, "file");
                 if (!taken.insert(name).second) {
                     name += " (" + integer_text(row.line) + ")";
                 }
@@ -232,29 +199,29 @@ private:
         for (const std::string& name : options_of_a_set()) {
             const CsvRow* told = nullptr;
             for (const CsvRow* row : rows) {
-                const std::string& text = field(*row, name);
+                const std::string& text = table_.field(*row, name);
                 if (text.empty()) {
                     continue;
                 }
-                if (told != nullptr && field(*told, name) != text) {
-                    return invalid(
+                if (told != nullptr && table_.field(*told, name) != text) {
+                    return table_.invalid(
                         row->line, name,
                         words(VYBEG_MESSAGE("Words",
                                             "\"%1\" differs from \"%2\" in line %3, and one value "
                                             "holds for all recordings of a set: tell the same, or "
                                             "give the row a set of its own"),
-                              {text, field(*told, name), count_arg(told->line)}));
+                              {text, table_.field(*told, name), count_arg(told->line)}));
                 }
                 told = told == nullptr ? row : told;
             }
-            shared_[name] = told == nullptr ? "" : field(*told, name);
+            shared_[name] = told == nullptr ? "" : table_.field(*told, name);
         }
         return {};
     }
 
     const std::string& option(const CsvRow& row, const std::string& name) const {
         const auto found = shared_.find(name);
-        return found == shared_.end() ? field(row, name) : found->second;
+        return found == shared_.end() ? table_.field(row, name) : found->second;
     }
 
     template <class S>
@@ -279,18 +246,20 @@ private:
     }
 
     Result<IdentifySettings> read_row(const CsvRow& row, MeasurementSet& set) const {
-        RecordingRef recording{field(row, "file"), {}, defaults_.open};
+        RecordingRef recording{table_.field(row, "file"), {}, defaults_.open};
         if (recording.file.empty()) {
-            return invalid(row.line, "file", words(VYBEG_MESSAGE("Words", "no file is named")));
+            return table_.invalid(row.line, "file",
+                                  words(VYBEG_MESSAGE("Words", "no file is named")));
         }
-        recording.path = file_from(path_.parent_path(), recording.file);
+        recording.path = file_from(folder_, recording.file);
         const bool has_window = !option(row, "window").empty();
         if (has_window && !option(row, "periods").empty()) {
-            return invalid(row.line, "periods",
-                           words(VYBEG_MESSAGE("Words", "the window is given in samples, too")));
+            return table_.invalid(
+                row.line, "periods",
+                words(VYBEG_MESSAGE("Words", "the window is given in samples, too")));
         }
         TRY(read_options(open_settings(), row, recording.open));
-        find_files_from(path_.parent_path(), recording.open);
+        find_files_from(folder_, recording.open);
         if (const Status together = check_options(recording.open); !together) {
             return refused(row.line, together.error());
         }
@@ -306,7 +275,7 @@ private:
         }
         TRY(read_conditions(row, recording.conditions));
         for (const std::string& column : list_.other_columns) {
-            recording.others.emplace_back(column, field(row, column));
+            recording.others.emplace_back(column, table_.field(row, column));
         }
         set.recordings.push_back(std::move(recording));
         return settings;
@@ -324,44 +293,43 @@ private:
     }
 
     Status read_conditions(const CsvRow& row, Conditions& told) const {
-        told.gyro = field(row, "gyro");
-        told.operator_name = field(row, "operator");
-        told.comment = field(row, "comment");
-        told.date = usual_date(field(row, "date"));
+        told.gyro = table_.field(row, "gyro");
+        told.operator_name = table_.field(row, "operator");
+        told.comment = table_.field(row, "comment");
+        told.date = usual_date(table_.field(row, "date"));
         if (!told.date.empty() && !is_iso_date(told.date)) {
-            return invalid(row.line, "date",
-                           words(VYBEG_MESSAGE("Words",
-                                               "\"%1\" is no date as in 2026-03-31 or "
-                                               "31.03.2026, with or without a time as in "
-                                               "T14:05"),
-                                 {told.date}));
+            return table_.invalid(row.line, "date",
+                                  words(VYBEG_MESSAGE("Words",
+                                                      "\"%1\" is no date as in 2026-03-31 or "
+                                                      "31.03.2026, with or without a time as in "
+                                                      "T14:05"),
+                                        {told.date}));
         }
         for (const auto& [column, value] :
              {std::pair{"bias_v", &told.bias_v}, std::pair{"temperature_c", &told.temperature_c}}) {
-            const std::string text = without_unit(field(row, column));
+            const std::string text = without_unit(table_.field(row, column));
             const Result<double> number = read_number(column, text.empty() ? "0" : text);
             if (!number) {
-                return invalid(
-                    row.line, column,
-                    words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {field(row, column)}));
+                return table_.invalid(row.line, column,
+                                      words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"),
+                                            {table_.field(row, column)}));
             }
             *value = text.empty() ? std::nullopt : std::optional(*number);
         }
-        const std::string& exchanged = field(row, "exchanged");
+        const std::string& exchanged = table_.field(row, "exchanged");
         const std::optional<bool> answer = yes_or_no(exchanged);
         told.exchanged = answer.value_or(false);
         if (!exchanged.empty() && !answer) {
-            return invalid(
+            return table_.invalid(
                 row.line, "exchanged",
                 words(VYBEG_MESSAGE("Words", "\"%1\" is neither yes nor no"), {exchanged}));
         }
         return {};
     }
 
-    const std::filesystem::path& path_;
-    const ListDefaults& defaults_;
     CsvRows table_;
-    std::map<std::string, std::size_t> columns_;
+    std::filesystem::path folder_;  // of the list
+    const ListDefaults& defaults_;
     std::vector<std::vector<const CsvRow*>> rows_;  // of each set
     std::map<std::string, std::string> shared_;     // options of the set that is read
     MeasurementList list_;
@@ -395,7 +363,8 @@ std::string side_by_side(const MeasurementSet& set, auto text_of) {
 
 Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
                                               const ListDefaults& defaults) {
-    return Reader(path, defaults).read();
+    auto table = TRY(read_csv(path, "file", column_name));
+    return Reader(std::move(table), path.parent_path(), defaults).read();
 }
 
 bool is_measurement_list(const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 #include "core/analysis/passport.h"
 
+#include "core/numerics/minimise.h"
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
@@ -277,13 +278,7 @@ double changed_from(std::size_t count) {
     // 1 - (1 - p)^(1/count), solved by halving: the probability falls with the deviations.
     const double alone = chance_beyond(single_changed_from);
     const double each = -std::expm1(std::log1p(-alone) / static_cast<double>(count));
-    double low = single_changed_from;
-    double high = 10;
-    for (int step = 0; step < 60; ++step) {
-        const double middle = (low + high) / 2;
-        (chance_beyond(middle) > each ? low : high) = middle;
-    }
-    return high;
+    return bisected(single_changed_from, 10, [each](double z) { return chance_beyond(z) > each; });
 }
 
 std::size_t count_compared(const std::vector<Difference>& differences) {

@@ -1,5 +1,7 @@
 #include "core/analysis/setting_table.h"
 
+#include <tbb/info.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -290,8 +292,9 @@ Rows<S> log_rows(Part part) {
             {"angle-unit", "deg|rad|cyc",
              "Unit of theta, or of the phases, where the file does not tell it; cyc: whole turns"},
             [=](auto& s) -> auto& { return part(s).rad_per_angle_unit; },
-            std::array{std::pair{not_set.c_str(), 0.0}, std::pair{"deg", std::numbers::pi / 180},
-                       std::pair{"rad", 1.0}, std::pair{"cyc", 2 * std::numbers::pi}},
+            std::array{std::pair{not_set.c_str(), log_angle_units[0]},
+                       std::pair{"deg", log_angle_units[1]}, std::pair{"rad", log_angle_units[2]},
+                       std::pair{"cyc", log_angle_units[3]}},
             "it is deg, rad or cyc"),
         choice_row<S>(
             {"phasors", "fixed|common|pll",
@@ -400,6 +403,16 @@ std::string in_one(const std::vector<std::vector<NamedValue>>& each, std::size_t
 }
 
 }  // namespace
+
+bool same_carrier_search(const SignalSettings& a, SignalSettings b) {
+    b.f0_hz = a.f0_hz;
+    return a == b;
+}
+
+int threads_of(int asked) {
+    const int cores = tbb::info::default_concurrency();
+    return asked > 0 ? std::min(asked, cores) : cores;
+}
 
 const std::vector<SettingRow<Settings>>& analysis_settings() {
     static const Rows<Settings> rows = rows_of_analysis();

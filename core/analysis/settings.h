@@ -24,7 +24,7 @@ struct Band {
     friend bool operator==(const Band&, const Band&) = default;
 };
 
-// Everything the engineer chooses about an analysis, in three parts. The defaults are those of the
+// Everything the engineer chooses about an analysis. The defaults are those of the
 // command line; setting_table.h holds a row for each field.
 
 // Which samples are analysed, and what is done to them before the windows.
@@ -52,16 +52,11 @@ struct WindowSettings {
     friend bool operator==(const WindowSettings&, const WindowSettings&) = default;
 };
 
-struct EstimatorSettings {
+struct Settings : SignalSettings, WindowSettings {
     Algorithm algorithm = Algorithm::maximum_likelihood;
     std::optional<StartValues> initial;  // conjugate gradient only
     StartRule start = StartRule::first;  // conjugate gradient only
-
-    friend bool operator==(const EstimatorSettings&, const EstimatorSettings&) = default;
-};
-
-struct Settings : SignalSettings, WindowSettings, EstimatorSettings {
-    int threads = 0;  // 0: as many as the machine has, which is also the most
+    int threads = 0;                     // 0: as many as the machine has, which is also the most
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -2,6 +2,7 @@
 
 #include "core/estimators/batch/window_estimate.h"
 #include "core/numerics/fft.h"
+#include "core/numerics/kaiser.h"
 #include "core/numerics/statistics.h"
 #include "core/track/track_summary.h"
 #include "core/windows/window_plan.h"
@@ -118,13 +119,6 @@ Result<Analytic> whole_segment(const SampleSource& source, std::int64_t first, s
         }
     }
     return run.size() > longest.size() ? run : longest;
-}
-
-// Four terms, side lobes of -92 dB (F. J. Harris, 1978).
-double blackman_harris(double turns) {
-    const double angle = 2 * pi * turns;
-    return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2 * angle) -
-           0.01168 * std::cos(3 * angle);
 }
 
 // Power response of the band-pass: flat, with edges of a raised cosine, whose energy is that of the
@@ -336,8 +330,8 @@ Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std
     segment.resize(size);
     double squares = 0;
     for (std::size_t j = 0; j < size; ++j) {
-        const double weight =
-            blackman_harris((static_cast<double>(j) + 0.5) / static_cast<double>(size));
+        const double place = (static_cast<double>(j) + 0.5) / static_cast<double>(size);
+        const double weight = blackman_harris(2 * pi * place);
         segment[j] *= weight;
         squares += weight * weight;
     }

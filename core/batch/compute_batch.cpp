@@ -106,214 +106,6 @@ std::optional<LimitVerdict> verdict_of(const SetTask& task, const Identification
     return task.limits ? std::optional(limit_verdict(found, *task.limits)) : std::nullopt;
 }
 
-// What the rows of a batch are made of, and where they go. All must outlive the work.
-struct BatchWork {
-    const BatchRequest& request;
-    const std::vector<SetTask>& tasks;
-    RowJournal& journal;
-    ResultsDatabase* database = nullptr;  // null: there is none
-    std::int64_t last_id = 0;             // of the results in it
-    const BatchEvents& events;
-    std::mutex& mutex;  // of the events and the journal
-};
-
-// Computes the rows that a journal lacks, several sets at once. A set without a result has a row,
-// too; a fault of the machine (memory, threads, disk) or an interruption ends the work.
-class SetWork {
-public:
-    SetWork(const BatchWork& batch, std::stop_token stop);
-
-    // Errors: out_of_memory, out_of_threads, interrupted, those of writing a file.
-    Status run();
-
-    // Rows in the journal.
-    std::size_t done() const { return done_; }
-
-private:
-    void work();
-    void finish(const SetTask& task);
-    // Writes what goes beside the row, before it: a row in the journal means that its files and its
-    // result in the database are there.
-    Status keep(const SetTask& task, const SetResult& result, const JobControl& job,
-                std::vector<NamedWarnings>& warnings);
-    // Precondition: there is a database. Returns the warning that it keeps one result for this set
-    // and another one.
-    Result<std::vector<Diagnostic>> store(const SetTask& task, const SetResult& result,
-                                          const std::string& json);
-    void add_failure(const SetTask& task, const Error& error,
-                     const std::vector<NamedWarnings>& warnings);
-    void add_row(const SetTask& task, FinishedRow row);
-    void give_up(const Error& error);
-    MeasurementSet with_threads(const MeasurementSet& set) const;
-
-    const BatchWork batch_;
-    std::vector<const SetTask*> todo_;
-    std::mutex database_mutex_;                     // a wait for other writers holds up no rows
-    std::map<std::string, const SetTask*> stored_;  // by the key of the result
-    std::stop_source halt_;
-    std::stop_callback<std::function<void()>> interrupted_;
-    std::atomic<std::size_t> next_{0};
-    // Under the mutex of the batch:
-    std::optional<Error> fault_;
-    std::size_t done_ = 0;
-};
-
-SetWork::SetWork(const BatchWork& batch, std::stop_token stop)
-    : batch_(batch), interrupted_(std::move(stop), [this] { halt_.request_stop(); }) {
-    for (const SetTask& task : batch_.tasks) {
-        if (!batch_.journal.has(task.key)) {
-            todo_.push_back(&task);
-        }
-    }
-    done_ = batch_.tasks.size() - todo_.size();
-    prepare_sha256();
-}
-
-Status SetWork::run() {
-    const std::size_t jobs = std::min(static_cast<std::size_t>(batch_.request.jobs), todo_.size());
-    {
-        std::vector<std::jthread> workers;
-        try {
-            while (workers.size() + 1 < jobs) {
-                workers.emplace_back([this] { work(); });
-            }
-        } catch (const std::system_error&) {
-            give_up({ErrorCode::out_of_threads, {}, {}});
-        }
-        work();
-    }
-    return fault_ ? Status(*fault_) : Status();
-}
-
-void SetWork::work() {
-    try {
-        for (std::size_t k = next_++; k < todo_.size(); k = next_++) {
-            if (halt_.stop_requested()) {
-                give_up({ErrorCode::interrupted, {}, {}});
-                return;
-            }
-            finish(*todo_[k]);
-        }
-    } catch (...) {
-        give_up(error_of(std::current_exception()));
-    }
-}
-
-void SetWork::finish(const SetTask& task) {
-    const MeasurementSet set = with_threads(*task.set);
-    const JobControl job(halt_.get_token(), {}, batch_.events.clock);
-    Result<OpenSet> open = open_set(set, task.passport, halt_.get_token());
-    if (!open) {
-        add_failure(task, open.error(), {});
-        return;
-    }
-    Result<SetResult> result =
-        identify_set(*open, batch_.request.program, batch_.request.compare, job);
-    if (!result) {
-        add_failure(task, result.error(), warnings_of(*open));
-        return;
-    }
-    std::vector<NamedWarnings> warnings = warnings_of(*open, *result);
-    const double identified = job.now();
-    if (const Status kept = keep(task, *result, job, warnings); !kept) {
-        give_up(kept.error());
-        return;
-    }
-    FinishedRow row{.fields = batch_row(*result, verdict_of(task, &result->identification)),
-                    .warnings = std::move(warnings),
-                    .error = {},
-                    .timing = result->identification.timing,
-                    .write_s = job.now() - identified};
-    for (const IdentifiedRun& run : result->identification.runs) {
-        row.windows += run.windows;
-    }
-    add_row(task, std::move(row));
-}
-
-Status SetWork::keep(const SetTask& task, const SetResult& result, const JobControl& job,
-                     std::vector<NamedWarnings>& warnings) {
-    if (!task.new_passport.empty()) {
-        TRY(write_file(task.new_passport, passport_json(passport_of(result)), job));
-    }
-    if (!task.json.empty() || batch_.database != nullptr) {
-        const std::string json = identify_json(result);
-        TRY(task.json.empty() ? Status() : write_file(task.json, json, job));
-        if (batch_.database != nullptr) {
-            auto stored = TRY(store(task, result, json));
-            if (!stored.empty()) {
-                warnings.emplace_back("", std::move(stored));
-            }
-        }
-    }
-    return {};
-}
-
-Result<std::vector<Diagnostic>> SetWork::store(const SetTask& task, const SetResult& result,
-                                               const std::string& json) {
-    std::vector<Diagnostic> warnings;
-    const auto stored = TRY(stored_result(result, json));
-    const std::lock_guard lock(database_mutex_);
-    const auto holder = TRY(batch_.database->holder(stored.key));
-    // Of two sets of the list the later one counts, whichever is computed first.
-    const SetTask*& last = stored_[stored.key];
-    const bool holds_later = last != nullptr && last > &task;
-    const StoredName own{stored.set, stored.gyro};
-    if (holder && *holder != own) {
-        warnings.push_back(holds_later ? same_recordings(*holder, own)
-                                       : same_recordings(own, *holder));
-    }
-    if (!holds_later) {
-        // The same numbers of the results whichever set is computed first.
-        const std::int64_t place = &task - batch_.tasks.data() + 1;
-        TRY(batch_.database->add(stored, batch_.last_id + place));
-        last = &task;
-    }
-    return warnings;
-}
-
-void SetWork::add_failure(const SetTask& task, const Error& error,
-                          const std::vector<NamedWarnings>& warnings) {
-    if (ends_all(error.code)) {
-        give_up(error);
-    } else {
-        add_row(task, {.fields = batch_row(*task.set, error, verdict_of(task, nullptr)),
-                       .warnings = warnings,
-                       .error = error,
-                       .timing = {}});
-    }
-}
-
-void SetWork::add_row(const SetTask& task, FinishedRow row) {
-    const std::unique_lock lock(batch_.mutex);
-    const Status kept = batch_.journal.append(task.key, csv_row(row.fields));
-    if (!kept) {
-        fault_ = fault_ ? fault_ : kept.error();
-        halt_.request_stop();
-        return;
-    }
-    ++done_;
-    row.set = static_cast<std::size_t>(&task - batch_.tasks.data());
-    batch_.events.finished(row);
-}
-
-// The first fault counts: the others follow from its stop.
-void SetWork::give_up(const Error& error) {
-    {
-        const std::lock_guard lock(batch_.mutex);
-        fault_ = fault_ ? fault_ : error;
-    }
-    halt_.request_stop();
-}
-
-// The threads of the machine are shared by the sets that are computed at once.
-MeasurementSet SetWork::with_threads(const MeasurementSet& set) const {
-    MeasurementSet own = set;
-    if (batch_.request.jobs > 1 && own.settings.threads == 0) {
-        own.settings.threads = std::max(1, threads_of(0) / batch_.request.jobs);
-    }
-    return own;
-}
-
 // Waits, or until the token stops it.
 void pause(const std::stop_token& stop, double seconds) {
     std::mutex mutex;
@@ -495,9 +287,7 @@ private:
     Status compute_rows(const MeasurementList& list, const std::vector<SetTask>& tasks,
                         const std::vector<std::string>& header, OutputFile& output) {
         const auto last_id = TRY(database_ ? database_->last_id() : Result<std::int64_t>(0));
-        SetWork work({request_, tasks, *journal_, database_ ? &*database_ : nullptr, last_id,
-                      events_, mutex_},
-                     stop_);
+        SetWork work(*this, tasks, last_id);
         Status done = work.run();
         LimitCounts counts;
         if (done) {
@@ -535,9 +325,196 @@ private:
                    : output.as_it_stands(error);
     }
 
+    // Computes the rows that the journal lacks, several sets at once. A set without a result has a
+    // row, too; a fault of the machine (memory, threads, disk) or an interruption ends the work.
+    class SetWork {
+    public:
+        // `last_id`: of the results in the database.
+        SetWork(Batch& batch, const std::vector<SetTask>& tasks, std::int64_t last_id)
+            : batch_(batch),
+              tasks_(tasks),
+              last_id_(last_id),
+              interrupted_(batch.stop_, [this] { halt_.request_stop(); }) {
+            for (const SetTask& task : tasks_) {
+                if (!batch_.journal_->has(task.key)) {
+                    todo_.push_back(&task);
+                }
+            }
+            done_ = tasks_.size() - todo_.size();
+            prepare_sha256();
+        }
+
+        // Errors: out_of_memory, out_of_threads, interrupted, those of writing a file.
+        Status run() {
+            const std::size_t jobs =
+                std::min(static_cast<std::size_t>(batch_.request_.jobs), todo_.size());
+            {
+                std::vector<std::jthread> workers;
+                try {
+                    while (workers.size() + 1 < jobs) {
+                        workers.emplace_back([this] { work(); });
+                    }
+                } catch (const std::system_error&) {
+                    give_up({ErrorCode::out_of_threads, {}, {}});
+                }
+                work();
+            }
+            return fault_ ? Status(*fault_) : Status();
+        }
+
+        // Rows in the journal.
+        std::size_t done() const { return done_; }
+
+    private:
+        void work() {
+            try {
+                for (std::size_t k = next_++; k < todo_.size(); k = next_++) {
+                    if (halt_.stop_requested()) {
+                        give_up({ErrorCode::interrupted, {}, {}});
+                        return;
+                    }
+                    finish(*todo_[k]);
+                }
+            } catch (...) {
+                give_up(error_of(std::current_exception()));
+            }
+        }
+
+        void finish(const SetTask& task) {
+            const JobControl job(halt_.get_token(), {}, batch_.events_.clock);
+            Result<OpenSet> open =
+                open_set(with_threads(*task.set), task.passport, halt_.get_token());
+            if (!open) {
+                add_failure(task, open.error(), {});
+                return;
+            }
+            Result<SetResult> result =
+                identify_set(*open, batch_.request_.program, batch_.request_.compare, job);
+            if (!result) {
+                add_failure(task, result.error(), warnings_of(*open));
+                return;
+            }
+            std::vector<NamedWarnings> warnings = warnings_of(*open, *result);
+            const double identified = job.now();
+            if (const Status kept = keep(task, *result, job, warnings); !kept) {
+                give_up(kept.error());
+                return;
+            }
+            FinishedRow row{.fields = batch_row(*result, verdict_of(task, &result->identification)),
+                            .warnings = std::move(warnings),
+                            .error = {},
+                            .timing = result->identification.timing,
+                            .write_s = job.now() - identified};
+            for (const IdentifiedRun& run : result->identification.runs) {
+                row.windows += run.windows;
+            }
+            add_row(task, std::move(row));
+        }
+
+        // Writes what goes beside the row, before it: a row in the journal means that its files and
+        // its result in the database are there.
+        Status keep(const SetTask& task, const SetResult& result, const JobControl& job,
+                    std::vector<NamedWarnings>& warnings) {
+            if (!task.new_passport.empty()) {
+                TRY(write_file(task.new_passport, passport_json(passport_of(result)), job));
+            }
+            if (!task.json.empty() || batch_.database_) {
+                const std::string json = identify_json(result);
+                TRY(task.json.empty() ? Status() : write_file(task.json, json, job));
+                if (batch_.database_) {
+                    auto stored = TRY(store(task, result, json));
+                    if (!stored.empty()) {
+                        warnings.emplace_back("", std::move(stored));
+                    }
+                }
+            }
+            return {};
+        }
+
+        // Precondition: there is a database. Returns the warning that it keeps one result for this
+        // set and another one.
+        Result<std::vector<Diagnostic>> store(const SetTask& task, const SetResult& result,
+                                              const std::string& json) {
+            std::vector<Diagnostic> warnings;
+            const auto stored = TRY(stored_result(result, json));
+            const std::lock_guard lock(database_mutex_);
+            const auto holder = TRY(batch_.database_->holder(stored.key));
+            // Of two sets of the list the later one counts, whichever is computed first.
+            const SetTask*& last = stored_[stored.key];
+            const bool holds_later = last != nullptr && last > &task;
+            const StoredName own{stored.set, stored.gyro};
+            if (holder && *holder != own) {
+                warnings.push_back(holds_later ? same_recordings(*holder, own)
+                                               : same_recordings(own, *holder));
+            }
+            if (!holds_later) {
+                // The same numbers of the results whichever set is computed first.
+                const std::int64_t place = &task - tasks_.data() + 1;
+                TRY(batch_.database_->add(stored, last_id_ + place));
+                last = &task;
+            }
+            return warnings;
+        }
+
+        void add_failure(const SetTask& task, const Error& error,
+                         const std::vector<NamedWarnings>& warnings) {
+            if (ends_all(error.code)) {
+                give_up(error);
+            } else {
+                add_row(task, {.fields = batch_row(*task.set, error, verdict_of(task, nullptr)),
+                               .warnings = warnings,
+                               .error = error,
+                               .timing = {}});
+            }
+        }
+
+        void add_row(const SetTask& task, FinishedRow row) {
+            const std::unique_lock lock(batch_.mutex_);
+            const Status kept = batch_.journal_->append(task.key, csv_row(row.fields));
+            if (!kept) {
+                fault_ = fault_ ? fault_ : kept.error();
+                halt_.request_stop();
+                return;
+            }
+            ++done_;
+            row.set = static_cast<std::size_t>(&task - tasks_.data());
+            batch_.events_.finished(row);
+        }
+
+        // The first fault counts: the others follow from its stop.
+        void give_up(const Error& error) {
+            {
+                const std::lock_guard lock(batch_.mutex_);
+                fault_ = fault_ ? fault_ : error;
+            }
+            halt_.request_stop();
+        }
+
+        // The threads of the machine are shared by the sets that are computed at once.
+        MeasurementSet with_threads(MeasurementSet set) const {
+            if (batch_.request_.jobs > 1 && set.settings.threads == 0) {
+                set.settings.threads = std::max(1, threads_of(0) / batch_.request_.jobs);
+            }
+            return set;
+        }
+
+        Batch& batch_;
+        const std::vector<SetTask>& tasks_;
+        std::int64_t last_id_;
+        std::vector<const SetTask*> todo_;
+        std::mutex database_mutex_;                     // a wait for other writers holds up no rows
+        std::map<std::string, const SetTask*> stored_;  // by the key of the result
+        std::stop_source halt_;
+        std::stop_callback<std::function<void()>> interrupted_;
+        std::atomic<std::size_t> next_{0};
+        // Under the mutex of the batch:
+        std::optional<Error> fault_;
+        std::size_t done_ = 0;
+    };
+
     const BatchRequest& request_;
     const BatchEvents& events_;
-    std::mutex mutex_;  // of the events, while several threads work
+    std::mutex mutex_;  // of the events and the journal, while several threads work
     std::stop_token stop_;
     JobControl job_;
     std::vector<TypedLimit> limits_;

@@ -47,98 +47,69 @@ std::string column_name(const std::string& name) {
     return usual;
 }
 
-class Reader {
-public:
-    Reader(const std::filesystem::path& path, CsvRows table)
-        : path_(path), table_(std::move(table)), parameters_(limited_parameters()) {}
-
-    Result<std::vector<TypedLimit>> read() {
-        TRY(check_columns());
-        for (const CsvRow& row : table_.rows) {
-            const std::string name = field(row, "parameter");
-            const ResonatorParameter* const parameter = parameter_named(parameters_, name);
-            if (parameter == nullptr) {
-                return invalid(row.line, "parameter", no_parameter(parameters_, name));
-            }
-            TypedLimit read{field(row, "gyro_type"), {parameter->name, {}, {}}};
-            for (const auto& [column, end] :
-                 {std::pair{"least", &read.limit.lower}, {"greatest", &read.limit.upper}}) {
-                const std::string text = usual_option(field(row, column), false);
-                *end = number_with_unit(text, parameter->unit);
-                if (!text.empty() && !(*end && std::isfinite(**end))) {
-                    return invalid(row.line, column,
-                                   words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {text}));
-                }
-            }
-            if (!read.limit.lower && !read.limit.upper) {
-                return invalid(row.line, "least",
-                               words(VYBEG_MESSAGE("Words", "neither end of the limit is told")));
-            }
-            if (read.limit.lower && read.limit.upper && *read.limit.lower > *read.limit.upper) {
-                return invalid(row.line, "least",
-                               words(VYBEG_MESSAGE("Words", "it is above the greatest value")));
-            }
-            const bool twice = std::ranges::any_of(limits_, [&read](const TypedLimit& each) {
-                return lower_text(each.gyro_type) == lower_text(read.gyro_type) &&
-                       each.limit.parameter == read.limit.parameter;
-            });
-            if (twice) {
-                return invalid(row.line, "parameter",
-                               words(VYBEG_MESSAGE("Words", "%1 has a limit above already"),
-                                     {read.limit.parameter}));
-            }
-            limits_.push_back(std::move(read));
+// Refuses unknown columns: a limit there would be ignored.
+Status check_columns(const CsvRows& table) {
+    constexpr std::array<std::string_view, 5> columns{"parameter", "least", "greatest", "gyro_type",
+                                                      "comment"};
+    for (const std::string& name : table.names) {
+        if (!name.empty() && std::ranges::find(columns, name) == columns.end()) {
+            return table.invalid(1, name,
+                                 words(VYBEG_MESSAGE("Words",
+                                                     "the columns are parameter, least, "
+                                                     "greatest, gyro_type and comment")));
         }
-        return std::move(limits_);
     }
-
-private:
-    // Refuses unknown columns: a limit there would be ignored.
-    Status check_columns() const {
-        constexpr std::array<const char*, 5> columns{"parameter", "least", "greatest", "gyro_type",
-                                                     "comment"};
-        const auto has = [this](const char* name) {
-            return std::ranges::find(table_.names, name) != table_.names.end();
-        };
-        for (const std::string& name : table_.names) {
-            const auto is_it = [&name](const char* column) { return name == column; };
-            if (!name.empty() && std::ranges::none_of(columns, is_it)) {
-                return invalid(1, name,
-                               words(VYBEG_MESSAGE("Words",
-                                                   "the columns are parameter, least, "
-                                                   "greatest, gyro_type and comment")));
-            }
-        }
-        if (!has("least") && !has("greatest")) {
-            return invalid(1, "least",
-                           words(VYBEG_MESSAGE("Words", "neither least nor greatest is there")));
-        }
-        return {};
+    if (!table.has("least") && !table.has("greatest")) {
+        return table.invalid(1, "least",
+                             words(VYBEG_MESSAGE("Words", "neither least nor greatest is there")));
     }
-
-    std::string field(const CsvRow& row, const std::string& column) const {
-        const auto found = std::ranges::find(table_.names, column);
-        return found == table_.names.end()
-                   ? std::string()
-                   : row.fields[static_cast<std::size_t>(found - table_.names.begin())];
-    }
-
-    Error invalid(std::int64_t line, const std::string& column, MessageArg reason) const {
-        return {
-            ErrorCode::list_invalid, path_.string(), {count_arg(line), column, std::move(reason)}};
-    }
-
-    const std::filesystem::path& path_;
-    CsvRows table_;
-    std::vector<ResonatorParameter> parameters_;
-    std::vector<TypedLimit> limits_;
-};
+    return {};
+}
 
 }  // namespace
 
 Result<std::vector<TypedLimit>> read_limits(const std::filesystem::path& path) {
-    auto table = TRY(read_csv(path, "parameter", column_name));
-    return Reader(path, std::move(table)).read();
+    const auto table = TRY(read_csv(path, "parameter", column_name));
+    TRY(check_columns(table));
+    const std::vector<ResonatorParameter> parameters = limited_parameters();
+    std::vector<TypedLimit> limits;
+    for (const CsvRow& row : table.rows) {
+        const std::string& name = table.field(row, "parameter");
+        const ResonatorParameter* const parameter = parameter_named(parameters, name);
+        if (parameter == nullptr) {
+            return table.invalid(row.line, "parameter", no_parameter(parameters, name));
+        }
+        TypedLimit read{table.field(row, "gyro_type"), {parameter->name, {}, {}}};
+        for (const auto& [column, end] :
+             {std::pair{"least", &read.limit.lower}, {"greatest", &read.limit.upper}}) {
+            const std::string text = usual_option(table.field(row, column), false);
+            *end = number_with_unit(text, parameter->unit);
+            if (!text.empty() && !(*end && std::isfinite(**end))) {
+                return table.invalid(
+                    row.line, column,
+                    words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {text}));
+            }
+        }
+        if (!read.limit.lower && !read.limit.upper) {
+            return table.invalid(row.line, "least",
+                                 words(VYBEG_MESSAGE("Words", "neither end of the limit is told")));
+        }
+        if (read.limit.lower && read.limit.upper && *read.limit.lower > *read.limit.upper) {
+            return table.invalid(row.line, "least",
+                                 words(VYBEG_MESSAGE("Words", "it is above the greatest value")));
+        }
+        const bool twice = std::ranges::any_of(limits, [&read](const TypedLimit& each) {
+            return lower_text(each.gyro_type) == lower_text(read.gyro_type) &&
+                   each.limit.parameter == read.limit.parameter;
+        });
+        if (twice) {
+            return table.invalid(row.line, "parameter",
+                                 words(VYBEG_MESSAGE("Words", "%1 has a limit above already"),
+                                       {read.limit.parameter}));
+        }
+        limits.push_back(std::move(read));
+    }
+    return limits;
 }
 
 std::vector<ParameterLimit> limits_of_type(const std::vector<TypedLimit>& limits,

@@ -1,6 +1,5 @@
 #include "core/drift/drift_settings.h"
 
-#include "core/drift/whole_angle_drift.h"
 #include "core/recording/samples/open_table.h"
 
 #include <array>
@@ -32,8 +31,8 @@ Row angle_unit_row() {
         {"angle-unit", "deg|rad|cyc",
          "Unit of theta where the file does not tell it; cyc: whole turns"},
         [](auto& s) -> auto& { return s.reading.rad_per_angle_unit; },
-        std::array{std::pair{"deg", std::numbers::pi / 180}, std::pair{"rad", 1.0},
-                   std::pair{"cyc", 2 * std::numbers::pi}},
+        std::array{std::pair{"deg", log_angle_units[1]}, std::pair{"rad", log_angle_units[2]},
+                   std::pair{"cyc", log_angle_units[3]}},
         "it is deg, rad or cyc");
 }
 

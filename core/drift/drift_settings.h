@@ -2,6 +2,7 @@
 
 #include "core/analysis/identify_settings.h"
 #include "core/base/setting_rows.h"
+#include "core/drift/whole_angle_drift.h"
 #include "core/drift/whole_angle_log.h"
 #include "core/resonator/model/channel_tolerance.h"
 
@@ -23,6 +24,13 @@ const std::vector<SettingRow<DriftSettings>>& drift_settings();
 
 // Names and texts as on the command line, with the tolerances in use.
 std::vector<NamedValue> settings_list(const DriftSettings& settings);
+
+// A drift with what it was computed from; of the logs name and SHA-256 are enough.
+struct DriftOutcome {
+    std::vector<WholeAngleLog> logs;
+    DriftSettings settings;
+    WholeAngleDrift drift;
+};
 
 // Gain ratio and skew with their tolerances, in place of those that are not told the usual ones.
 ChannelTolerance pick_offs(const Tolerance& tolerance);

@@ -1,5 +1,8 @@
 #include "core/numerics/control_chart.h"
 
+#include "core/base/guarded.h"
+#include "core/numerics/minimise.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -7,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -84,17 +86,14 @@ Scatter scatter_of(const Baseline& baseline) {
         squares += (value - mean) * (value - mean);
     }
     // At this one chi^2 is at most the degrees of freedom.
-    double high = squares / freedom;
-    if (!(high > 0)) {
+    const double most = squares / freedom;
+    if (!(most > 0)) {
         return {0, 0};
     }
-    double low = 0;
-    constexpr int halvings = 60;
-    for (int k = 0; k < halvings; ++k) {
-        const double middle = (low + high) / 2;
-        (weighted_mean(baseline, middle).chi2 > freedom ? low : high) = middle;
-    }
-    return {high, 1};
+    const auto too_small = [&](double between) {
+        return weighted_mean(baseline, between).chi2 > freedom;
+    };
+    return {bisected(0, most, too_small), 1};
 }
 
 double square_or_zero(double u) {
@@ -372,25 +371,17 @@ double ewma_limit(double lambda, std::size_t baseline, double points_per_alarm) 
         return std::numeric_limits<double>::quiet_NaN();
     }
     // Charts of many quantities have the same baseline, and a limit takes milliseconds.
-    static std::mutex mutex;
-    static std::map<std::tuple<double, std::size_t, double>, double> known;
+    static const Guarded<std::map<std::tuple<double, std::size_t, double>, double>> known;
     const std::tuple key(lambda, baseline, points_per_alarm);
-    {
-        const std::lock_guard lock(mutex);
-        if (const auto found = known.find(key); found != known.end()) {
-            return found->second;
-        }
+    if (const auto all = known.hold(); all->contains(key)) {
+        return all->at(key);
     }
     // The logarithm of the rate falls almost as a parabola: bisection to 1e-3 of a deviation.
-    double low = 1;
-    double high = 8;
-    while (high - low > 1e-3) {
-        const double middle = (low + high) / 2;
-        const double rate = alarm_rate(lambda, middle, static_cast<double>(baseline));
-        (rate * points_per_alarm > 1 ? low : high) = middle;
-    }
-    const std::lock_guard lock(mutex);
-    return known.try_emplace(key, high).first->second;
+    const auto alarms_too_often = [&](double limit) {
+        return alarm_rate(lambda, limit, static_cast<double>(baseline)) * points_per_alarm > 1;
+    };
+    const double limit = bisected(1, 8, alarms_too_often, 1e-3);
+    return known.hold()->try_emplace(key, limit).first->second;
 }
 
 }  // namespace vybeg

@@ -25,6 +25,11 @@ std::vector<double> kaiser_weights(std::size_t size, double beta) {
     return weights;
 }
 
+double blackman_harris(double angle) {
+    return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2 * angle) -
+           0.01168 * std::cos(3 * angle);
+}
+
 double sinc(double x) {
     const double angle = std::numbers::pi * x;
     return angle == 0 ? 1 : std::sin(angle) / angle;

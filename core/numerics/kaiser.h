@@ -11,6 +11,10 @@ double kaiser_window(double x, double beta);
 // At the middles of `size` equal parts of it.
 std::vector<double> kaiser_weights(std::size_t size, double beta);
 
+// Four terms of Blackman and Harris (F. J. Harris, 1978), side lobes of -92 dB; the angle runs from
+// 0 to 2 pi over the window.
+double blackman_harris(double angle);
+
 // sin(pi x) / (pi x).
 double sinc(double x);
 

@@ -19,6 +19,17 @@ struct Minimum {
 Minimum minimise(const std::function<double(double)>& f, double low, double start, double high,
                  double step, double tolerance);
 
+// The end of an interval at whose begin `holds` is true and at whose end it is false, halved to
+// `width`, or 60 times.
+template <class Holds>
+double bisected(double low, double high, const Holds& holds, double width = 0) {
+    for (int step = 0; step < 60 && high - low > width; ++step) {
+        const double middle = (low + high) / 2;
+        (holds(middle) ? low : high) = middle;
+    }
+    return high;
+}
+
 struct DampedRules {
     int steps = 0;  // at most
     double least_damping = 0;

@@ -85,16 +85,12 @@ double ratio_exceeded(int segments, double probability) {
         }
         return sum;
     };
-    double low = segments;
     double high = segments - std::log(probability) + 8 * std::sqrt(segments) + 8;
     while (exceeds(high) > probability) {
         high *= 2;
     }
-    for (int step = 0; step < 60; ++step) {
-        const double middle = 0.5 * (low + high);
-        (exceeds(middle) > probability ? low : high) = middle;
-    }
-    return high / segments;
+    const auto too_likely = [&](double x) { return exceeds(x) > probability; };
+    return bisected(segments, high, too_likely) / segments;
 }
 
 void LaggedProducts::add(std::span<const double> x, std::span<const double> y) {

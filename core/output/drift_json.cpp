@@ -88,8 +88,8 @@ Estimate degrees_per_hour(Estimate rad_per_s) {
     return rad_per_s;
 }
 
-std::string drift_json(const std::string& program, std::span<const WholeAngleLog> logs,
-                       const DriftSettings& settings, const WholeAngleDrift& drift) {
+std::string drift_json(const std::string& program, const DriftOutcome& outcome) {
+    const auto& [logs, settings, drift] = outcome;
     Json inputs = Json::array();
     for (std::size_t k = 0; k < logs.size(); ++k) {
         inputs.push_back(log_json(logs[k], drift.logs[k], drift.left_out == k));
@@ -128,8 +128,8 @@ std::string drift_json(const std::string& program, std::span<const WholeAngleLog
                       {"bins", bins}});
 }
 
-std::string drift_csv(const std::string& program, std::span<const WholeAngleLog> logs,
-                      const DriftSettings& settings, const WholeAngleDrift& drift) {
+std::string drift_csv(const std::string& program, const DriftOutcome& outcome) {
+    const auto& [logs, settings, drift] = outcome;
     std::string text = "# " + program + "\n# drift of whole-angle logs, less the turn of each\n";
     for (const WholeAngleLog& log : logs) {
         text += "# input: " + plain_text(log.name) + ", sha256 " + log.sha256 + "\n";

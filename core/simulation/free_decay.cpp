@@ -117,7 +117,7 @@ constexpr std::int64_t most_frames = std::int64_t{1} << 36;   // three weeks at 
 constexpr std::int64_t most_doubled = std::int64_t{1} << 20;  // held in memory
 constexpr double longest_delay_s = 0.1;
 
-bool are_finite(const std::array<double, 6>& numbers) {
+bool are_finite(std::initializer_list<double> numbers) {
     return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
 
@@ -128,54 +128,44 @@ double start_power(const FreeDecay& decay) {
 // What a decay must not be, and the words for it.
 struct Rule {
     bool broken;
-    const char* words;
+    std::string words;
 };
 
-Status first_broken(std::initializer_list<Rule> rules) {
-    for (const Rule& rule : rules) {
-        if (rule.broken) {
-            return impossible(rule.words);
-        }
-    }
-    return {};
+Status first_broken(const std::vector<Rule>& rules) {
+    const auto broken = std::ranges::find(rules, true, &Rule::broken);
+    return broken == rules.end() ? Status() : impossible(broken->words);
+}
+
+// "... not between 0 and half the sample rate, 16666.5 Hz".
+std::string not_below_half(const FreeDecay& decay, const char* is) {
+    return std::string(is) + " not between 0 and half the sample rate, " +
+           short_text(decay.rate_hz / 2) + " Hz";
 }
 
 // Beyond these bounds the motion overflows or loses its digits.
 Status check_sizes(const FreeDecay& decay) {
-    constexpr double most_amplitude = 1e30;
-    constexpr double most_angle = 1e6;
-    const auto beyond = [](double most) { return [most](double x) { return std::abs(x) > most; }; };
-    if (std::ranges::any_of(
-            std::array{decay.a_A, decay.a_B, decay.noise, decay.offset_c, decay.offset_d,
-                       decay.full_scale, decay.hum, decay.carrier_noise, decay.modulation_noise},
-            beyond(most_amplitude))) {
-        return impossible("amplitudes, noise, offsets and full scale must lie within +-1e30");
-    }
-    if (std::ranges::any_of(
-            std::array{decay.two_theta_A, decay.alpha, decay.theta_w, decay.theta_tau,
-                       decay.skew_deg, decay.phase_drift_rad, decay.hum_phase},
-            beyond(most_angle))) {
-        return impossible("angles must lie within +-1e6 rad");
-    }
-    if (std::ranges::any_of(std::array{decay.omega_rad_s, decay.bryan}, beyond(1e6))) {
-        return impossible("the rotation and Bryan's factor must lie within +-1e6");
-    }
-    if (decay.split_hz >= 2 * decay.f0_hz ||
-        decay.f0_hz + decay.split_hz / 2 >= decay.rate_hz / 2) {
-        return impossible(
-            "with a split of " + short_text(decay.split_hz) +
-            " Hz the modes' frequencies are not between 0 and half the sample rate, " +
-            short_text(decay.rate_hz / 2) + " Hz");
-    }
-    return first_broken({{decay.tau_s < 1e-9, "the decay time must be at least 1e-9 s"},
-                         {decay.kappa < 1e-6 || decay.kappa > 1e6,
-                          "the gain ratio kappa must lie between 1e-6 and 1e6"}});
+    const auto beyond = [](double most, std::initializer_list<double> numbers) {
+        return std::ranges::any_of(numbers, [most](double x) { return std::abs(x) > most; });
+    };
+    return first_broken(
+        {{beyond(1e30, {decay.a_A, decay.a_B, decay.noise, decay.offset_c, decay.offset_d,
+                        decay.full_scale, decay.hum, decay.carrier_noise, decay.modulation_noise}),
+          "amplitudes, noise, offsets and full scale must lie within +-1e30"},
+         {beyond(1e6, {decay.two_theta_A, decay.alpha, decay.theta_w, decay.theta_tau,
+                       decay.skew_deg, decay.phase_drift_rad, decay.hum_phase}),
+          "angles must lie within +-1e6 rad"},
+         {beyond(1e6, {decay.omega_rad_s, decay.bryan}),
+          "the rotation and Bryan's factor must lie within +-1e6"},
+         {decay.split_hz >= 2 * decay.f0_hz ||
+              decay.f0_hz + decay.split_hz / 2 >= decay.rate_hz / 2,
+          "with a split of " + short_text(decay.split_hz) +
+              not_below_half(decay, " Hz the modes' frequencies are")},
+         {decay.tau_s < 1e-9, "the decay time must be at least 1e-9 s"},
+         {decay.kappa < 1e-6 || decay.kappa > 1e6,
+          "the gain ratio kappa must lie between 1e-6 and 1e6"}});
 }
 
 Status check_motion(const FreeDecay& decay) {
-    if (decay.settling_time_s <= 0) {
-        return impossible("the settling time must be above 0");
-    }
     // Each part is monotonic, so that these are bounds of their sum.
     const std::array parts{decay.frequency_drift_hz_s * decay.seconds, decay.settling_hz,
                            decay.frequency_per_power_hz * start_power(decay)};
@@ -185,18 +175,14 @@ Status check_motion(const FreeDecay& decay) {
         lowest += std::min(part, 0.0);
         highest += std::max(part, 0.0);
     }
-    if (lowest <= 0 || highest >= decay.rate_hz / 2) {
-        return impossible("the frequency may run from " + short_text(lowest) + " to " +
-                          short_text(highest) +
-                          " Hz, which is not between 0 and half the sample rate, " +
-                          short_text(decay.rate_hz / 2) + " Hz");
-    }
     const double by_power = decay.damping_per_power_per_s * start_power(decay);
-    if (decay.damping_per_power_per_s < 0 &&
-        1 / decay.tau_s + by_power < decay.damping_anisotropy_per_s / 2) {
-        return impossible("the damping per power would let the wave grow at the start");
-    }
-    return {};
+    return first_broken({{decay.settling_time_s <= 0, "the settling time must be above 0"},
+                         {lowest <= 0 || highest >= decay.rate_hz / 2,
+                          "the frequency may run from " + short_text(lowest) + " to " +
+                              short_text(highest) + not_below_half(decay, " Hz, which is")},
+                         {decay.damping_per_power_per_s < 0 &&
+                              1 / decay.tau_s + by_power < decay.damping_anisotropy_per_s / 2,
+                          "the damping per power would let the wave grow at the start"}});
 }
 
 // Departures from a free decay. Their sizes bound the steps of AmplitudeFactor.
@@ -230,19 +216,12 @@ Status check_channels(const FreeDecay& decay) {
 
 Status check_modes_beside(const FreeDecay& decay) {
     for (const ModeBeside& mode : decay.modes_beside) {
-        const std::array numbers{mode.f_hz,    mode.a_C,     mode.a_D,
-                                 mode.phase_C, mode.phase_D, mode.tau_s};
-        if (!are_finite(numbers)) {
-            return impossible("every parameter must be a finite number");
-        }
-        if (mode.f_hz <= 0 || mode.f_hz >= decay.rate_hz / 2) {
-            return impossible("the mode of " + short_text(mode.f_hz) +
-                              " Hz is not between 0 and half the sample rate, " +
-                              short_text(decay.rate_hz / 2) + " Hz");
-        }
-        if (mode.tau_s <= 0) {
-            return impossible("the decay time must be above 0");
-        }
+        TRY(first_broken(
+            {{!are_finite({mode.f_hz, mode.a_C, mode.a_D, mode.phase_C, mode.phase_D, mode.tau_s}),
+              "every parameter must be a finite number"},
+             {mode.f_hz <= 0 || mode.f_hz >= decay.rate_hz / 2,
+              "the mode of " + short_text(mode.f_hz) + not_below_half(decay, " Hz is")},
+             {mode.tau_s <= 0, "the decay time must be above 0"}}));
     }
     return {};
 }
@@ -371,36 +350,31 @@ std::int64_t frame_count(const FreeDecay& decay) {
 }
 
 Status check(const FreeDecay& decay) {
-    const std::array others{decay.offset_c, decay.offset_d, decay.full_scale,
-                            decay.hum,      decay.hum_hz,   decay.hum_phase};
-    if (!std::ranges::all_of(
-            decay_options,
-            [&decay](const DecayOption& each) { return std::isfinite(decay.*each.member); }) ||
-        !are_finite(others)) {
-        return impossible("every parameter must be a finite number");
-    }
-    if (decay.seconds <= 0 || decay.rate_hz <= 0) {
-        return impossible("the length and the sample rate must be above 0");
-    }
-    if (decay.f0_hz <= 0 || decay.f0_hz >= decay.rate_hz / 2) {
-        return impossible("the carrier of " + short_text(decay.f0_hz) +
-                          " Hz is not between 0 and half the sample rate, " +
-                          short_text(decay.rate_hz / 2) + " Hz");
-    }
-    if (decay.seconds * decay.rate_hz > static_cast<double>(most_frames)) {
-        return impossible(short_text(decay.seconds * decay.rate_hz) +
-                          " samples are too many; the most is " + integer_text(most_frames));
-    }
-    TRY(first_broken({{motion_frame_count(decay) < 1, "the record is shorter than one sample"},
-                      {decay.tau_s <= 0, "the decay time must be above 0"},
-                      {decay.split_hz < 0 || decay.damping_anisotropy_per_s < 0,
-                       "frequency split and damping anisotropy cannot be negative"}}));
-    if (decay.damping_anisotropy_per_s > 2 / decay.tau_s) {
-        return impossible("a damping anisotropy above 2/tau = " + short_text(2 / decay.tau_s) +
-                          " 1/s would let one mode grow");
-    }
+    const bool finite = std::ranges::all_of(decay_options,
+                                            [&decay](const DecayOption& each) {
+                                                return std::isfinite(decay.*each.member);
+                                            }) &&
+                        are_finite({decay.offset_c, decay.offset_d, decay.full_scale, decay.hum,
+                                    decay.hum_hz, decay.hum_phase});
+    const double frames = decay.seconds * decay.rate_hz;
     TRY(first_broken(
-        {{decay.noise < 0, "the noise cannot be negative"},
+        {{!finite, "every parameter must be a finite number"},
+         {decay.seconds <= 0 || decay.rate_hz <= 0,
+          "the length and the sample rate must be above 0"},
+         {decay.f0_hz <= 0 || decay.f0_hz >= decay.rate_hz / 2,
+          "the carrier of " + short_text(decay.f0_hz) + not_below_half(decay, " Hz is")},
+         {frames > static_cast<double>(most_frames), short_text(frames) +
+                                                         " samples are too many; the most is " +
+                                                         integer_text(most_frames)}}));
+    TRY(first_broken(
+        {{motion_frame_count(decay) < 1, "the record is shorter than one sample"},
+         {decay.tau_s <= 0, "the decay time must be above 0"},
+         {decay.split_hz < 0 || decay.damping_anisotropy_per_s < 0,
+          "frequency split and damping anisotropy cannot be negative"},
+         {decay.damping_anisotropy_per_s > 2 / decay.tau_s,
+          "a damping anisotropy above 2/tau = " + short_text(2 / decay.tau_s) +
+              " 1/s would let one mode grow"},
+         {decay.noise < 0, "the noise cannot be negative"},
          {decay.kappa <= 0, "the gain ratio kappa must be above 0"},
          {decay.bits != 0 && (decay.bits < 2 || decay.bits > 32), "the quantiser has 2 to 32 bits"},
          {decay.full_scale < 0, "the full scale cannot be negative"}}));

@@ -1,7 +1,8 @@
 #include "core/windows/carrier_search.h"
 
-#include "core/base/dispatch.h"
 #include "core/numerics/fft.h"
+#include "core/numerics/kaiser.h"
+#include "core/numerics/lanes.h"
 #include "core/numerics/statistics.h"
 
 #include <array>
@@ -39,7 +40,6 @@ double mean_of_finite(std::span<const double> x) {
 }
 
 using Complex = std::complex<double>;
-using Eight = double __attribute__((vector_size(64)));
 
 constexpr double pi = std::numbers::pi;
 // For shorter ranges the whole spectrum takes a few milliseconds.
@@ -52,16 +52,6 @@ constexpr std::size_t overlap = 4;
 // The centre of the zoom is a multiple of the rate of blocks divided by this, so that the rotation
 // from block to block is periodic.
 constexpr std::size_t turns = 64;
-
-VYBEG_INLINED inline Eight load(const double* from) {
-    Eight value;
-    __builtin_memcpy(&value, from, sizeof value);
-    return value;
-}
-
-VYBEG_INLINED inline double total(Eight x) {
-    return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
-}
 
 // The Hann window over `count` samples.
 double hann_at(double place, std::size_t count) {
@@ -121,14 +111,13 @@ Result<std::optional<double>> coarse_peak(const SampleFeed& read, std::size_t co
         (static_cast<double>(peak - begin) + peak_shift(peak[-1], peak[0], peak[1])) * bin_hz);
 }
 
-// Four terms, side lobes of -92 dB (F. J. Harris, 1978): a low-pass over four blocks.
+// A low-pass over four blocks.
 std::vector<double> low_pass(std::size_t length) {
     std::vector<double> taps(length);
     double sum = 0;
     for (std::size_t j = 0; j < length; ++j) {
         const double angle = 2 * pi * (static_cast<double>(j) + 0.5) / static_cast<double>(length);
-        taps[j] = 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2 * angle) -
-                  0.01168 * std::cos(3 * angle);
+        taps[j] = blackman_harris(angle);
         sum += taps[j];
     }
     for (double& tap : taps) {
@@ -151,26 +140,26 @@ struct Thinned {
 VYBEG_DISPATCHED
 void thin_block(const double* c, const double* d, const double* cosines, const double* sines,
                 std::size_t length, std::size_t fresh, std::array<double, 7>& sums) {
-    Eight c_cos{};
-    Eight c_sin{};
-    Eight d_cos{};
-    Eight d_sin{};
-    for (std::size_t j = 0; j < length; j += 8) {
-        const Eight x = load(c + j);
-        const Eight y = load(d + j);
-        const Eight cosine = load(cosines + j);
-        const Eight sine = load(sines + j);
+    Vec8 c_cos{};
+    Vec8 c_sin{};
+    Vec8 d_cos{};
+    Vec8 d_sin{};
+    for (std::size_t j = 0; j < length; j += lane_count) {
+        const Vec8 x = load(c + j);
+        const Vec8 y = load(d + j);
+        const Vec8 cosine = load(cosines + j);
+        const Vec8 sine = load(sines + j);
         c_cos += x * cosine;
         c_sin += x * sine;
         d_cos += y * cosine;
         d_sin += y * sine;
     }
-    Eight c_sum{};
-    Eight d_sum{};
-    Eight squares{};
-    for (std::size_t j = 0; j < fresh; j += 8) {
-        const Eight x = load(c + j);
-        const Eight y = load(d + j);
+    Vec8 c_sum{};
+    Vec8 d_sum{};
+    Vec8 squares{};
+    for (std::size_t j = 0; j < fresh; j += lane_count) {
+        const Vec8 x = load(c + j);
+        const Vec8 y = load(d + j);
         c_sum += x;
         d_sum += y;
         squares += x * x + y * y;

@@ -141,7 +141,7 @@ void read_and_write(benchmark::State& state, const fs::path& from, std::vector<c
 // A command as its program runs it: from opening its files to the last rename, which waits for the
 // disk.
 void run(benchmark::State& state, const std::function<Status(cli::Log&)>& command) {
-    cli::Log log(false, true);
+    cli::Log log({.quiet = true});
     for ([[maybe_unused]] const auto _ : state) {
         if (const Status done = command(log); !done) {
             log.fail(done.error());
@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
         const auto analyze = [request](cli::Log& log) {
             return cli::run_analyze(request, log, {});
         };
-        cli::Log log(false, true);
+        cli::Log log({.quiet = true});
         if (const Status done = analyze(log); !done) {
             log.fail(done.error());
             fail("the recording cannot be analysed");

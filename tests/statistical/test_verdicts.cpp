@@ -2,7 +2,6 @@
 // angles, seeds and sizes from a tenth of what dominates to ten times, one of each kind from
 // samples, and none on faultless sets.
 #include "core/analysis/identify.h"
-#include "core/analysis/inspect.h"
 #include "core/base/diagnostic.h"
 #include "core/recording/open/open_recording.h"
 #include "core/resonator/results/free_decay.h"

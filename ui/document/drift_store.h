@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/drift/drift_settings.h"
-#include "core/drift/whole_angle_drift.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/edits.h"
 #include "ui/document/message.h"
@@ -33,13 +32,6 @@ struct DriftInput {
     DriftSettings settings;
 };
 
-// The drift of whole-angle logs, and what it was computed from.
-struct DriftOutcome {
-    std::vector<WholeAngleLog> logs;  // name and SHA-256 alone, without their rows
-    WholeAngleDrift drift;
-    DriftSettings settings;
-};
-
 // Whole-angle logs of one gyro, how they are read, and their drift, which is computed in the
 // background after each change of both.
 class DriftStore : public QObject {
@@ -60,6 +52,7 @@ public:
 
     bool computing() const { return computing_; }
     // Of the present logs and settings; null where it is computed yet or there is none.
+    // Of its logs name and SHA-256 alone.
     std::shared_ptr<const DriftOutcome> outcome() const { return outcome_; }
     // Why there is none.
     const std::optional<Error>& failure() const { return failure_; }

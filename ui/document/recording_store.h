@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/inspect.h"
+#include "core/analysis/identify.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/edits.h"
 #include "ui/document/message.h"

@@ -36,7 +36,6 @@ namespace vybeg::ui {
 namespace {
 
 // As the entries of the lists; the first one is that of the file.
-constexpr std::array angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 constexpr std::array<std::optional<double>, 5> log_time_units{std::nullopt, 1.0, 1e-3, 1e-6, 1e-9};
 constexpr std::array<std::optional<char>, 6> log_delimiters{std::nullopt, ',', ';', '\t', ' ', '|'};
 constexpr std::array<std::optional<bool>, 3> decimal_commas{std::nullopt, false, true};
@@ -58,7 +57,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
       form_(new QFormLayout),
       columns_(withName(new QLineEdit(this), "driftColumns")),
       fault_(withName(new QLabel(this), "driftFault")),
-      angle_unit_(makeList("driftAngleUnit", angle_units.size())),
+      angle_unit_(makeList("driftAngleUnit", log_angle_units.size())),
       time_unit_(makeList("driftTimeUnit", log_time_units.size())),
       delimiter_(makeList("driftDelimiter", log_delimiters.size())),
       decimal_(makeList("driftDecimal", decimal_commas.size())),
@@ -111,7 +110,8 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     connect(columns_, &QLineEdit::editingFinished, this, &DriftPanel::editColumns);
     connect(angle_unit_, &QComboBox::activated, this, [this](int place) {
         edit([place](DriftSettings& settings) {
-            settings.reading.rad_per_angle_unit = angle_units.at(static_cast<std::size_t>(place));
+            settings.reading.rad_per_angle_unit =
+                log_angle_units.at(static_cast<std::size_t>(place));
         });
     });
     const auto chooses = [this](QComboBox* box, const auto& list, auto member) {
@@ -230,7 +230,7 @@ void DriftPanel::refresh() {
         showFault({});
     }
     const TextChoice text = settings.reading.open.text.value_or(TextChoice{});
-    angle_unit_->setCurrentIndex(placeIn(angle_units, settings.reading.rad_per_angle_unit));
+    angle_unit_->setCurrentIndex(placeIn(log_angle_units, settings.reading.rad_per_angle_unit));
     time_unit_->setCurrentIndex(placeIn(log_time_units, text.time_unit_s));
     delimiter_->setCurrentIndex(placeIn(log_delimiters, text.delimiter));
     decimal_->setCurrentIndex(placeIn(decimal_commas, text.decimal_comma));

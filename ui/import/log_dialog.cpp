@@ -42,7 +42,6 @@ namespace {
 enum class Columns { unknown, powers, waves, fixed, common, pll };
 
 // As the entries of the list; the first one is that of the file.
-constexpr std::array log_angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 constexpr int most_stages = 8;
 
 Columns columnsOf(const LogChoice& choice) {

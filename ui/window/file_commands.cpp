@@ -419,10 +419,7 @@ void FileCommands::exportDriftTo(const QString& path) {
     put(path, {".csv", ".json"}, [&](const Done& done) {
         const std::filesystem::path target(path.toStdU16String());
         const auto text = file_ending(target) == ".json" ? drift_json : drift_csv;
-        done(write_file(
-            target,
-            text(programName().toStdString(), outcome->logs, outcome->settings, outcome->drift),
-            JobControl()));
+        done(write_file(target, text(programName().toStdString(), *outcome), JobControl()));
     });
 }
 

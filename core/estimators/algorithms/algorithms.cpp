@@ -325,21 +325,12 @@ public:
             [&](std::size_t, std::size_t, SeriesFit<Vec8>& fits) {
                 report_maximum(batch_, maximum_, sums_.frame(), fits);
             },
-            [&](std::size_t, const Window& window) { return estimate_window(window); });
-    }
-
-private:
-    // Estimate of a window beyond the reach of the series, from its samples at its own frequency.
-    WaveEstimate estimate_window(const Window& window) const {
-        const ProfileMaximum maximum = maximise_profile(window, bracket_);
-        Flags flags = 0;
-        if (maximum.at_bound) {
-            set(flags, Flag::at_bound);
-        }
-        if (!maximum.converged) {
-            set(flags, Flag::not_converged);
-        }
-        return complete_estimate(maximum.phasors, maximum.w, flags, window, options_);
+            // Beyond the reach of the series: from the samples at the window's own frequency.
+            [&](std::size_t, const Window& window) {
+                const ProfileMaximum maximum = maximise_profile(window, bracket_);
+                return complete_estimate(maximum.phasors, maximum.w, maximum.flags, window,
+                                         options_);
+            });
     }
 };
 

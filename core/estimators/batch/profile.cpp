@@ -45,12 +45,15 @@ ProfileMaximum maximise_profile(const Window& window, const FrequencyBracket& br
     NewtonEnd<double> end = climb(window, bracket, bracket.centre);
     maximum.w = end.x + end.move;
     if (!end.arrived) {
-        const double start = grid_search(window, bracket, maximum.at_bound);
+        bool at_edge = false;
+        const double start = grid_search(window, bracket, at_edge);
         end = climb(window, bracket, start);
         maximum.w = end.arrived ? end.x + end.move : start;
-        maximum.at_bound = maximum.at_bound && !end.arrived;
+        if (!end.arrived) {
+            maximum.flags = at_edge ? Flag::not_converged | Flag::at_bound
+                                    : static_cast<Flags>(Flag::not_converged);
+        }
     }
-    maximum.converged = end.arrived;
     const Phasors sum = window_projections(window, maximum.w);
     const WindowKernel kernel = window_kernel(window.length(), maximum.w);
     const auto phasor = [&kernel](std::complex<double> z) {

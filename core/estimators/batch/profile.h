@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/batch/taylor_window.h"
+#include "core/estimators/wave/estimator.h"
 #include "core/estimators/wave/wave_state.h"
 
 #include <cstdint>
@@ -49,8 +50,7 @@ FrequencyBracket main_lobe(double f0_hz, double rate_hz, std::int64_t n);
 struct ProfileMaximum {
     double w = 0;
     Phasors phasors;
-    bool converged = false;
-    bool at_bound = false;  // the largest power lies at the edge of the bracket
+    Flags flags = 0;  // not_converged; at_bound: the largest power lies at the edge of the bracket
 };
 
 // The frequency of largest power in the bracket, by Newton steps from its centre; a search over the

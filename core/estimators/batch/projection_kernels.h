@@ -2,7 +2,7 @@
 
 #include "core/estimators/batch/taylor_window.h"
 #include "core/estimators/wave/estimator.h"
-#include "core/estimators/wave/lanes.h"
+#include "core/numerics/lanes.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/estimators/wave/jet.h"
-#include "core/estimators/wave/lanes.h"
+#include "core/numerics/lanes.h"
 #include "core/estimators/wave/window_moments.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/wave/lanes.h"
+#include "core/numerics/lanes.h"
 
 namespace vybeg {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/wave/lanes.h"
+#include "core/numerics/lanes.h"
 #include "core/estimators/wave/wave_state.h"
 #include "core/estimators/wave/window_moments.h"
 

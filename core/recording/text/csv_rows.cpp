@@ -78,7 +78,7 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 class Reader {
 public:
     Reader(std::shared_ptr<const FileBytes> file, std::string name, const UsualName& usual)
-        : lines_(std::move(file)), name_(std::move(name)), usual_(usual) {}
+        : lines_(std::move(file)), usual_(usual), table_{std::move(name), {}, {}} {}
 
     Result<CsvRows> read(const std::string& needed) {
         TRY(read_names(needed));
@@ -213,19 +213,33 @@ private:
     }
 
     Error invalid(const std::string& at, MessageArg reason) const {
-        return {ErrorCode::list_invalid, name_, {count_arg(line_), at, std::move(reason)}};
+        return table_.invalid(line_, at, std::move(reason));
     }
 
     TextLines lines_;
     std::string text_;       // of the row, which may span several lines
     std::int64_t line_ = 0;  // where it begins
-    std::string name_;
     const UsualName& usual_;
     char separator_ = ',';
     CsvRows table_;
 };
 
 }  // namespace
+
+bool CsvRows::has(const std::string& name) const {
+    return has_name(names, name);
+}
+
+const std::string& CsvRows::field(const CsvRow& row, const std::string& name) const {
+    static const std::string none;
+    const auto found = std::ranges::find(names, name);
+    return found == names.end() ? none
+                                : row.fields[static_cast<std::size_t>(found - names.begin())];
+}
+
+Error CsvRows::invalid(std::int64_t line, const std::string& column, MessageArg reason) const {
+    return {ErrorCode::list_invalid, file, {count_arg(line), column, std::move(reason)}};
+}
 
 std::vector<std::string> csv_fields(const std::string& row) {
     return split_row(row, ',').fields;

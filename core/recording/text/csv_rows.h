@@ -19,8 +19,15 @@ struct CsvRow {
 // A table of texts: a row of names, then the rows that hold any text. No row has more fields than
 // there are names; fields missing at its end are empty.
 struct CsvRows {
+    std::string file;  // its path, for errors
     std::vector<std::string> names;
     std::vector<CsvRow> rows;
+
+    bool has(const std::string& name) const;
+    // Empty where no column has the name.
+    const std::string& field(const CsvRow& row, const std::string& name) const;
+    // list_invalid of this file.
+    Error invalid(std::int64_t line, const std::string& column, MessageArg reason) const;
 };
 
 // The fields of one row with commas between them; quotes as in read_csv().

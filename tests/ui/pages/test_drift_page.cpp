@@ -451,10 +451,9 @@ private slots:
             QFile file(path);
             QVERIFY(file.open(QIODevice::ReadOnly));
             const std::string program = programName().toStdString();
-            QCOMPARE(file.readAll().toStdString(),
-                     path.endsWith("json")
-                         ? drift_json(program, outcome->logs, outcome->settings, outcome->drift)
-                         : drift_csv(program, outcome->logs, outcome->settings, outcome->drift));
+            QCOMPARE(file.readAll().toStdString(), path.endsWith("json")
+                                                       ? drift_json(program, *outcome)
+                                                       : drift_csv(program, *outcome));
         }
         QFile before(log);
         QVERIFY(before.open(QIODevice::ReadOnly));

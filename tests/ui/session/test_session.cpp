@@ -117,7 +117,7 @@ class TestSession : public QObject, private WindowTest {
         tracks.setTracker(1.25);
         QTest::keyClick(&tracks, Qt::Key_2);
         tracks.setTracker(std::nullopt);
-        the<Ledger>().setTrendKind(TrendKind::parabola);
+        the<Ledger>().setTrendKind(TrendKind::beat);
         document().dossier().setGyro({"HRG-17", "30 mm", "Orlova", "after annealing"});
         document().dossier().setLimits({{"split_hz", std::nullopt, 0.001}, {"q", 1e7, 2e7}});
     }
@@ -167,7 +167,7 @@ private slots:
         QCOMPARE(picture(), before);
         QVERIFY(!session().isModified());
         QVERIFY(window_->windowTitle().startsWith("one.vybeg — HRG-17 — "));
-        QCOMPARE(the<Ledger>().trendKind(), TrendKind::parabola);
+        QCOMPARE(the<Ledger>().trendKind(), TrendKind::beat);
         const Dossier& dossier = document().dossier().dossier();
         QCOMPARE(dossier.gyro, (GyroData{"HRG-17", "30 mm", "Orlova", "after annealing"}));
         QCOMPARE(dossier.limits,
