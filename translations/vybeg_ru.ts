@@ -1321,10 +1321,6 @@
         <translation>Уход f: %1 Гц/с</translation>
     </message>
     <message>
-        <source>No such curve within the noise: %1. The deviations are enlarged.</source>
-        <translation>Кривая не описывает данные в пределах шума: %1. СКО увеличены.</translation>
-    </message>
-    <message>
         <source>%1: amplitude %2 %3, damping %4 1/s</source>
         <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
     </message>
@@ -1335,22 +1331,6 @@
     <message>
         <source>Too few windows between the cursors.</source>
         <translation>Слишком мало окон между курсорами.</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/с²</translation>
-    </message>
-    <message>
-        <source>%1: second derivative %2 %3</source>
-        <translation>%1: вторая производная %2 %3</translation>
-    </message>
-    <message>
-        <source>%1: second derivative at the middle %2 %3, third %4 %5</source>
-        <translation>%1: вторая производная в середине %2 %3, третья %4 %5</translation>
-    </message>
-    <message>
-        <source>%1/s³</source>
-        <translation>%1/с³</translation>
     </message>
     <message>
         <source>too few windows</source>
@@ -6588,14 +6568,6 @@
     <message>
         <source>line</source>
         <translation>прямая</translation>
-    </message>
-    <message>
-        <source>parabola</source>
-        <translation>парабола</translation>
-    </message>
-    <message>
-        <source>cubic</source>
-        <translation>кубическая</translation>
     </message>
     <message>
         <source>beat</source>

@@ -372,7 +372,7 @@ void LedgerHead::retranslate() {
         buttons_[k]->setText(texts[k]);
         buttons_[k]->setToolTip(tips[k]);
     }
-    setTexts(*kind_, {tr("line"), tr("parabola"), tr("cubic"), tr("beat")});
+    setTexts(*kind_, {tr("line"), tr("beat")});
     kind_->setAccessibleName(tr("Trend between the cursors"));
     kind_->setToolTip(
         tr("A line is an exponential for the working wave; a beat is a damped sinusoid. "

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 #include <utility>
 
 namespace vybeg::ui {
@@ -29,7 +28,7 @@ TrendOf kindOf(SlowVariable variable) {
     return variable == SlowVariable::a_A ? TrendOf::logarithm : TrendOf::value;
 }
 
-// A change by one stored unit per second^k of a value, as displayed, with its sign.
+// A change by one stored unit per second of a value, as displayed, with its sign.
 Reading changeOf(const DisplayScale& scale, double value, double change, double sd) {
     return {std::copysign(scale.sd(value, std::abs(change)), change), scale.sd(value, sd)};
 }
@@ -52,16 +51,8 @@ QString windowCount(std::size_t windows) {
 QStringList leaving(const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
     QStringList names;
     for (const FittedTrend& trend : trends) {
-        const double enlargement = std::visit(
-            [](const auto& fit) {
-                if constexpr (std::is_same_v<decltype(fit), const Beat&>) {
-                    return 1.0;
-                } else {
-                    return fit.enlargement;
-                }
-            },
-            trend.fit);
-        if (enlargement > 1) {
+        const auto* line = std::get_if<Trend>(&trend.fit);
+        if (line && line->enlargement > 1) {
             names << displaySymbol(trend.variable, units);
         }
     }
@@ -95,41 +86,6 @@ QStringList lineSentences(const std::vector<FittedTrend>& trends, const DisplayU
     return sentences;
 }
 
-// Derivatives of decibels are none of a polynomial in the amplitude: they are given as recorded.
-QStringList polynomialSentences(const Analysis& analysis, const std::vector<FittedTrend>& trends,
-                                DisplayUnits units) {
-    units.amplitude = AmplitudeUnit::recording;
-    QStringList sentences;
-    for (const FittedTrend& trend : trends) {
-        const auto& fit = std::get<PolynomialTrend>(trend.fit);
-        const DisplayScale scale = scaleOf(analysis, trend, units);
-        const auto derivative = [&](std::size_t order, double factorial) {
-            const Reading value =
-                changeOf(scale, fit.coefficient[0], factorial * fit.coefficient[order],
-                         factorial * fit.sd[order]);
-            return valueText(value.value, value.sd);
-        };
-        const QString symbol = displaySymbol(trend.variable, units);
-        const QString known = displayUnit(trend.variable, units);
-        const QString unit = known.isEmpty() ? QStringLiteral("1") : known;
-        const QString second = Words::tr("%1/s²").arg(unit);
-        sentences
-            << (fit.coefficient.size() == 3
-                    ? Words::tr("%1: second derivative %2 %3").arg(symbol, derivative(2, 2), second)
-                    : Words::tr("%1: second derivative at the middle %2 %3, third %4 %5")
-                          .arg(symbol, derivative(2, 2), second, derivative(3, 6),
-                               Words::tr("%1/s³").arg(unit)));
-    }
-    if (!trends.empty()) {
-        sentences << windowCount(std::get<PolynomialTrend>(trends.front().fit).windows);
-    }
-    if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
-        sentences << Words::tr("No such curve within the noise: %1. The deviations are enlarged.")
-                         .arg(names.join(QStringLiteral(", ")));
-    }
-    return sentences;
-}
-
 QStringList beatSentences(const Analysis& analysis, const std::vector<FittedTrend>& trends,
                           const DisplayUnits& units) {
     QStringList sentences;
@@ -155,28 +111,18 @@ std::optional<FittedTrend> fitTrend(const Analysis& analysis, SlowVariable varia
     const auto fitted = [variable](const auto& fit) {
         return fit ? std::optional(FittedTrend{variable, *fit}) : std::nullopt;
     };
-    switch (kind) {
-        case TrendKind::line:
-            return fitted(line_trend(track, variable, from, to, apart, kindOf(variable)));
-        case TrendKind::parabola:
-            return fitted(polynomial_trend(track, variable, from, to, apart, 2));
-        case TrendKind::cubic: return fitted(polynomial_trend(track, variable, from, to, apart, 3));
-        case TrendKind::beat: return fitted(find_beat(track, variable, from, to, apart));
-    }
-    return std::nullopt;
+    return kind == TrendKind::beat
+               ? fitted(find_beat(track, variable, from, to, apart))
+               : fitted(line_trend(track, variable, from, to, apart, kindOf(variable)));
 }
 
-// Of a beat its frequency, Hz; of the others the rate per second at the middle.
+// Of a beat its frequency, Hz; of a line the rate per second at the middle.
 Reading trendReading(const Analysis& analysis, const FittedTrend& trend,
                      const DisplayUnits& units) {
     if (const auto* beat = std::get_if<Beat>(&trend.fit)) {
         return {beat->frequency_hz, beat->sd_frequency_hz};
     }
     const DisplayScale scale = scaleOf(analysis, trend, units);
-    if (const auto* polynomial = std::get_if<PolynomialTrend>(&trend.fit)) {
-        return changeOf(scale, polynomial->coefficient[0], polynomial->coefficient[1],
-                        polynomial->sd[1]);
-    }
     const auto& line = std::get<Trend>(trend.fit);
     const double middle = trend.at(line.centre_s);
     // Of an exponential: its logarithm's rate times its value.
@@ -195,13 +141,8 @@ QStringList trendSentences(const Analysis& analysis, TrendKind kind,
                             "form; the page Resonator finds its split.")
                 : Words::tr("Too few windows between the cursors.")};
     }
-    switch (kind) {
-        case TrendKind::line: return lineSentences(trends, units);
-        case TrendKind::parabola:
-        case TrendKind::cubic: return polynomialSentences(analysis, trends, units);
-        case TrendKind::beat: return beatSentences(analysis, trends, units);
-    }
-    return {};
+    return kind == TrendKind::beat ? beatSentences(analysis, trends, units)
+                                   : lineSentences(trends, units);
 }
 
 // The value of a window.

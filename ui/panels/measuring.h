@@ -27,14 +27,14 @@ struct Reading {
 std::size_t nearestRow(const Track& track, double time_s);
 
 // What the readings fit between the cursors; their order in the list of choices.
-enum class TrendKind { line, parabola, cubic, beat };
-inline constexpr int trend_kinds = 4;
+enum class TrendKind { line, beat };
+inline constexpr int trend_kinds = 2;
 
 // The trend of one variable between two times, in stored units; a line through a_A is one through
 // its logarithm, an exponential.
 struct FittedTrend {
     SlowVariable variable = SlowVariable::a_A;
-    std::variant<Trend, PolynomialTrend, Beat> fit;
+    std::variant<Trend, Beat> fit;
 
     double at(double time_s) const;
 };

@@ -59,7 +59,7 @@ const QString limits_key = QStringLiteral("limits");
 template <class Archive, Described<SessionView> Owner>
 void describe(Archive&& archive, Owner& view) {
     // As TrendKind.
-    constexpr std::array<const char*, trend_kinds> trends{"line", "parabola", "cubic", "beat"};
+    constexpr std::array<const char*, trend_kinds> trends{"line", "beat"};
     archive("page", view.page);
     archive.word("trend", view.trend, trends);
     archive("units", view.units);

@@ -117,7 +117,7 @@ class TestSession : public QObject, private WindowTest {
         tracks.setTracker(1.25);
         QTest::keyClick(&tracks, Qt::Key_2);
         tracks.setTracker(std::nullopt);
-        the<Ledger>().setTrendKind(TrendKind::parabola);
+        the<Ledger>().setTrendKind(TrendKind::beat);
         document().dossier().setGyro({"HRG-17", "30 mm", "Orlova", "after annealing"});
         document().dossier().setLimits({{"split_hz", std::nullopt, 0.001}, {"q", 1e7, 2e7}});
     }
@@ -125,6 +125,12 @@ class TestSession : public QObject, private WindowTest {
 private slots:
     void init() { window_ = shownWindow(); }
     void cleanup() { session().end(); }
+
+    // Of sessions of before, which had more kinds.
+    void an_unknown_trend_is_a_line() {
+        QCOMPARE(viewFromJson(QJsonObject{{"trend", "cubic"}}).trend, TrendKind::line);
+        QCOMPARE(viewFromJson(QJsonObject{{"trend", "beat"}}).trend, TrendKind::beat);
+    }
 
     void a_session_reopened_shows_the_same() {
         arrange("same");
@@ -167,7 +173,7 @@ private slots:
         QCOMPARE(picture(), before);
         QVERIFY(!session().isModified());
         QVERIFY(window_->windowTitle().startsWith("one.vybeg — HRG-17 — "));
-        QCOMPARE(the<Ledger>().trendKind(), TrendKind::parabola);
+        QCOMPARE(the<Ledger>().trendKind(), TrendKind::beat);
         const Dossier& dossier = document().dossier().dossier();
         QCOMPARE(dossier.gyro, (GyroData{"HRG-17", "30 mm", "Orlova", "after annealing"}));
         QCOMPARE(dossier.limits,

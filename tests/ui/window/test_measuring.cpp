@@ -241,37 +241,6 @@ private slots:
         }
     }
 
-    void a_polynomial_is_offered_data() {
-        QTest::addColumn<int>("steps");
-        QTest::addColumn<int>("degree");
-        QTest::newRow("parabola") << 1 << 2;
-        QTest::newRow("cubic") << 2 << 3;
-    }
-    void a_polynomial_is_offered() {
-        QFETCH(int, steps);
-        QFETCH(int, degree);
-        auto& kind = childOf<QComboBox>(ledger(), "trend");
-        setCursors(0.5, 1.5);
-        read("readRate");
-        kind.setFocus();
-        for (int k = 0; k < steps; ++k) {
-            QTest::keyClick(&kind, Qt::Key_Down);
-        }
-        const auto f =
-            polynomial_trend(analysis().track, SlowVariable::f, 0.5, 1.5,
-                             windows_apart(analysis().plan.length, analysis().plan.hop), degree);
-        QVERIFY(f);
-        compare(SlowVariable::f, f->coefficient[1], f->sd[1]);
-        const std::vector<TrendCurve> curves = the<TrackView>().content().trends;
-        const auto drawn = std::ranges::find(curves, SlowVariable::f, &TrendCurve::variable);
-        QVERIFY(drawn != curves.end());
-        VYBEG_CLOSE(drawn->value[50], f->at(drawn->time_s[50]), 1e-9);
-        // The second derivative is said in words, at the cell of the trend.
-        const QString second = valueText(2 * f->coefficient[2], 2 * f->sd[2]);
-        const QString told = ledger().topLevelItem(0)->toolTip(Ledger::trend);
-        QVERIFY2(told.contains(second), qPrintable(told));
-    }
-
     void a_cursor_outside_the_run_reads_nothing() {
         constexpr SlowVariable a_A = SlowVariable::a_A;
         setCursors(0.5, 1.5);
