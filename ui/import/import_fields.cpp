@@ -8,7 +8,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPointer>
@@ -72,10 +71,8 @@ QString named(int number, const Channel& channel) {
 }  // namespace
 
 void FormRows::add(const char* name, const FieldWords& words, QWidget* field) const {
-    auto* label = new QLabel(words.label, parent);
-    label->setBuddy(field);
-    label->setToolTip(words.tip);
-    form->addRow(label, withName(field, name));
+    form->addRow(words.label, withName(field, name));
+    form->labelForField(field)->setToolTip(words.tip);
     setWords(*field, words.label, words.tip);
 }
 
