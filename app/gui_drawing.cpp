@@ -218,7 +218,6 @@ Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& co
     for (const RecordingRef& log : open.set.recordings) {
         if (open.set.settings.logs.given()) {
             content.recordings.push_back(ui::reportLog(log));
-            content.recordings.back().conditions = ui::conditionsText(log);
         }
     }
     if (found) {

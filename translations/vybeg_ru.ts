@@ -540,10 +540,6 @@
 <context>
     <name>DisplayUnits</name>
     <message>
-        <source>V</source>
-        <translation>В</translation>
-    </message>
-    <message>
         <source>dB</source>
         <translation>дБ</translation>
     </message>

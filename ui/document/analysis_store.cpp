@@ -72,13 +72,6 @@ const AnalysisEntry* AnalysisStore::find(AnalysisId id) const {
     return found == analyses_.end() ? nullptr : &*found;
 }
 
-const AnalysisEntry* AnalysisStore::liveOf(RecordingId recording_id) const {
-    const auto found = std::ranges::find_if(analyses_, [recording_id](const AnalysisEntry& entry) {
-        return entry.live && entry.recording_id == recording_id;
-    });
-    return found == analyses_.end() ? nullptr : &*found;
-}
-
 std::vector<ShownAnalysis> AnalysisStore::plotted(bool live_on_top) const {
     std::vector<ShownAnalysis> plotted;
     plotted.reserve(analyses_.size());
@@ -93,44 +86,30 @@ std::vector<ShownAnalysis> AnalysisStore::plotted(bool live_on_top) const {
 }
 
 AnalysisId AnalysisStore::show(RecordingId recording_id, const Settings& requested,
-                               AnalysisOutcome outcome) {
-    const RecordingEntry& recording = *recordings_.find(recording_id);
+                               AnalysisOutcome outcome, bool live) {
     const auto same = std::ranges::find_if(analyses_, [&](const AnalysisEntry& other) {
-        return !other.live && other.recording_id == recording_id && other.requested == requested;
+        return other.recording_id == recording_id && other.live == live &&
+               (live || other.requested == requested);
     });
-    AnalysisEntry* entry = nullptr;
-    if (same != analyses_.end()) {
-        entry = &*same;
+    const bool known = same != analyses_.end();
+    AnalysisEntry* entry = known ? &*same : addExpected(recording_id, requested, live);
+    if (known && !live) {
         entry->shown.visible = true;
-    } else if (entry = addExpected(recording_id, requested, false); !entry) {
-        entry = &add(newAnalysis(recording, QStringLiteral("%1, n = %2")
-                                                .arg(QFileInfo(recording.path).completeBaseName())
-                                                .arg(outcome.analysis->plan.length)));
+    }
+    if (!entry) {
+        const RecordingEntry& recording = *recordings_.find(recording_id);
+        // The settings of a live one change, so they are in its row and not in its name.
+        const QString name = QFileInfo(recording.path).completeBaseName();
+        entry = &add(newAnalysis(
+            recording,
+            live ? name
+                 : QStringLiteral("%1, n = %2").arg(name).arg(outcome.analysis->plan.length)));
+        entry->live = live;
     }
     setOutcome(*entry, requested, std::move(outcome));
     const auto id = entry->shown.id;
     emit changed();
-    emit added(id);
-    return id;
-}
-
-AnalysisId AnalysisStore::showLive(RecordingId recording_id, const Settings& requested,
-                                   AnalysisOutcome outcome) {
-    auto* live = const_cast<AnalysisEntry*>(liveOf(recording_id));
-    const bool is_new = live == nullptr;
-    if (is_new) {
-        live = addExpected(recording_id, requested, true);
-    }
-    if (!live) {
-        const RecordingEntry& recording = *recordings_.find(recording_id);
-        // Its settings change, so they are in its row and not in its name.
-        live = &add(newAnalysis(recording, QFileInfo(recording.path).completeBaseName()));
-        live->live = true;
-    }
-    setOutcome(*live, requested, std::move(outcome));
-    const auto id = live->shown.id;
-    emit changed();
-    if (is_new) {
+    if (!known || !live) {
         emit added(id);
     }
     return id;
@@ -271,7 +250,10 @@ void AnalysisStore::remove(AnalysisId id) {
 
 // A live analysis that has come meanwhile stays; the recording may be closed.
 void AnalysisStore::putBack(const AnalysisEntry& entry, std::size_t place) {
-    const bool replaced = entry.live && liveOf(entry.recording_id);
+    const bool replaced =
+        entry.live && std::ranges::any_of(analyses_, [&entry](const AnalysisEntry& other) {
+            return other.live && other.recording_id == entry.recording_id;
+        });
     if (recordings_.find(entry.recording_id) && !replaced) {
         analyses_.insert(
             analyses_.begin() + static_cast<std::ptrdiff_t>(std::min(place, analyses_.size())),

@@ -58,16 +58,13 @@ public:
 
     const std::vector<AnalysisEntry>& all() const { return analyses_; }
     const AnalysisEntry* find(AnalysisId id) const;
-    const AnalysisEntry* liveOf(RecordingId recording_id) const;
     // In the order of drawing: with `live_on_top` the live analyses last.
     std::vector<ShownAnalysis> plotted(bool live_on_top) const;
 
-    // Returns the analysis's id. An analysis of the same recording and settings gets the new
-    // outcome.
-    AnalysisId show(RecordingId recording_id, const Settings& requested, AnalysisOutcome outcome);
-    // The same for the live analysis of a recording.
-    AnalysisId showLive(RecordingId recording_id, const Settings& requested,
-                        AnalysisOutcome outcome);
+    // Returns the analysis's id. An analysis of the same recording and settings, or the live one of
+    // the recording, gets the new outcome.
+    AnalysisId show(RecordingId recording_id, const Settings& requested, AnalysisOutcome outcome,
+                    bool live);
     // The next analysis of that recording with these settings gets the look and place of the wish.
     void expect(RecordingId recording_id, const AnalysisWish& wish) {
         expected_.emplace(recording_id, wish);

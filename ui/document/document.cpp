@@ -315,11 +315,10 @@ void Document::follow(RecordingId recording_id, const Settings& wanted) {
 
 AnalysisId Document::show(const Request& request, AnalysisOutcome outcome) {
     recordings_.learnCarrier(request.recording_id, request.settings, outcome.analysis->settings);
-    if (!request.live) {
-        return analyses_.show(request.recording_id, request.settings, std::move(outcome));
+    if (request.live) {
+        emit settled(Topic::live);
     }
-    emit settled(Topic::live);
-    return analyses_.showLive(request.recording_id, request.settings, std::move(outcome));
+    return analyses_.show(request.recording_id, request.settings, std::move(outcome), request.live);
 }
 
 void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {

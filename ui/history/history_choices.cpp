@@ -30,10 +30,10 @@ HistoryChoices::HistoryChoices(QWidget* parent)
       parameter_(withName(new QComboBox(this), "historyParameter")),
       axis_(withName(new QComboBox(this), "historyAxis")),
       baseline_(withName(new QSpinBox(this), "historyBaseline")),
-      choices_{{{new QLabel(this), gyro_},
-                {new QLabel(this), parameter_},
-                {new QLabel(this), axis_},
-                {new QLabel(this), baseline_}}},
+      choices_{{{labelFor(gyro_, [] { return tr("Gyro"); }), gyro_},
+                {labelFor(parameter_, [] { return tr("Parameter"); }), parameter_},
+                {labelFor(axis_, [] { return tr("Against"); }), axis_},
+                {labelFor(baseline_, [] { return tr("Baseline"); }), baseline_}}},
       grid_(new QGridLayout(this)) {
     gyro_->addItem(QString());
     parameter_->setItemDelegate(new IndexDelegate(parameter_));
@@ -47,9 +47,6 @@ HistoryChoices::HistoryChoices(QWidget* parent)
     baseline_->setRange(least_results, most_results);
     baseline_->setValue(QSettings().value(baseline_key, usual_results).toInt());
     baseline_->setKeyboardTracking(false);
-    for (const auto& [label, choice] : choices_) {
-        label->setBuddy(choice);
-    }
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setColumnStretch(1, 1);
     grid_->setColumnStretch(3, 1);
@@ -113,10 +110,6 @@ void HistoryChoices::place(int in_a_row) {
 }
 
 void HistoryChoices::retranslate() {
-    const std::array names{tr("Gyro"), tr("Parameter"), tr("Against"), tr("Baseline")};
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        choices_[k].first->setText(names[k]);
-    }
     setWords(*gyro_, tr("Gyro of the history"),
              richTip(tr("Whose results are shown; the number of its results stands behind "
                         "its name")));

@@ -60,6 +60,7 @@ ImportPreview::ImportPreview(QWidget* parent)
     what_->setWordWrap(true);
     what_->setTextFormat(Qt::PlainText);
     what_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    table_->setAccessibleName(tr("First rows"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionMode(QAbstractItemView::NoSelection);
     table_->setTabKeyNavigation(false);
@@ -68,6 +69,8 @@ ImportPreview::ImportPreview(QWidget* parent)
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     table_->horizontalHeader()->setHighlightSections(false);
+    plot_->setAccessibleName(tr("First samples"));
+    plot_->setLocale(QLocale());
     plot_->setMinimumHeight(140);
     plot_->setInteraction(QCP::iRangeDrag);
     plot_->setInteraction(QCP::iRangeZoom);
@@ -89,7 +92,7 @@ ImportPreview::ImportPreview(QWidget* parent)
     parts->setStretchFactor(1, 2);
     fill(new QVBoxLayout(this), {}, {what_, {parts, 1}});
     applyLook();
-    keepTranslated(*this, [this] { retranslate(); });
+    setPreview({});
     whenChanged(*this, {QEvent::PaletteChange}, [this] {
         if (isDark(palette()) != theme_.dark) {
             applyLook();
@@ -222,13 +225,6 @@ void ImportPreview::applyLook() {
     plot_->graph(1)->setPen(QPen(theme_.signalD, 1));
 }
 
-void ImportPreview::retranslate() {
-    table_->setAccessibleName(tr("First rows"));
-    plot_->setAccessibleName(tr("First samples"));
-    plot_->setLocale(QLocale());
-    setPreview(RecordingPreview(preview_));
-}
-
 QString importKind(const QString& path, const RecordingPreview& preview, bool raw) {
     const QString ending = QFileInfo(path).suffix().toLower();
     if (raw) {
@@ -274,7 +270,8 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
       view_(new ImportPreview(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
-    auto* title = new QLabel(this);
+    setWindowTitle(tr("Import"));
+    auto* title = new QLabel(tr("How to read %1").arg(QFileInfo(path_).fileName()), this);
     title->setTextFormat(Qt::PlainText);
     title->setWordWrap(true);
     fields_->setOptions(options);
@@ -294,10 +291,6 @@ ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenO
         } else {
             enableOpen();
         }
-    });
-    keepTranslated(*this, [this, title] {
-        setWindowTitle(tr("Import"));
-        title->setText(tr("How to read %1").arg(QFileInfo(path_).fileName()));
     });
     choices->setMinimumWidth(fields_->sizeHint().width() + 20);
     resize(980, 620);

@@ -36,7 +36,6 @@ private:
     void fillTable();
     void drawSamples();
     void applyLook();
-    void retranslate();
 
     QLabel* what_;  // the format, or the problem
     QTableWidget* table_;

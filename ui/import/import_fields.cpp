@@ -8,7 +8,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPointer>
@@ -71,16 +70,17 @@ QString named(int number, const Channel& channel) {
 
 }  // namespace
 
-void FormRows::add(const char* name, QWidget* field) const {
-    auto* label = new QLabel(parent);
-    label->setBuddy(field);
-    form->addRow(label, withName(field, name));
+void FormRows::add(const char* name, const FieldWords& words, QWidget* field) const {
+    form->addRow(words.label, withName(field, name));
+    form->labelForField(field)->setToolTip(words.tip);
+    setWords(*field, words.label, words.tip);
 }
 
-QComboBox* FormRows::list(const char* name, int entries) const {
+QComboBox* FormRows::list(const char* name, const FieldWords& words,
+                          const QStringList& entries) const {
     auto* box = new QComboBox(parent);
-    add(name, box);
-    box->addItems(QStringList(entries));
+    add(name, words, box);
+    box->addItems(entries);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(characters);
     QObject::connect(box, &QComboBox::currentIndexChanged, parent,
@@ -88,9 +88,10 @@ QComboBox* FormRows::list(const char* name, int entries) const {
     return box;
 }
 
-NumberField* FormRows::number(const char* name, const Bounds& limits) const {
+NumberField* FormRows::number(const char* name, const FieldWords& words,
+                              const Bounds& limits) const {
     auto* field = new NumberField(parent);
-    add(name, field);
+    add(name, words, field);
     field->setLimits(limits);
     const auto tell = [told = changed, field] { told(field); };
     QObject::connect(field, &QLineEdit::textEdited, parent, tell);
@@ -98,19 +99,12 @@ NumberField* FormRows::number(const char* name, const Bounds& limits) const {
     return field;
 }
 
-QLineEdit* FormRows::words(const char* name) const {
+QLineEdit* FormRows::text(const char* name, const FieldWords& words) const {
     auto* field = new QLineEdit(parent);
-    add(name, field);
+    add(name, words, field);
     QObject::connect(field, &QLineEdit::textEdited, parent,
                      [told = changed, field] { told(field); });
     return field;
-}
-
-void setRowTexts(const QFormLayout& form, QWidget* field, const QString& label,
-                 const QString& tip) {
-    static_cast<QLabel*>(form.labelForField(field))->setText(label);
-    field->setAccessibleName(label);
-    field->setToolTip(tip);
 }
 
 ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
@@ -120,44 +114,83 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
     const auto bounds = [](const char* option) -> const Bounds& {
         return bounds_in(open_settings(), option);
     };
-    read_as_ = rows.list("read_as", 3);
-    delimiter_ = rows.list("delimiter", static_cast<int>(delimiters.size()) + 1);
-    decimal_ = rows.list("decimal", 3);
-    skip_lines_ = rows.number("skip_lines", bounds("skip-lines"));
+    const QString automatic;  // showAutomatic() has its words
+    read_as_ =
+        rows.list("read_as", {tr("Read as"), tr("By its content, or as what it is said to be")},
+                  {tr("what it is by content"), tr("text"), tr("raw samples")});
+    delimiter_ = rows.list(
+        "delimiter", {tr("Separator"), tr("What stands between the columns")},
+        {automatic, tr("comma"), tr("semicolon"), tr("tab"), tr("spaces"), tr("vertical bar")});
+    decimal_ = rows.list("decimal", {tr("Decimal sign"), tr("Of the numbers in the file")},
+                         {automatic, tr("point"), tr("comma")});
+    skip_lines_ =
+        rows.number("skip_lines", {tr("Lines to skip"), tr("Above the first row of numbers")},
+                    bounds("skip-lines"));
     skip_lines_->setInteger(true);
     skip_lines_->setOptional(true);
-    time_column_ = rows.list("time_column", 2);
-    time_unit_ = rows.list("time_unit", static_cast<int>(time_units.size()) + 1);
-    raw_type_ = rows.list("raw_type", 4);
-    raw_order_ = rows.list("raw_order", 2);
+    time_column_ = rows.list(
+        "time_column",
+        {tr("Time column"), tr("Gives the sample rate and is no channel; all other columns are")},
+        {automatic, tr("none")});
+    time_column_->setItemData(1, 0);
+    time_unit_ = rows.list("time_unit", {tr("Unit of time"), tr("Of the time column")},
+                           {automatic, tr("s"), tr("ms"), tr("µs"), tr("ns")});
+    raw_type_ = rows.list(
+        "raw_type", {tr("Sample type"), tr("How each sample is stored")},
+        {tr("16 bit integer"), tr("32 bit integer"), tr("32 bit float"), tr("64 bit float")});
+    raw_order_ =
+        rows.list("raw_order", {tr("Byte order"), tr("Little endian: the lowest byte comes first")},
+                  {tr("little endian"), tr("big endian")});
     raw_channels_ = new QSpinBox(this);
-    rows.add("raw_channels", raw_channels_);
+    rows.add("raw_channels",
+             {tr("Channels"), tr("Interleaved: a sample of each, then the next of each")},
+             raw_channels_);
     const Bounds& channels = bounds("raw-channels");
     raw_channels_->setRange(static_cast<int>(channels.least), static_cast<int>(channels.most));
     connect(raw_channels_, &QSpinBox::valueChanged, this, &ImportFields::edited);
-    raw_skip_ = rows.number("raw_skip", bounds("skip"));
+    raw_skip_ = rows.number("raw_skip", {tr("Header"), tr("Bytes before the first sample")},
+                            bounds("skip"));
     raw_skip_->setInteger(true);
-    variables_ = rows.words("variables");
-    channel_d_file_ = rows.words("channel_d_file");
-    join_ = rows.words("join");
+    raw_skip_->setUnit(tr("bytes"));
+    variables_ = rows.text(
+        "variables",
+        {tr("Variables"),
+         tr("Names of the variables that hold C and D and, third, the rate, with commas between "
+            "them")});
+    variables_->setPlaceholderText(tr("the first that fit"));
+    channel_d_file_ = rows.text(
+        "channel_d_file", {tr("File of channel D"),
+                           tr("Where each channel has a file of its own: its name, or its path")});
+    join_ = rows.text(
+        "join", {tr("Further pieces"),
+                 tr("Where a recording is in pieces: the names or paths of the further ones, in "
+                    "their order, with commas between them")});
     addChoice(*channel_d_file_);
     addChoice(*join_);
-    channel_c_ = rows.list("channel_c", 0);
-    channel_d_ = rows.list("channel_d", 0);
-    rate_ = rows.number("rate", bounds("rate"));
+    const QString counted = tr("Counted from 1; a time column does not count");
+    channel_c_ = rows.list("channel_c", {tr("Channel C"), counted}, {});
+    channel_d_ = rows.list("channel_d", {tr("Channel D"), counted}, {});
+    rate_ =
+        rows.number("rate", {tr("Sample rate"), tr("Used where the file has no rate of its own")},
+                    bounds("rate"));
     rate_->setOptional(true);
-    scale_ = rows.number("scale", bounds("scale"));
-    unit_ = rows.words("unit");
-    time_column_->setItemData(1, 0);
+    rate_->setUnit(tr("Hz"));
+    scale_ =
+        rows.number("scale", {tr("Scale"), tr("Recording units per count or per unit of the file")},
+                    bounds("scale"));
+    unit_ = rows.text("unit", {tr("Unit"), tr("Of the samples, once they are scaled")});
     setOptions({});
     guardFromWheel(*this);
-    keepTranslated(*this, [this] { retranslate(); });
+    showChoices();
+    showAutomatic();
     whenChanged(*this, {QEvent::PaletteChange}, [this] { showChoices(); });
     connect(this, &ImportFields::edited, this, &ImportFields::showRows);
 }
 
 void ImportFields::addChoice(QLineEdit& field) {
     QAction* choose = field.addAction(QIcon(), QLineEdit::TrailingPosition);
+    choose->setText(tr("Choose…"));
+    choose->setToolTip(choose->text());
     choose_.push_back(choose);
     connect(choose, &QAction::triggered, this, [this, &field] {
         emit filesWanted([fields = QPointer(this), &field](const QStringList& files) {
@@ -379,55 +412,7 @@ void ImportFields::showChannels(QComboBox& box) {
 void ImportFields::showChoices() {
     for (QAction* choose : choose_) {
         choose->setIcon(themedIcon(QStringLiteral("open"), palette()));
-        choose->setText(tr("Choose…"));
-        choose->setToolTip(choose->text());
     }
-}
-
-void ImportFields::retranslate() {
-    const auto set = [this](QWidget* field, const QString& label, const QString& tip) {
-        setRowTexts(*form_, field, label, tip);
-        form_->labelForField(field)->setToolTip(tip);
-    };
-    set(read_as_, tr("Read as"), tr("By its content, or as what it is said to be"));
-    set(delimiter_, tr("Separator"), tr("What stands between the columns"));
-    set(decimal_, tr("Decimal sign"), tr("Of the numbers in the file"));
-    set(skip_lines_, tr("Lines to skip"), tr("Above the first row of numbers"));
-    set(time_column_, tr("Time column"),
-        tr("Gives the sample rate and is no channel; all other columns are"));
-    set(time_unit_, tr("Unit of time"), tr("Of the time column"));
-    set(raw_type_, tr("Sample type"), tr("How each sample is stored"));
-    set(raw_order_, tr("Byte order"), tr("Little endian: the lowest byte comes first"));
-    set(raw_channels_, tr("Channels"), tr("Interleaved: a sample of each, then the next of each"));
-    set(raw_skip_, tr("Header"), tr("Bytes before the first sample"));
-    set(variables_, tr("Variables"),
-        tr("Names of the variables that hold C and D and, third, the rate, with commas between "
-           "them"));
-    set(channel_d_file_, tr("File of channel D"),
-        tr("Where each channel has a file of its own: its name, or its path"));
-    set(join_, tr("Further pieces"),
-        tr("Where a recording is in pieces: the names or paths of the further ones, in their "
-           "order, "
-           "with commas between them"));
-    set(channel_c_, tr("Channel C"), tr("Counted from 1; a time column does not count"));
-    set(channel_d_, tr("Channel D"), tr("Counted from 1; a time column does not count"));
-    set(rate_, tr("Sample rate"), tr("Used where the file has no rate of its own"));
-    set(scale_, tr("Scale"), tr("Recording units per count or per unit of the file"));
-    set(unit_, tr("Unit"), tr("Of the samples, once they are scaled"));
-    rate_->setUnit(tr("Hz"));
-    raw_skip_->setUnit(tr("bytes"));
-    variables_->setPlaceholderText(tr("the first that fit"));
-    setTexts(*read_as_, {tr("what it is by content"), tr("text"), tr("raw samples")});
-    setTexts(*delimiter_,
-             {tr("comma"), tr("semicolon"), tr("tab"), tr("spaces"), tr("vertical bar")}, 1);
-    setTexts(*decimal_, {tr("point"), tr("comma")}, 1);
-    setTexts(*time_column_, {tr("none")}, 1);
-    setTexts(*time_unit_, {tr("s"), tr("ms"), tr("µs"), tr("ns")}, 1);
-    setTexts(*raw_type_,
-             {tr("16 bit integer"), tr("32 bit integer"), tr("32 bit float"), tr("64 bit float")});
-    setTexts(*raw_order_, {tr("little endian"), tr("big endian")});
-    showChoices();
-    showAutomatic();
 }
 
 }  // namespace vybeg::ui

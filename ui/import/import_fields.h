@@ -2,6 +2,7 @@
 
 #include "core/recording/open/preview.h"
 
+#include <QStringList>
 #include <QWidget>
 
 #include <functional>
@@ -25,6 +26,12 @@ class NumberField;
 
 using TakeFiles = std::function<void(const QStringList&)>;
 
+// A field's words: its label, which is its accessible name, too, and its tip.
+struct FieldWords {
+    QString label;
+    QString tip;
+};
+
 // Adds rows to a form, each a label and a field with the name of its object.
 struct FormRows {
     QWidget* parent;
@@ -32,13 +39,11 @@ struct FormRows {
     int characters;                         // of a list, at least
     std::function<void(QWidget*)> changed;  // follows each change of a field, also each key
 
-    void add(const char* name, QWidget* field) const;
-    QComboBox* list(const char* name, int entries) const;
-    NumberField* number(const char* name, const Bounds& limits) const;
-    QLineEdit* words(const char* name) const;
+    void add(const char* name, const FieldWords& words, QWidget* field) const;
+    QComboBox* list(const char* name, const FieldWords& words, const QStringList& entries) const;
+    NumberField* number(const char* name, const FieldWords& words, const Bounds& limits) const;
+    QLineEdit* text(const char* name, const FieldWords& words) const;
 };
-// The texts of a field's row.
-void setRowTexts(const QFormLayout& form, QWidget* field, const QString& label, const QString& tip);
 
 // Fields of an import. "Automatic" choices show the value from the content; only rows for the kind
 // of file are visible. The fields are its only state.
@@ -77,7 +82,6 @@ private:
     void showChannels(QComboBox& box);
     TextChoice textChoice() const;
     std::vector<std::string> pieces() const;
-    void retranslate();
 
     QFormLayout* form_;
     QComboBox* read_as_;

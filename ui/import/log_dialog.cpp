@@ -105,6 +105,11 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementS
       preview_(new ImportPreview(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(given_.settings.logs.given() ? tr("Logs of the set") : tr("Open logs"));
+    setWords(*files_, tr("Logs"),
+             tr("Logs of one resonator, made alike. Delete removes the chosen ones"));
+    buttons_->button(QDialogButtonBox::Open)->setText(tr("Open"));
+    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     lacking_->setTextFormat(Qt::PlainText);
     lacking_->setWordWrap(true);
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -115,18 +120,62 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementS
                             refresh();
                         }};
     const auto bounds = [](const char* name) { return bounds_in(log_settings(), name); };
-    kind_ = rows.list("kind", 6);
-    columns_ = rows.words("columns");
-    channel_d_ = rows.words("channel_d_file");
-    choose_ = channel_d_->addAction(QIcon(), QLineEdit::TrailingPosition);
-    angle_unit_ = rows.list("angle_unit", static_cast<int>(log_angle_units.size()));
-    f_ref_ = rows.number("f_ref", bounds("f-ref"));
-    y_sign_ = rows.list("y_sign", 3);
-    amplitude_ = rows.list("amplitude", 3);
-    order_ = rows.list("order", most_stages + 1);
-    bandwidth_ = rows.number("bandwidth", bounds("f-ref"));
-    rate_ = rows.number("rate", bounds_in(open_settings(), "rate"));
-    from_ = rows.number("from", bounds_of("from"));
+    const QString choose = tr("choose…");
+    kind_ = rows.list(
+        "kind",
+        {tr("Columns are"),
+         tr("What the log keeps. The frame of phasors is whose phase they are relative to")},
+        {choose, tr("powers E, R, S, Q"), tr("amplitudes a, b and the angle θ"),
+         tr("phasors, one frequency"), tr("phasors, an oscillator that moves"),
+         tr("phasors, each channel its own phase")});
+    columns_ = rows.text(
+        "columns", {tr("Named"), tr("The columns, with commas between them, each with =COLUMN, a "
+                                    "name or a number, where the file calls it otherwise, as in "
+                                    "Xc=3,Yc=4,Xd=5,Yd=6")});
+    channel_d_ = rows.text("channel_d_file",
+                           {tr("Channel D in"), tr("The file of the other channel, with the same "
+                                                   "times")});
+    auto* choose_file = channel_d_->addAction(themedIcon(QStringLiteral("open"), palette()),
+                                              QLineEdit::TrailingPosition);
+    choose_file->setToolTip(tr("Choose the file"));
+    angle_unit_ =
+        rows.list("angle_unit", {tr("Unit of angles"), tr("Of θ, or of the phase columns")},
+                  {choose, tr("degrees"), tr("radians"), tr("turns")});
+    f_ref_ = rows.number(
+        "f_ref", {tr("Reference"), tr("Frequency of the reference, which the file does not tell")},
+        bounds("f-ref"));
+    y_sign_ = rows.list(
+        "y_sign",
+        {tr("Sign of Y"),
+         tr("The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and "
+            "the other sign is the resonator seen in a mirror")},
+        {choose, tr("+: X + iY turns as the carrier does"), tr("−: X + iY turns against it")});
+    amplitude_ = rows.list("amplitude", {tr("Amplitudes"), tr("What √(X² + Y²) is")},
+                           {choose, tr("peak values"), tr("rms values")});
+    QStringList orders{tr("none")};
+    for (int stages = 1; stages <= most_stages; ++stages) {
+        orders << QLocale().toString(stages);
+    }
+    order_ = rows.list(
+        "order",
+        {tr("Filter, stages"),
+         tr("RC stages of the lock-in's filter: it delays the phasors and correlates their noise")},
+        orders);
+    bandwidth_ = rows.number("bandwidth", {tr("Its bandwidth"), tr("3 dB")}, bounds("f-ref"));
+    rate_ = rows.number(
+        "rate", {tr("Rows a second"), tr("Where the file has no times, or ticks of a clock")},
+        bounds_in(open_settings(), "rate"));
+    from_ = rows.number(
+        "from",
+        {tr("Leave out until"),
+         tr("Time from the start of a log: what is before it is left out, as the settling of a "
+            "filter")},
+        bounds_of("from"));
+    from_->setPlaceholderText(tr("nothing"));
+    from_->setUnit(unitText("s"));
+    for (NumberField* field : {f_ref_, bandwidth_, rate_}) {
+        field->setUnit(unitText("Hz"));
+    }
     for (NumberField* field : {f_ref_, bandwidth_, rate_, from_}) {
         field->setOptional(true);
     }
@@ -137,7 +186,7 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementS
     fill(new QVBoxLayout(this), {{parts, 1}, buttons_});
     connect(buttons_, &QDialogButtonBox::accepted, this, &LogDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &LogDialog::reject);
-    connect(choose_, &QAction::triggered, this, [this] {
+    connect(choose_file, &QAction::triggered, this, [this] {
         emit filesWanted([field = QPointer(channel_d_)](const QStringList& files) {
             if (field && !files.isEmpty()) {
                 field->setText(files.first());
@@ -150,7 +199,6 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementS
     connect(files_, &LogFiles::looked, this, &LogDialog::take);
     connect(files_, &LogFiles::changed, this, &LogDialog::changeFiles);
     guardFromWheel(*this);
-    keepTranslated(*this, [this] { retranslate(); });
     resize(980, 560);
     kind_->setFocus();
     if (given_.settings.logs.given()) {
@@ -484,57 +532,6 @@ void LogDialog::accept() {
         emit chosen(set());
         QDialog::accept();
     }
-}
-
-void LogDialog::retranslate() {
-    setWindowTitle(given_.settings.logs.given() ? tr("Logs of the set") : tr("Open logs"));
-    files_->setAccessibleName(tr("Logs"));
-    files_->setToolTip(tr("Logs of one resonator, made alike. Delete removes the chosen ones"));
-    const auto name = [this](QWidget* field, const QString& text, const QString& tip) {
-        setRowTexts(*form_, field, text, tip);
-    };
-    const QString choose = tr("choose…");
-    name(kind_, tr("Columns are"),
-         tr("What the log keeps. The frame of phasors is whose phase they are relative to"));
-    setTexts(*kind_, {choose, tr("powers E, R, S, Q"), tr("amplitudes a, b and the angle θ"),
-                      tr("phasors, one frequency"), tr("phasors, an oscillator that moves"),
-                      tr("phasors, each channel its own phase")});
-    name(columns_, tr("Named"),
-         tr("The columns, with commas between them, each with =COLUMN, a name or a number, where "
-            "the file calls it otherwise, as in Xc=3,Yc=4,Xd=5,Yd=6"));
-    name(channel_d_, tr("Channel D in"), tr("The file of the other channel, with the same times"));
-    choose_->setIcon(themedIcon(QStringLiteral("open"), palette()));
-    choose_->setToolTip(tr("Choose the file"));
-    name(angle_unit_, tr("Unit of angles"), tr("Of θ, or of the phase columns"));
-    setTexts(*angle_unit_, {choose, tr("degrees"), tr("radians"), tr("turns")});
-    name(f_ref_, tr("Reference"), tr("Frequency of the reference, which the file does not tell"));
-    name(y_sign_, tr("Sign of Y"),
-         tr("The signal is Re((X + iY) exp iωt), or Re((X − iY) exp iωt). No data show it, and "
-            "the other sign is the resonator seen in a mirror"));
-    setTexts(*y_sign_,
-             {choose, tr("+: X + iY turns as the carrier does"), tr("−: X + iY turns against it")});
-    name(amplitude_, tr("Amplitudes"), tr("What √(X² + Y²) is"));
-    setTexts(*amplitude_, {choose, tr("peak values"), tr("rms values")});
-    name(order_, tr("Filter, stages"),
-         tr("RC stages of the lock-in's filter: it delays the phasors and correlates their noise"));
-    QStringList orders{tr("none")};
-    for (int stages = 1; stages <= most_stages; ++stages) {
-        orders << QLocale().toString(stages);
-    }
-    setTexts(*order_, orders);
-    name(bandwidth_, tr("Its bandwidth"), tr("3 dB"));
-    name(rate_, tr("Rows a second"), tr("Where the file has no times, or ticks of a clock"));
-    name(from_, tr("Leave out until"),
-         tr("Time from the start of a log: what is before it is left out, as the settling of a "
-            "filter"));
-    from_->setPlaceholderText(tr("nothing"));
-    for (NumberField* field : {f_ref_, bandwidth_, rate_}) {
-        field->setUnit(unitText("Hz"));
-    }
-    from_->setUnit(unitText("s"));
-    buttons_->button(QDialogButtonBox::Open)->setText(tr("Open"));
-    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
-    refresh();
 }
 
 }  // namespace vybeg::ui

@@ -63,7 +63,6 @@ private:
     // Why the logs cannot be opened yet; empty: they can.
     QString lacking(std::span<const RecordingRef> found) const;
     void refresh();
-    void retranslate();
 
     // The set's own row of a file of channel C; null: the file is a further one.
     const RecordingRef* givenRow(const QString& file) const;
@@ -79,7 +78,6 @@ private:
     QComboBox* kind_;
     QLineEdit* columns_;
     QLineEdit* channel_d_;
-    QAction* choose_;
     QComboBox* angle_unit_;
     NumberField* f_ref_;
     QComboBox* y_sign_;

@@ -28,7 +28,7 @@ TrendOf kindOf(SlowVariable variable) {
     return variable == SlowVariable::a_A ? TrendOf::logarithm : TrendOf::value;
 }
 
-// A change by one stored unit per second^k of a value, as displayed, with its sign.
+// A change by one stored unit per second of a value, as displayed, with its sign.
 Reading changeOf(const DisplayScale& scale, double value, double change, double sd) {
     return {std::copysign(scale.sd(value, std::abs(change)), change), scale.sd(value, sd)};
 }
@@ -111,15 +111,12 @@ std::optional<FittedTrend> fitTrend(const Analysis& analysis, SlowVariable varia
     const auto fitted = [variable](const auto& fit) {
         return fit ? std::optional(FittedTrend{variable, *fit}) : std::nullopt;
     };
-    switch (kind) {
-        case TrendKind::line:
-            return fitted(line_trend(track, variable, from, to, apart, kindOf(variable)));
-        case TrendKind::beat: return fitted(find_beat(track, variable, from, to, apart));
-    }
-    return std::nullopt;
+    return kind == TrendKind::beat
+               ? fitted(find_beat(track, variable, from, to, apart))
+               : fitted(line_trend(track, variable, from, to, apart, kindOf(variable)));
 }
 
-// Of a beat its frequency, Hz; of the others the rate per second at the middle.
+// Of a beat its frequency, Hz; of a line the rate per second at the middle.
 Reading trendReading(const Analysis& analysis, const FittedTrend& trend,
                      const DisplayUnits& units) {
     if (const auto* beat = std::get_if<Beat>(&trend.fit)) {
@@ -144,11 +141,8 @@ QStringList trendSentences(const Analysis& analysis, TrendKind kind,
                             "form; the page Resonator finds its split.")
                 : Words::tr("Too few windows between the cursors.")};
     }
-    switch (kind) {
-        case TrendKind::line: return lineSentences(trends, units);
-        case TrendKind::beat: return beatSentences(analysis, trends, units);
-    }
-    return {};
+    return kind == TrendKind::beat ? beatSentences(analysis, trends, units)
+                                   : lineSentences(trends, units);
 }
 
 // The value of a window.

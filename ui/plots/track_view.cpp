@@ -285,7 +285,9 @@ void TrackView::moveTracker(std::optional<double> time_s) {
         return;
     }
     setTracker(time_s);
-    time_s ? emit trackerMoved(*time_s) : emit trackerLeft();
+    if (time_s) {
+        emit trackerMoved(*time_s);
+    }
 }
 
 void TrackView::moveCursor(Cursor which, std::optional<double> time_s) {

@@ -78,7 +78,6 @@ signals:
     // Time range, or the history of zooms.
     void timeRangeChanged(double from_s, double to_s);
     void trackerMoved(double time_s);
-    void trackerLeft();
     // The user moved, placed or removed a cursor.
     void cursorsChanged();
     void variablesChanged();

@@ -134,6 +134,7 @@ ReportRecording reportLog(const RecordingRef& log) {
     told.rate_hz = log.rate_hz;
     told.seconds = log.seconds;
     told.is_log = true;
+    told.conditions = conditionsText(log);
     return told;
 }
 
@@ -252,7 +253,6 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
     if (set && isReportedLog(document, *set)) {
         for (const RecordingRef& log : document.sets().outcome(*set)->set.recordings) {
             content.recordings.push_back(reportLog(log));
-            content.recordings.back().conditions = conditionsText(log);
         }
     }
     content.title.date = measuredOn(content.recordings);

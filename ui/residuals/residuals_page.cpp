@@ -41,16 +41,16 @@ ResidualsPage::ResidualsPage(Document& document, TrackView& tracks, QWidget* par
       document_(document),
       tracks_(tracks),
       range_(withName(new QComboBox(this), "residualRange")),
-      range_label_(new QLabel(this)),
       time_(new NumberField(this)),
       state_(sentence(this, "residualState", beside)) {
     setObjectName(QStringLiteral("residuals"));
     range_->addItems({QString(), QString(), QString()});
     range_->setCurrentIndex(static_cast<int>(Range::whole));
     time_->hide();
-    range_label_->setBuddy(range_);
     time_->setLimits(0, 1e9);
-    auto* head = fill(new QHBoxLayout, {6, 4, 6, 0}, {range_label_, range_, time_, LayoutPart(1)});
+    auto* head =
+        fill(new QHBoxLayout, {6, 4, 6, 0},
+             {labelFor(range_, [] { return tr("Residual of"); }), range_, time_, LayoutPart(1)});
     fill(new QVBoxLayout(this), {}, 4, {head, state_, {scrolled(buildContent()), 1}});
 
     pause_.setSingleShot(true);
@@ -312,7 +312,6 @@ void ResidualsPage::stop() {
 }
 
 void ResidualsPage::retranslate() {
-    range_label_->setText(tr("Residual of"));
     setTexts(*range_,
              {tr("the window at the cursor"), tr("the visible part"), tr("the whole analysis")});
     setWords(*range_, tr("Range of the residual"),

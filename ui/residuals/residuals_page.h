@@ -77,7 +77,6 @@ private:
     BackgroundJobs job_;
     QTimer pause_;  // between the last change and the computation
     QComboBox* range_;
-    QLabel* range_label_;
     NumberField* time_;
     QLabel* state_;
     XYPlotView* spectrum_ = nullptr;

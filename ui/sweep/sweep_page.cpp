@@ -115,10 +115,8 @@ void LengthField::paintEvent(QPaintEvent* event) {
 SweepPage::SweepPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
-      algorithm_label_(new QLabel(this)),
       algorithm_(withName(new QComboBox(this), "sweepAlgorithm")),
       snap_(withName(new QCheckBox(this), "sweepSnap")),
-      lengths_label_(new QLabel(this)),
       lengths_(withName(new LengthField(this), "sweepLengths")),
       compute_(withName(new QPushButton(this), "computeSweep")),
       progress_(new QProgressBar(this)),
@@ -346,14 +344,12 @@ void SweepPage::showFound() {
 
 QLayout* SweepPage::buildHead() {
     algorithm_->addItems(QStringList(std::ssize(all_algorithms)));
-    algorithm_label_->setBuddy(algorithm_);
-    lengths_label_->setBuddy(lengths_);
     progress_->setRange(0, progress_steps);
     progress_->setMaximumHeight(compute_->sizeHint().height());
-    auto* choices = fill(new QHBoxLayout, {algorithm_label_,
+    auto* choices = fill(new QHBoxLayout, {labelFor(algorithm_, [] { return tr("Algorithm"); }),
                                            algorithm_,
                                            snap_,
-                                           lengths_label_,
+                                           labelFor(lengths_, [] { return tr("Lengths"); }),
                                            {lengths_, 2},
                                            compute_,
                                            {progress_, 1},
@@ -363,12 +359,10 @@ QLayout* SweepPage::buildHead() {
 
 QWidget* SweepPage::buildContent() {
     auto* content = new QWidget(this);
-    variable_label_ = new QLabel(content);
     variable_ = withName(new QComboBox(content), "sweepVariable");
     variable_->setItemDelegate(new IndexDelegate(variable_));
     variable_->addItems(QStringList(std::ssize(main_slow_variables)));
     variable_->setCurrentIndex(2);
-    variable_label_->setBuddy(variable_);
     copy_ = withName(new QPushButton(content), "sweepCopy");
     scatter_ = addPlot("sweepScatter", least_plot_height);
     residual_ = addPlot("sweepResidual", least_plot_height);
@@ -376,7 +370,8 @@ QWidget* SweepPage::buildContent() {
     point_ = sentence(content, "sweepPoint", QMargins());
     use_ = withName(new QPushButton(content), "sweepUse");
     table_ = withName(new QuantityTable(content), "sweepTable");
-    auto* choice = fill(new QHBoxLayout, {variable_label_, variable_, LayoutPart(1), copy_});
+    auto* choice = fill(new QHBoxLayout, {labelFor(variable_, [] { return tr("Variable"); }),
+                                          variable_, LayoutPart(1), copy_});
     auto* advice = fill(new QHBoxLayout, {{advice_, 1}, {use_, 0, Qt::AlignTop}});
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(6, 0, 6, 0);
@@ -442,20 +437,17 @@ void SweepPage::retranslate() {
                                indexPlain(displaySymbol(main_slow_variables[v], units())) +
                                    QStringLiteral(" – ") + displayMeaning(main_slow_variables[v]));
     }
-    algorithm_label_->setText(tr("Algorithm"));
     setWords(*algorithm_, tr("Algorithm of the sweep"),
              richTip(tr("Follows the panel Analysis; may be another one here")));
     snap_->setText(tr("Snap"));
     setWords(*snap_, tr("Snap every length"),
              richTip(tr("Moves every length to whole half-periods of the carrier")));
-    lengths_label_->setText(tr("Lengths"));
     lengths_->retranslate();
     compute_->setText(tr("Compute"));
     compute_->setAccessibleName(tr("Compute the sweep"));
     cancel_->setText(tr("Cancel"));
     cancel_->setAccessibleName(tr("Cancel the sweep"));
     progress_->setAccessibleName(tr("Progress of the sweep"));
-    variable_label_->setText(tr("Variable"));
     setWords(*variable_, tr("Variable of the sweep"),
              richTip(tr("The variable of the left plot and of the table")));
     copy_->setText(tr("Copy table"));

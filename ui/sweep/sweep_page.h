@@ -100,17 +100,14 @@ private:
 
     Document& document_;
     BackgroundJobs job_;
-    QLabel* algorithm_label_;
     QComboBox* algorithm_;
     QCheckBox* snap_;
-    QLabel* lengths_label_;
     LengthField* lengths_;
     QPushButton* compute_;
     QProgressBar* progress_;
     QPushButton* cancel_;
     QLabel* state_;
     QWidget* content_ = nullptr;
-    QLabel* variable_label_ = nullptr;
     QComboBox* variable_ = nullptr;
     QPushButton* copy_ = nullptr;
     XYPlotView* scatter_ = nullptr;

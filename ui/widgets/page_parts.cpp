@@ -165,6 +165,13 @@ void keepTranslated(QWidget& widget, std::function<void()> translate) {
     whenChanged(widget, {QEvent::LanguageChange}, std::move(translate));
 }
 
+QLabel* labelFor(QWidget* field, std::function<QString()> words) {
+    auto* label = new QLabel(field->parentWidget());
+    label->setBuddy(field);
+    keepTranslated(*label, [label, words = std::move(words)] { label->setText(words()); });
+    return label;
+}
+
 void guardFromWheel(QWidget& panel) {
     auto* guard = new WheelGuard(&panel);
     for (QWidget* field : panel.findChildren<QWidget*>()) {

@@ -106,6 +106,8 @@ QScrollArea* scrolled(QWidget* content, QWidget* parent = nullptr);
 void whenChanged(QWidget& widget, std::vector<QEvent::Type> types, std::function<void()> react);
 // Sets the texts of a widget by `translate`: now, and again in each further language.
 void keepTranslated(QWidget& widget, std::function<void()> translate);
+// The label of a field, in the language of the interface.
+QLabel* labelFor(QWidget* field, std::function<QString()> words);
 
 // After this call the wheel over a combo or spin box inside `panel` changes it only if it has the
 // focus, and otherwise scrolls the area around it.

@@ -207,9 +207,9 @@ void WindowMenus::addUnits(QMenu* view) {
         change([](DisplayUnits& units, int unit) { units.angle = static_cast<AngleUnit>(unit); }));
     addChoice(
         view, QT_TR_NOOP("A&mplitudes in"), {QT_TR_NOOP("Recording units"), QT_TR_NOOP("Decibels")},
-        [this] { return tracks_.units().amplitude == AmplitudeUnit::decibels ? 1 : 0; },
+        [this] { return static_cast<int>(tracks_.units().amplitude); },
         change([](DisplayUnits& units, int unit) {
-            units.amplitude = unit == 1 ? AmplitudeUnit::decibels : AmplitudeUnit::recording;
+            units.amplitude = static_cast<AmplitudeUnit>(unit);
         }));
 }
 

@@ -103,8 +103,7 @@ struct Unit {
 };
 
 // In the order of the enumerations.
-constexpr std::array<Unit, 3> amplitude_units{Unit{},
-                                              {QT_TRANSLATE_NOOP("DisplayUnits", "V"), true},
+constexpr std::array<Unit, 2> amplitude_units{Unit{},
                                               {QT_TRANSLATE_NOOP("DisplayUnits", "dB"), false}};
 constexpr std::array<Unit, 2> angle_units{Unit{QT_TRANSLATE_NOOP("DisplayUnits", "rad"), true},
                                           {"°", false}};
@@ -139,7 +138,6 @@ DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, doub
     switch (info(variable).quantity) {
         case Quantity::amplitude:
             scale.decibels = units.amplitude == AmplitudeUnit::decibels;
-            scale.factor = units.amplitude == AmplitudeUnit::volts ? units.volts_per_unit : 1;
             scale.logarithmic = variable == SlowVariable::a_A && units.log_a_A && !scale.decibels;
             break;
         case Quantity::angle:

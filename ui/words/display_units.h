@@ -29,15 +29,14 @@ QString siPrefix(int exponent);
 
 enum class FrequencyUnit { hertz, radians_per_second, deviation_hertz, deviation_ppm };
 enum class AngleUnit { radians, degrees };
-enum class AmplitudeUnit { recording, volts, decibels };
+enum class AmplitudeUnit { recording, decibels };
 
 // In which units and on which scale the engineer reads the slow variables.
 struct DisplayUnits {
     FrequencyUnit frequency = FrequencyUnit::hertz;
     AngleUnit angle = AngleUnit::radians;
     AmplitudeUnit amplitude = AmplitudeUnit::recording;
-    double volts_per_unit = 1;  // used by volts alone
-    bool log_a_A = false;       // no matter with decibels
+    bool log_a_A = false;  // no matter with decibels
     bool sigma_bands = true;
 
     friend bool operator==(const DisplayUnits&, const DisplayUnits&) = default;
@@ -48,7 +47,6 @@ void describe(Archive&& archive, Owner& units) {
     archive.number("frequency", units.frequency, FrequencyUnit::deviation_ppm);
     archive.number("angle", units.angle, AngleUnit::degrees);
     archive.number("amplitude", units.amplitude, AmplitudeUnit::decibels);
-    archive("volts_per_unit", units.volts_per_unit);
     archive("log_a_A", units.log_a_A);
     archive("sigma_bands", units.sigma_bands);
 }

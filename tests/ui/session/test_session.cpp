@@ -126,6 +126,12 @@ private slots:
     void init() { window_ = shownWindow(); }
     void cleanup() { session().end(); }
 
+    // Of sessions of before, which had more kinds.
+    void an_unknown_trend_is_a_line() {
+        QCOMPARE(viewFromJson(QJsonObject{{"trend", "cubic"}}).trend, TrendKind::line);
+        QCOMPARE(viewFromJson(QJsonObject{{"trend", "beat"}}).trend, TrendKind::beat);
+    }
+
     void a_session_reopened_shows_the_same() {
         arrange("same");
         const QString path = home_.path("same/one.vybeg");
