@@ -77,19 +77,16 @@ std::string wav_head(const SampleStream& stream, std::size_t width) {
     if (stream.bits == 0 && !large) {
         chunks += "fact";
         append_bytes(chunks, std::uint32_t{4}, static_cast<std::uint32_t>(frames));
-        chunks += "PAD ";
-        append_bytes(chunks, std::uint32_t{24});
-        chunks.append(24, '\0');  // for the peaks, which would have the time of day
     }
     chunks += "data";
     append_bytes(chunks, large ? in_ds64 : static_cast<std::uint32_t>(data));
-    constexpr std::uint32_t ds64_bytes = 28;
+    constexpr std::uint32_t ds64_bytes = 32;
     std::string head = large ? "RF64" : "RIFF";
     if (large) {
         append_bytes(head, in_ds64);
         head += "WAVEds64";
-        const std::uint64_t behind_its_size = 4 + 8 + ds64_bytes + chunks.size() + data;
-        append_bytes(head, ds64_bytes, behind_its_size, data, frames, std::uint32_t{0});
+        const std::uint64_t whole = 12 + 8 + ds64_bytes + chunks.size() + data;
+        append_bytes(head, ds64_bytes, whole, data, frames, std::uint64_t{0});
     } else {
         append_bytes(head, static_cast<std::uint32_t>(4 + chunks.size() + data));
         head += "WAVE";
