@@ -126,6 +126,8 @@ public:
     // rename.
     static Status commit_together(std::span<OutputFile* const> files);
 
+    // Descriptor for libraries that write themselves. Preconditions: flush(), seekable().
+    int descriptor() const { return descriptor_; }
     bool seekable() const { return !temporary_.empty(); }
     const std::string& name() const { return name_; }
     // Folder for intermediate files: that of the file, on its disk; the system's temporary folder

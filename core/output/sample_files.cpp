@@ -4,9 +4,11 @@
 #include "core/output/array_files.h"
 #include "core/output/output_file.h"
 
+#include <sndfile.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,34 @@ constexpr std::size_t frames_per_block = 1 << 14;
 // Largest size of a WAV file less its chunks; RF64 has 64 bits.
 constexpr std::int64_t wav_bytes = (std::int64_t{1} << 32) - 4096;
 
+struct Closer {
+    void operator()(SNDFILE* file) const { sf_close(file); }
+};
+
+// libsndfile's words for what went wrong, without its frame around those of the system: "System
+// error : File too large."
+std::string reason(const char* told) {
+    std::string text = told;
+    if (constexpr std::string_view frame = "System error : "; text.starts_with(frame)) {
+        text.erase(0, frame.size());
+        text.erase(text.find_last_not_of(". ") + 1);
+    }
+    return text;
+}
+
+int subtype(int bits) {
+    if (bits == 0) {
+        return SF_FORMAT_DOUBLE;
+    }
+    if (bits <= 8) {
+        return SF_FORMAT_PCM_U8;
+    }
+    if (bits <= 16) {
+        return SF_FORMAT_PCM_16;
+    }
+    return bits <= 24 ? SF_FORMAT_PCM_24 : SF_FORMAT_PCM_32;
+}
+
 // Code of the quantiser in the upper bits of 32, the WAV layout of other widths.
 int pcm(double sample, const SampleStream& stream) {
     const double code = std::round(sample / stream.full_scale * std::ldexp(1.0, stream.bits - 1));
@@ -26,72 +56,22 @@ int pcm(double sample, const SampleStream& stream) {
     return static_cast<int>(std::ldexp(std::clamp(code, -most, most - 1), 32 - stream.bits));
 }
 
-// Both signals in turn: float64, or codes of `width` bytes with an offset where they are unsigned.
-Status write_interleaved(OutputFile& file, const SampleStream& stream, std::size_t width) {
-    std::string bytes;
-    const auto append = [&](double sample) {
-        if (stream.bits == 0) {
-            append_bytes(bytes, sample);
-            return;
-        }
-        std::string code;
-        append_bytes(code, pcm(sample, stream));
-        bytes.append(code, code.size() - width);
-        if (width == 1) {
-            bytes.back() = static_cast<char>(bytes.back() ^ '\x80');
-        }
-    };
-    return stream.run([&](std::span<const double> c, std::span<const double> d) {
-        bytes.clear();
+template <class Number, class Convert, class Write>
+Status write_frames(OutputFile& file, SNDFILE* wav, const SampleStream& stream, Convert convert,
+                    Write write) {
+    std::vector<Number> interleaved;
+    return stream.run([&](std::span<const double> c, std::span<const double> d) -> Status {
+        interleaved.clear();
         for (std::size_t k = 0; k < c.size(); ++k) {
-            append(c[k]);
-            append(d[k]);
+            interleaved.push_back(convert(c[k]));
+            interleaved.push_back(convert(d[k]));
         }
-        return file.write(bytes);
+        const auto frames = static_cast<sf_count_t>(c.size());
+        if (write(wav, interleaved.data(), frames) != frames) {
+            return file.failure(reason(sf_strerror(wav)));
+        }
+        return {};
     });
-}
-
-// What stands before the samples of a WAV file or, where 32 bits do not suffice, of an RF64 file,
-// as libsndfile writes it.
-std::string wav_head(const SampleStream& stream, std::size_t width) {
-    using namespace std::string_view_literals;
-    constexpr std::uint32_t in_ds64 = 0xFFFFFFFF;
-    constexpr std::uint32_t both_fronts = 3;
-    const auto frame_bytes = static_cast<std::uint16_t>(2 * width);
-    const auto bits = static_cast<std::uint16_t>(8 * width);
-    const auto rate = static_cast<std::uint32_t>(stream.rate_hz);
-    const auto frames = static_cast<std::uint64_t>(stream.frames);
-    const std::uint64_t data = frames * frame_bytes;
-    const std::uint16_t kind = stream.bits == 0 ? 3 : 1;  // floats, integers
-    const bool large = stream.frames > wav_bytes / std::int64_t{2 * sizeof(double)};
-    std::string format;
-    append_bytes(format, large ? std::uint16_t{0xFFFE} : kind, std::uint16_t{2}, rate,
-                 rate * frame_bytes, frame_bytes, bits);
-    if (large) {
-        append_bytes(format, std::uint16_t{22}, bits, both_fronts, kind);
-        format += "\0\0\0\0\x10\0\x80\0\0\xAA\0\x38\x9B\x71"sv;
-    }
-    std::string chunks = "fmt ";
-    append_bytes(chunks, static_cast<std::uint32_t>(format.size()));
-    chunks += format;
-    if (stream.bits == 0 && !large) {
-        chunks += "fact";
-        append_bytes(chunks, std::uint32_t{4}, static_cast<std::uint32_t>(frames));
-    }
-    chunks += "data";
-    append_bytes(chunks, large ? in_ds64 : static_cast<std::uint32_t>(data));
-    constexpr std::uint32_t ds64_bytes = 32;
-    std::string head = large ? "RF64" : "RIFF";
-    if (large) {
-        append_bytes(head, in_ds64);
-        head += "WAVEds64";
-        const std::uint64_t whole = 12 + 8 + ds64_bytes + chunks.size() + data;
-        append_bytes(head, ds64_bytes, whole, data, frames, std::uint64_t{0});
-    } else {
-        append_bytes(head, static_cast<std::uint32_t>(4 + chunks.size() + data));
-        head += "WAVE";
-    }
-    return head + chunks;
 }
 
 Status write_wav(OutputFile& file, const SampleStream& stream) {
@@ -101,10 +81,31 @@ Status write_wav(OutputFile& file, const SampleStream& stream) {
     if (stream.rate_hz != std::round(stream.rate_hz) || stream.rate_hz > INT32_MAX) {
         return file.failure("WAV keeps whole sample rates only; CSV and MAT keep any");
     }
-    const std::size_t width =
-        stream.bits == 0 ? sizeof(double) : static_cast<std::size_t>((stream.bits + 7) / 8);
-    TRY(file.write(wav_head(stream, width)));
-    return write_interleaved(file, stream, width);
+    SF_INFO format{};
+    const bool large = stream.frames > wav_bytes / std::int64_t{2 * sizeof(double)};
+    format.format = (large ? SF_FORMAT_RF64 : SF_FORMAT_WAV) | subtype(stream.bits);
+    format.channels = 2;
+    format.samplerate = static_cast<int>(stream.rate_hz);
+    std::unique_ptr<SNDFILE, Closer> wav(
+        sf_open_fd(file.descriptor(), SFM_WRITE, &format, SF_FALSE));
+    if (!wav) {
+        return file.failure(reason(sf_strerror(nullptr)));
+    }
+    // The peak chunk contains the time of day, so that equal simulations would yield different
+    // files.
+    sf_command(wav.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
+    const Status written =
+        stream.bits == 0
+            ? write_frames<double>(
+                  file, wav.get(), stream, [](double sample) { return sample; }, sf_writef_double)
+            : write_frames<int>(
+                  file, wav.get(), stream, [&](double sample) { return pcm(sample, stream); },
+                  sf_writef_int);
+    // Closing completes the header.
+    if (const int error = sf_close(wav.release()); written && error != 0) {
+        return file.failure(reason(sf_error_number(error)));
+    }
+    return written;
 }
 
 Status write_csv(OutputFile& file, const SampleStream& stream) {
@@ -126,10 +127,16 @@ Status write_csv(OutputFile& file, const SampleStream& stream) {
 }
 
 Status write_npy(OutputFile& file, const SampleStream& stream) {
-    TRY(file.write(npy_head("<f8", integer_text(stream.frames) + ", 2")));
-    SampleStream numbers = stream;
-    numbers.bits = 0;
-    return write_interleaved(file, numbers, sizeof(double));
+    const std::string head = npy_head("<f8", integer_text(stream.frames) + ", 2");
+    TRY(file.write(head));
+    std::string bytes;
+    return stream.run([&](std::span<const double> c, std::span<const double> d) {
+        bytes.clear();
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            append_bytes(bytes, c[k], d[k]);
+        }
+        return file.write(bytes);
+    });
 }
 
 Status write_mat(OutputFile& file, const SampleStream& stream) {
