@@ -246,7 +246,8 @@ TemporaryFile make_temporary(const std::filesystem::path& folder) {
     const std::string own = std::string(prefix) + integer_text(process) + "-" +
                             integer_text(start_of(process).value_or(0)) + "-";
     for (std::int64_t attempt = 0;; ++attempt) {
-        TemporaryFile file{{}, 0, folder / (own + integer_text(attempt) + std::string(ending))};
+        TemporaryFile file{Descriptor(), 0,
+                           folder / (own + integer_text(attempt) + std::string(ending))};
         file.descriptor =
             Descriptor(open(file.path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
         if (!file.descriptor) {
