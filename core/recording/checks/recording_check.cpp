@@ -156,14 +156,14 @@ double start_transient_s(std::span<const double> c, std::span<const double> d, d
     std::vector<double> places;
     std::vector<double> logarithms;
     for (std::size_t b = 0; b < blocks; ++b) {
-        places.push_back(static_cast<double>(b));
         const double wave = powers[b] - noise;
-        logarithms.push_back(wave > 0 ? std::log(wave) : std::nan(""));
+        if (!(wave > 0)) {
+            return 0;  // noise only
+        }
+        places.push_back(static_cast<double>(b));
+        logarithms.push_back(std::log(wave));
     }
     constexpr std::size_t half = blocks / 2;
-    if (std::ranges::any_of(logarithms, [](double x) { return std::isnan(x); })) {
-        return 0;  // noise only
-    }
     const LineFit line =
         fit_line(std::span(places).subspan(half), std::span(logarithms).subspan(half));
     std::vector<double> off;
