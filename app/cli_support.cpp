@@ -167,10 +167,10 @@ int Log::fail(const Error& error, const std::string& about) {
 int Log::fail_usage(const std::string& sentence) {
     const int status = exit_status(ErrorCode::setting_invalid);
     line(options_.json ? json_line({{"level", "error"},
-                            {"code", code_name(ErrorCode::setting_invalid)},
-                            {"text", sentence},
-                            {"status", status}})
-               : "vybeg-cli: " + sentence + " See vybeg-cli --help.");
+                                    {"code", code_name(ErrorCode::setting_invalid)},
+                                    {"text", sentence},
+                                    {"status", status}})
+                       : "vybeg-cli: " + sentence + " See vybeg-cli --help.");
     return status;
 }
 

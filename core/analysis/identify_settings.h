@@ -54,8 +54,7 @@ struct PhasorChoice {
 
 // Units of the angles of a log, rad, as lists of choices have them: by the file, degrees, radians,
 // whole turns.
-inline constexpr std::array log_angle_units{0.0, std::numbers::pi / 180, 1.0,
-                                            2 * std::numbers::pi};
+inline constexpr std::array log_angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 
 // Logs in place of recordings: what their columns are (column_wishes() of log_columns.h).
 struct LogChoice {

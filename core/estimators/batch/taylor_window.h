@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/estimators/wave/jet.h"
-#include "core/numerics/lanes.h"
 #include "core/estimators/wave/window_moments.h"
+#include "core/numerics/lanes.h"
 
 #include <array>
 #include <cstddef>

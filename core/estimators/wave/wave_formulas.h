@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/numerics/lanes.h"
 #include "core/estimators/wave/wave_state.h"
 #include "core/estimators/wave/window_moments.h"
+#include "core/numerics/lanes.h"
 
 #include <cstdint>
 #include <numbers>
