@@ -6,12 +6,14 @@
 #include "core/resonator/results/resonator_result.h"
 #include "core/resonator/results/set_examination.h"
 #include "core/resonator/runs/merge_windows.h"
+#include "core/resonator/runs/sum_of_modes.h"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -71,6 +73,10 @@ public:
     // structured model is not refused, and the channels are usual.
     bool explains() const;
 
+    // Whether channel errors of such tolerances may leave only noise: a fit from the present
+    // parameters, with these tolerances for priors, comes near it. Of runs that agree.
+    bool may_be_explained_by(const ChannelTolerance& tolerance) const;
+
     FittedMotion motion() const { return motion_of(set_); }
 
     // Results of the present parameters.
@@ -108,6 +114,13 @@ private:
 
     void choose_model();
 
+    // The sum of two modes of a run by itself, without the drift of its frequency at p: what no M
+    // explains better. Empty where the run is not such a sum in the model either.
+    std::optional<ModeSum> modes_of(std::size_t run, const Eigen::VectorXd& p) const;
+
+    // Whether two modes of its own leave a run far above its noise.
+    bool is_no_motion(const Eigen::VectorXd& p) const;
+
     // The free model has no cubic term, because |z|^2 of channels of unknown scale beats.
     MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const;
 
@@ -118,6 +131,7 @@ private:
     FitProblem problem_;
     SolvedSet set_;            // refers to the runs and the problem
     bool phase_left_ = false;  // still waves explain everything except the phase
+    bool no_motion_ = false;   // a run is known to be no motion that a model has
     SetExamination examination_;
     double free_over_structured_ = 0;
     bool structured_refused_ = false;  // with a finding

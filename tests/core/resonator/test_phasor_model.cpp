@@ -42,7 +42,7 @@ Eigen::VectorXd some_shared(double cubic) {
 
 Eigen::VectorXd residuals_of(const ScaledRun& run, const Eigen::VectorXd& shared,
                              const Eigen::VectorXd& own) {
-    return linearised(run, shared, own, run.size(), true).residual;
+    return linearised(run, shared, own, run.size()).residual;
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ private slots:
         const Eigen::VectorXd shared = some_shared(cubic);
         Eigen::VectorXd own = some_own();
         own[drift_at] = drift;
-        const Linearised at = linearised(run, shared, own, run.size(), true);
+        const Linearised at = linearised(run, shared, own, run.size());
         constexpr double step = 1e-5;
         for (Eigen::Index k = 0; k < shared.size() + own.size(); ++k) {
             const bool is_shared = k < shared.size();
