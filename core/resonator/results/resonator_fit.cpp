@@ -37,8 +37,9 @@ struct OpenedBreaks {
 
 // Fits the set with each of the breaks; the fewest parameters that explain as much are kept.
 // Beating modes also determine a number of samples; numbers with the phase of a step are tried.
-OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak> likely,
-                        const FitTask& task) {
+// `before`: the set without them.
+OpenedBreaks open_break(const OpenedBreaks& opened, const SetFit& before,
+                        std::span<const FittedBreak> likely, const FitTask& task) {
     constexpr double price = 9;  // chi^2 that a parameter must explain
     OpenedBreaks best;
     double least = std::numeric_limits<double>::infinity();
@@ -50,7 +51,8 @@ OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak>
         if (next.runs[found.run].time_s.size() < least_windows || task.job.cancelled()) {
             return found.size[0];
         }
-        next.set = solved_set(next.runs, task, Effort::trial);
+        // Still waves do not lead to a fast beat.
+        next.set = solved_set(next.runs, task, Effort::trial, before.with_room_for(found));
         next.breaks.push_back(found);
         const double size = next.set->size_of(found)[0];
         const double cost =
@@ -88,9 +90,9 @@ OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& close
     OpenedBreaks opened{good, {}, {}};
     std::vector<FittedBreak> likely = closed.unexplained_breaks();
     while (!likely.empty() && opened.breaks.size() < most_breaks && !task.job.cancelled()) {
-        OpenedBreaks next = open_break(opened, likely, task);
-        constexpr double halved = 0.6;
         const SetFit& before = opened.set ? *opened.set : closed;
+        OpenedBreaks next = open_break(opened, before, likely, task);
+        constexpr double halved = 0.6;
         if (!next.set || (!next.set->at_noise() && next.set->excess() > halved * before.excess())) {
             break;
         }
@@ -289,6 +291,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     const FitTask task{scale, by_usual ? usual : stated, job};
     std::vector<FittedBreak> breaks;
+    std::vector<PhasorRun> unbroken = good;
     if (!set->agrees()) {
         breaks = open_own_breaks(set->examination(), good, task);
         if (!breaks.empty()) {
@@ -297,7 +300,9 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     const std::unique_ptr<SetFit> whole = without_foreign(good, set, task);
     if (whole) {
-        breaks = breaks_without(std::move(breaks), whole->examination().foreign.front());
+        const std::size_t out = whole->examination().foreign.front();
+        breaks = breaks_without(std::move(breaks), out);
+        unbroken.erase(unbroken.begin() + static_cast<std::ptrdiff_t>(out));
     }
     OpenedBreaks opened;
     if (set->agrees()) {
@@ -310,7 +315,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     ResonatorFit fit = set->described();
     for (FittedBreak& each : breaks) {
         each.size = set->size_of(each);
-        name_step(good[each.run], set->motion(), each);
+        name_step(unbroken[each.run], set->motion(), each);
         fit.warnings.push_back(break_finding(each));
     }
     fit.breaks = std::move(breaks);

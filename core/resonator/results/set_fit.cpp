@@ -1,6 +1,5 @@
 #include "core/resonator/results/set_fit.h"
 
-#include "core/resonator/fit/fit_start.h"
 #include "core/resonator/fit/pencil_start.h"
 #include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"
@@ -87,6 +86,17 @@ SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
     if (effort == Effort::trial) {
         problem_.noise_ratio = std::numeric_limits<double>::infinity();
     }
+}
+
+Eigen::VectorXd SetFit::with_room_for(const FittedBreak& found) const {
+    Eigen::Index place = problem_.layout.at(found.run, own_count);
+    for (const RunBreak& each : scaled_[found.run].breaks) {
+        place += each.time_s < found.time_s ? break_size(each.kind) : 0;
+    }
+    const Eigen::VectorXd& p = set_.fit.p;
+    Eigen::VectorXd start(p.size() + break_size(found.kind));
+    start << p.head(place), Eigen::VectorXd::Zero(break_size(found.kind)), p.tail(p.size() - place);
+    return start;
 }
 
 NeededWindows SetFit::solve() {
@@ -238,7 +248,7 @@ bool SetFit::is_noise() const {
 }
 
 void SetFit::find_main() {
-    const StillFit wave = fit_waves(problem_, task_.job);
+    const StillFit wave = start_.size() > 0 ? fit_near_start() : fit_waves(problem_, task_.job);
     std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, task_.job);
     phase_left_ = still.has_value();
     no_motion_ = !still && wave.best.chi2 > hopeless * degrees_of_freedom(problem_) &&
@@ -246,6 +256,23 @@ void SetFit::find_main() {
     set_.fit =
         still ? *std::move(still)
               : fit_modes(problem_, wave, task_.job, no_motion_ ? Starts::together : Starts::all);
+}
+
+StillFit SetFit::fit_near_start() {
+    const Priors& known = problem_.priors;
+    start_ = (known.sd.array() > 0).select(start_, known.mean);
+    const MapFit near = fit_from(problem_, start_, task_.job);
+    const double dof = degrees_of_freedom(problem_);
+    if (near.chi2 < noise_bound(dof) * dof) {
+        return {near, {}, {}};
+    }
+    const Priors priors = problem_.priors;
+    StillFit waves = fit_waves(problem_, task_.job);
+    if (near.cost < waves.best.cost) {
+        waves.best = near;
+        problem_.priors = priors;
+    }
+    return waves;
 }
 
 void SetFit::try_cubic() {
@@ -435,7 +462,7 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
 }
 
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const FitTask& task,
-                                   Effort effort) {
+                                   Effort effort, const Eigen::VectorXd& start) {
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
     std::unique_ptr<SetFit> set;
@@ -443,6 +470,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
     NeededWindows needed;
     const auto solve = [&](const std::vector<PhasorRun>& runs) {
         set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
+        set->start_at(start);
         needed = set->solve();
         // What a fit this far from the noise leaves does not show the noise.
         if (!whitenings.empty() || set->chi2_per_dof() > hopeless) {
@@ -451,6 +479,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         whitenings = vybeg::whitenings(set->motion(), good);
         if (std::ranges::any_of(whitenings, [](const auto& one) { return !one.isIdentity(0); })) {
             set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
+            set->start_at(start);
             needed = set->solve();
         }
     };

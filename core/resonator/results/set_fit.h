@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/resonator/fit/fit_start.h"
 #include "core/resonator/fit/fitted_break.h"
 #include "core/resonator/results/describe_fit.h"
 #include "core/resonator/results/fit_options.h"
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -35,6 +37,12 @@ public:
     // `fine`: the runs before merging of windows; `whitenings` of channels.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
            std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort);
+
+    // Parameters near the most likely ones, if they are known.
+    void start_at(Eigen::VectorXd start) { start_ = std::move(start); }
+
+    // The present parameters of a set with one break more, whose parameters are zero.
+    Eigen::VectorXd with_room_for(const FittedBreak& found) const;
 
     // Finds the most likely parameters; returns the number of windows of a run that they need.
     NeededWindows solve();
@@ -93,6 +101,9 @@ private:
 
     void find_main();
 
+    // The fit from the known start, and from still waves where that leaves more than noise.
+    StillFit fit_near_start();
+
     // Opens a dependence of the frequency on the amplitude only if the data require it, because
     // elliptic waves would otherwise lose their rotation.
     void try_cubic();
@@ -130,6 +141,7 @@ private:
     Effort effort_;
     FitProblem problem_;
     SolvedSet set_;            // refers to the runs and the problem
+    Eigen::VectorXd start_;    // empty: none
     bool phase_left_ = false;  // still waves explain everything except the phase
     bool no_motion_ = false;   // a run is known to be no motion that a model has
     SetExamination examination_;
@@ -138,8 +150,10 @@ private:
     std::vector<Diagnostic> warnings_;
 };
 
-// The set with as many windows of a run as its solution needs; it refers to the runs.
+// The set with as many windows of a run as its solution needs; it refers to the runs. `start`: as
+// of SetFit.
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, const FitTask& task,
-                                   Effort effort = Effort::whole);
+                                   Effort effort = Effort::whole,
+                                   const Eigen::VectorXd& start = {});
 
 }  // namespace vybeg
