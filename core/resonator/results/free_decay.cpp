@@ -201,11 +201,14 @@ private:
         if (std::abs(rate) < width && std::abs(rate) + width < held_below * usual &&
             usual * length_s > least_fall &&
             two.shapes[held].norm() > least_share * two.shapes[other].norm()) {
-            say_driven(k, words(VYBEG_MESSAGE("Words",
-                                              "one of its two motions is held, as by a drive "
-                                              "(decay rate %1 1/s), while the other decays "
-                                              "(%2 1/s)"),
-                                {number_arg(rate, 2), number_arg(usual, 3)}));
+            withdraw(k, fit_);
+            say(DiagnosticKind::no_free_decay,
+                {recording_arg(k),
+                 words(VYBEG_MESSAGE("Words",
+                                     "one of its two motions is held, as by a drive "
+                                     "(decay rate %1 1/s), while the other decays "
+                                     "(%2 1/s)"),
+                       {number_arg(rate, 2), number_arg(usual, 3)})});
         }
     }
 
