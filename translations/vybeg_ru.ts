@@ -2083,8 +2083,8 @@
         <translation>Разность мод в пределах её шума: она не больше %1 %2 и оси не имеет.</translation>
     </message>
     <message>
-        <source>The decay is within its noise: tau is at least %1 s. Record longer.</source>
-        <translation>Затухание в пределах его шума: τ не меньше %1 с. Нужна более длинная запись.</translation>
+        <source>The decay is within its noise: tau is at least %1 s. Record longer, and with the drive off, which holds the amplitude as well.</source>
+        <translation>Затухание в пределах его шума: τ не меньше %1 с. Нужна более длинная запись, и с выключенным возбуждением: оно тоже поддерживает амплитуду.</translation>
     </message>
     <message>
         <source>In a turning wave a gain ratio of the channels and a damping anisotropy look the same. Calibrate the channels and state their tolerance, or add recordings that start at other angles.</source>
@@ -4421,6 +4421,10 @@
     <message>
         <source>its amplitude is held (decay rate %1 1/s), while that of the other recordings decays (%2 1/s)</source>
         <translation>амплитуда поддерживается (скорость затухания %1 1/с), а в остальных записях затухает (%2 1/с)</translation>
+    </message>
+    <message>
+        <source>one of its two motions is held, as by a drive (decay rate %1 1/s), while the other decays (%2 1/s)</source>
+        <translation>одно из двух её движений поддерживается, как возбуждением (скорость затухания %1 1/с), а другое затухает (%2 1/с)</translation>
     </message>
     <message>
         <source>its damping is by %1, the decay rate goes with the amplitude to the power %2 (standard deviation %3)</source>

@@ -245,6 +245,28 @@ private slots:
         }
     }
 
+    // A pendulum that swings in beside its drive.
+    void a_drive_at_its_own_frequency_holds_one_motion() {
+        for (std::uint64_t seed = 0; seed < 6; ++seed) {
+            for (const double driven : {0.0, 0.2, 2.0}) {
+                FreeDecay decay = slow_gyro(seed);
+                decay.tau_s = 5;
+                decay.split_hz = 0;
+                decay.damping_anisotropy_per_s = 0;
+                PhasorRun run = moved_phasors(decay, slow_window, seed);
+                for (std::size_t k = 0; k < run.c.size(); ++k) {
+                    const double turn = 2 * pi * 0.03 * run.time_s[k];
+                    run.c[k] += std::polar(0.8 * driven, turn);
+                    run.d[k] += std::polar(0.6 * driven, turn + 1);
+                }
+                const ResonatorFit fit = judged(std::vector{run});
+                QVERIFY2(says(fit.warnings, DiagnosticKind::no_free_decay) == (driven > 0),
+                         qPrintable(QString("seed %1, %2: ").arg(seed).arg(driven) +
+                                    texts(fit.warnings)));
+            }
+        }
+    }
+
     void the_part_in_free_decay_is_offered_data() {
         QTest::addColumn<double>("drive");  // in units of 1/tau
         QTest::addColumn<double>("from_s");

@@ -102,8 +102,9 @@ constexpr double no_fit = std::numeric_limits<double>::infinity();
 double try_start(const FitProblem& problem, const Eigen::VectorXd& start, const JobControl& job,
                  MapFit& best) {
     MapFit fit = minimise(problem, start, all_steps, job);
-    // Close to the best and not converged.
-    if (!fit.converged && fit.cost > best.cost && fit.cost < close_behind * best.cost) {
+    // Close to the best, not converged, and still on its way there.
+    if (!fit.converged && fit.cost > best.cost && fit.cost < close_behind * best.cost &&
+        fit.cost - polish_steps * fit.last_gain < best.cost) {
         fit = minimise(problem, fit.p, polish_steps, job);
     }
     const double cost = fit.cost;
@@ -174,7 +175,7 @@ StillFit fit_waves(FitProblem& problem, const JobControl& job) {
     return wave;
 }
 
-MapFit fit_modes(FitProblem& problem, const StillFit& wave, const JobControl& job) {
+MapFit fit_modes(FitProblem& problem, const StillFit& wave, const JobControl& job, Starts starts) {
     MapFit best = wave.best;
     // A small split also keeps the residual of the drifting start above the noise.
     const double count = residuals(problem, longest(problem));
@@ -199,7 +200,8 @@ MapFit fit_modes(FitProblem& problem, const StillFit& wave, const JobControl& jo
     if (!confirmed && wave.far.size() > 0 && above_noise(problem, best)) {
         try_start(problem, wave.far, job, best);
     }
-    if (!confirmed && problem.runs.size() > 1 && above_noise(problem, best)) {
+    if (!confirmed && starts == Starts::all && problem.runs.size() > 1 &&
+        above_noise(problem, best)) {
         try_alone(problem, job, best);
     }
     if (!best.converged && best.cost < hopeless * count) {

@@ -24,7 +24,9 @@ StillFit fit_waves(FitProblem& problem, const JobControl& job);
 
 // Second part: starts from pencils, from the runs alone and from those of `wave`, as long as the
 // fit stays above the noise.
-MapFit fit_modes(FitProblem& problem, const StillFit& wave, const JobControl& job);
+enum class Starts { all, together };  // `together`: not those from the runs alone
+MapFit fit_modes(FitProblem& problem, const StillFit& wave, const JobControl& job,
+                 Starts starts = Starts::all);
 
 // A still wave in each run: frequency and start from its first windows, decay from the envelope.
 Eigen::VectorXd still_waves(const FitProblem& problem);

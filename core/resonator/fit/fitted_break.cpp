@@ -180,7 +180,7 @@ std::vector<FittedBreak> likely_breaks(const FitProblem& problem, const Posterio
 
 std::vector<int> possible_samples(double step_rad, double f_hz, double rate_hz) {
     constexpr int most_samples = 64;
-    constexpr double close_rad = 0.05;  // tolerance of a step whose size is not fitted yet
+    constexpr double close_rad = 0.05;  // of a step fitted without its shift in time
     std::vector<int> possible;
     for (int k = -most_samples; rate_hz > 0 && k <= most_samples; ++k) {
         const double phase = 2 * std::numbers::pi * f_hz * k / rate_hz;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -44,9 +45,12 @@ double prior_cost(const FitProblem& problem, const Eigen::VectorXd& p) {
     return sum;
 }
 
-Cost cost_of(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t windows) {
-    const double data = chi_square(problem, p, windows);
-    Cost cost{data, data + prior_cost(problem, p)};
+// Where it exceeds `most`, of some of the windows.
+Cost cost_of(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t windows,
+             double most = no_cost) {
+    const double of_priors = prior_cost(problem, p);
+    const double data = chi_square(problem, p, windows, most - of_priors);
+    Cost cost{data, data + of_priors};
     // A motion that overflows is no candidate.
     if (!std::isfinite(cost.all)) {
         cost.all = no_cost;
@@ -54,32 +58,27 @@ Cost cost_of(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t wi
     return cost;
 }
 
-// J^T J, of which half is computed.
-Eigen::MatrixXd square_of(const Linearised& at) {
-    const Eigen::Index columns = at.by_parameter.cols();
-    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(columns, columns);
-    square.selfadjointView<Eigen::Lower>().rankUpdate(at.by_parameter.transpose());
-    square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
-    return square;
-}
-
 // Of the active parameters, with priors and held directions. `runs`: linearised at p.
 NormalEquations normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& active,
                           std::span<const Linearised> runs, const Eigen::VectorXd& p) {
-    auto [matrix, right] = normal_equations(problem, runs);
-    for (const Eigen::Index k : active) {
+    NormalEquations normal = normal_equations(problem, runs, active);
+    for (std::size_t place = 0; place < active.size(); ++place) {
+        const Eigen::Index k = active[place];
+        const auto at = static_cast<Eigen::Index>(place);
         const double weight = 1 / (problem.priors.sd[k] * problem.priors.sd[k]);
-        matrix(k, k) += weight;
+        normal.matrix(at, at) += weight;
         if (weight > 0) {
-            right[k] += weight * (problem.priors.mean[k] - p[k]);
+            normal.right[at] += weight * (problem.priors.mean[k] - p[k]);
         }
     }
     for (const HeldDirection& held : problem.held) {
         const Eigen::VectorXd row = held.direction / held.sd;
-        matrix += row * row.transpose();
-        right += row * (held.value / held.sd - row.dot(p));
+        const double off = held.value / held.sd - row.dot(p);
+        const Eigen::VectorXd of_active = row(active);
+        normal.matrix += of_active * of_active.transpose();
+        normal.right += of_active * off;
     }
-    return {matrix(active, active), right(active)};
+    return normal;
 }
 
 // J^T of the second derivative of the predictions along a step. `runs`: linearised where it begins.
@@ -104,18 +103,41 @@ Eigen::VectorXd curvature_along(const FitProblem& problem, const std::vector<Eig
     return sum(active);
 }
 
+// Factor of the variances of the parameters by what a fit of all windows leaves: where that is no
+// noise they are that much wider, and a fit that is as far from its minimum is at it.
+double misfit(const FitProblem& problem, const Cost& cost, std::size_t windows) {
+    constexpr double least = 4;
+    double count = 0;
+    for (const ScaledRun& run : problem.runs) {
+        if (run.size() > windows) {
+            return 1;
+        }
+        count += 4 * static_cast<double>(run.size());
+    }
+    return cost.data > least * count ? cost.data / count : 1;
+}
+
 MapFit descend(const FitProblem& problem, const Eigen::VectorXd& start, int steps,
                const JobControl& job, std::size_t windows) {
     const std::vector<Eigen::Index> active = problem.priors.active();
-    const auto cost_at = [&](const Eigen::VectorXd& p) {
-        return p.allFinite() ? cost_of(problem, p, windows) : Cost{no_cost, no_cost};
-    };
+    SharedColumns wanted;
+    for (const Eigen::Index k : active) {
+        if (k < shared_count) {
+            wanted.set(static_cast<std::size_t>(k));
+        }
+    }
     MapFit fit{start};
     Cost now = cost_of(problem, fit.p, windows);
+    constexpr double rounding = 1e-9;  // of the cost
+    // A cost above the present one only says that the step is none.
+    const auto cost_at = [&](const Eigen::VectorXd& p) {
+        return p.allFinite() ? cost_of(problem, p, windows, now.all * (1 + rounding))
+                             : Cost{no_cost, no_cost};
+    };
     double damping = first_damping;
+    std::vector<Linearised> runs;
     for (int step = 0; step < steps && !fit.converged && !job.cancelled(); ++step) {
-        const std::vector<Linearised> runs =
-            linearised(problem, fit.p, problem.priors.sd[cubic_at] > 0, windows);
+        runs = linearised(problem, fit.p, wanted, windows, std::move(runs));
         const NormalEquations normal = normal_of(problem, active, runs, fit.p);
         // Unit diagonal, because the units of the parameters differ by many powers of ten.
         const Eigen::VectorXd unit =
@@ -145,7 +167,7 @@ MapFit descend(const FitProblem& problem, const Eigen::VectorXd& start, int step
                     }
                 }
             }
-            if (then.all <= now.all * (1 + 1e-9)) {
+            if (then.all <= now.all * (1 + rounding)) {
                 gain = now.all - then.all;
                 if (gain >= 0) {
                     fit.p = moved;
@@ -156,7 +178,8 @@ MapFit descend(const FitProblem& problem, const Eigen::VectorXd& start, int step
             damping = std::max(10 * damping, 1e-7);
         }
         fit.last_gain = gain;
-        fit.converged = std::abs(gain) < least_gain * (1 + 1e-6 * now.all);
+        fit.converged = std::abs(gain) <
+                        least_gain * std::max(1 + 1e-6 * now.all, misfit(problem, now, windows));
         damping = std::max(damping / 30, least_damping);
     }
     fit.cost = now.all;
@@ -247,35 +270,61 @@ std::vector<Eigen::Vector2cd> expected_phasors(const FitProblem& problem, const 
                             problem.runs[run].size());
 }
 
-double chi_square(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t windows) {
+double chi_square(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t windows,
+                  double most) {
     double sum = 0;
     const Eigen::VectorXd shared = p.head(shared_count);
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+    for (std::size_t k = 0; k < problem.runs.size() && !(sum > most); ++k) {
         sum += chi_square(problem.runs[k], shared, own_of(problem.layout, p, k),
-                          std::min(windows, problem.runs[k].size()));
+                          std::min(windows, problem.runs[k].size()), most - sum);
     }
     return sum;
 }
 
 std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
-                                   bool with_cubic, std::size_t windows) {
-    std::vector<Linearised> runs;
+                                   SharedColumns wanted, std::size_t windows,
+                                   std::vector<Linearised> before) {
+    before.resize(problem.runs.size());
     const Eigen::VectorXd shared = p.head(shared_count);
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        runs.push_back(linearised(problem.runs[k], shared, own_of(problem.layout, p, k),
-                                  std::min(windows, problem.runs[k].size()), with_cubic));
+        before[k] =
+            linearised(problem.runs[k], shared, own_of(problem.layout, p, k),
+                       std::min(windows, problem.runs[k].size()), wanted, std::move(before[k]));
     }
-    return runs;
+    return before;
 }
 
-NormalEquations normal_equations(const FitProblem& problem, std::span<const Linearised> runs) {
-    const Eigen::Index size = problem.layout.size();
+NormalEquations normal_equations(const FitProblem& problem, std::span<const Linearised> runs,
+                                 const std::vector<Eigen::Index>& parameters) {
+    // Rows that fit into the processor's cache.
+    constexpr Eigen::Index block = 256;
+    const auto size = static_cast<Eigen::Index>(parameters.size());
     NormalEquations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
     for (std::size_t k = 0; k < runs.size(); ++k) {
+        std::vector<Eigen::Index> places;
+        std::vector<Eigen::Index> columns;
+        const Eigen::Index first = problem.layout.at(k, 0);
+        for (Eigen::Index place = 0; place < size; ++place) {
+            const Eigen::Index parameter = parameters[static_cast<std::size_t>(place)];
+            const Eigen::Index own = parameter - first;
+            if (parameter < shared_count || (own >= 0 && own < problem.layout.own_size(k))) {
+                places.push_back(place);
+                columns.push_back(parameter < shared_count ? parameter : shared_count + own);
+            }
+        }
         const Linearised& at = runs[k];
-        add_symmetric(problem.layout, k, square_of(at), sum.matrix);
-        const Eigen::VectorXd toward = at.by_parameter.transpose() * at.residual;
-        add_rows(problem.layout, k, toward, sum.right);
+        const auto count = static_cast<Eigen::Index>(columns.size());
+        Eigen::MatrixXd square = Eigen::MatrixXd::Zero(count, count);
+        Eigen::VectorXd toward = Eigen::VectorXd::Zero(count);
+        for (Eigen::Index row = 0; row < at.residual.size(); row += block) {
+            const Eigen::Index rows = std::min(block, at.residual.size() - row);
+            const RowMajor part = at.by_parameter.middleRows(row, rows)(Eigen::all, columns);
+            square.selfadjointView<Eigen::Lower>().rankUpdate(part.transpose());
+            toward += part.transpose() * at.residual.segment(row, rows);
+        }
+        square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
+        sum.matrix(places, places) += square;
+        sum.right(places) += toward;
     }
     return sum;
 }

@@ -62,21 +62,25 @@ void add_rows(const ParameterLayout& layout, std::size_t run, const Rows& rows, 
 std::vector<Eigen::Vector2cd> expected_phasors(const FitProblem& problem, const Eigen::VectorXd& p,
                                                std::size_t run);
 
-// chi^2 at p of the first `windows` windows of all runs.
+// chi^2 at p of the first `windows` windows of all runs; a part of it where that exceeds `most`.
 double chi_square(const FitProblem& problem, const Eigen::VectorXd& p,
-                  std::size_t windows = std::numeric_limits<std::size_t>::max());
+                  std::size_t windows = std::numeric_limits<std::size_t>::max(),
+                  double most = std::numeric_limits<double>::infinity());
 
-// Derivatives of every run's residuals at p (phasor_model.h), of its first `windows` windows.
+// Derivatives of every run's residuals at p, with `wanted` and `before` of phasor_model.h, of its
+// first `windows` windows.
 std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
-                                   bool with_cubic,
-                                   std::size_t windows = std::numeric_limits<std::size_t>::max());
+                                   SharedColumns wanted = all_shared,
+                                   std::size_t windows = std::numeric_limits<std::size_t>::max(),
+                                   std::vector<Linearised> before = {});
 
-// J^T J and J^T r of the windows for all parameters, held ones too, from those derivatives.
+// J^T J and J^T r of the windows for some parameters, in ascending order, from those derivatives.
 struct NormalEquations {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd right;
 };
-NormalEquations normal_equations(const FitProblem& problem, std::span<const Linearised> runs);
+NormalEquations normal_equations(const FitProblem& problem, std::span<const Linearised> runs,
+                                 const std::vector<Eigen::Index>& parameters);
 
 // Factors that give a positive matrix a unit diagonal: the units of its rows differ by many powers
 // of ten.

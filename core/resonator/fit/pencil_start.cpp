@@ -120,8 +120,8 @@ std::optional<SlowRates> rates_of(const PencilSums& pencil, double seconds) {
     return vybeg::rates_of(Matrix(logarithm(step) / seconds));
 }
 
-// Frequency and start of every run under given rates: the phasors are propagated back by exp(-N t);
-// the frequency is their mean rotation over increasing lags; the start is linear.
+}  // namespace
+
 Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rates) {
     Eigen::VectorXd p = problem.priors.mean;
     for (int k = 0; k < rate_count; ++k) {
@@ -136,17 +136,26 @@ Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rat
     for (std::size_t index = 0; index < problem.runs.size(); ++index) {
         const ScaledRun& run = problem.runs[index];
         std::vector<Vector2cd> back(run.size());
+        const Matrix back_step = turning.propagator(-run.step_s);
+        Matrix by = Matrix::Identity();
+        Walk walk;
         for (std::size_t k = 0; k < run.size(); ++k) {
-            back[k] = turning.propagator(-run.time_s[k]) * run.z[k];
+            const double t = run.time_s[k];
+            by = walk.step_to(t, run.step_s) ? Matrix(back_step * by) : turning.propagator(-t);
+            back[k] = by * run.z[k];
         }
         const double f = mean_frequency(run, back);
         Matrix normal = Matrix::Zero();
         Vector2cd right = Vector2cd::Zero();
+        const Matrix step =
+            std::polar(1.0, 2 * pi * f * run.step_s) * motion.propagator(run.step_s);
+        walk = {};
         for (std::size_t k = 0; k < run.size(); ++k) {
             const double t = run.time_s[k];
-            const Matrix basis = run.weight[k] *
-                                 std::polar(1.0, 2 * pi * f * (t - run.reference_s)) *
-                                 motion.propagator(t);
+            by = walk.step_to(t, run.step_s)
+                     ? Matrix(step * by)
+                     : std::polar(1.0, 2 * pi * f * (t - run.reference_s)) * motion.propagator(t);
+            const Matrix basis = run.weight[k] * by;
             normal += basis.adjoint() * basis;
             right += basis.adjoint() * (run.weight[k] * run.z[k]);
         }
@@ -155,8 +164,6 @@ Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rat
     }
     return p;
 }
-
-}  // namespace
 
 std::optional<SlowRates> delayed_pencil(const ScaledRun& run, const std::vector<Vector2cd>& z,
                                         std::size_t delay) {

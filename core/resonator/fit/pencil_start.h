@@ -30,4 +30,8 @@ enum class Pencil { two_channels, delayed };
 std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind,
                                             const JobControl& job);
 
+// Frequency and start of every run under given rates: the phasors are propagated back by exp(-N t);
+// the frequency is their mean rotation over increasing lags; the start is linear.
+Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rates);
+
 }  // namespace vybeg

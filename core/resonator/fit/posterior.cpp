@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace vybeg {
@@ -193,8 +194,10 @@ Posterior posterior(const FitProblem& problem, const MapFit& fit) {
     Posterior out;
     out.p = fit.p;
     out.active = problem.priors.active();
-    out.runs = linearised(problem, fit.p, true);
-    NormalEquations normal = normal_equations(problem, out.runs);
+    out.runs = linearised(problem, fit.p);
+    std::vector<Eigen::Index> all(static_cast<std::size_t>(fit.p.size()));
+    std::iota(all.begin(), all.end(), Eigen::Index{0});
+    NormalEquations normal = normal_equations(problem, out.runs, all);
     out.information = std::move(normal.matrix);
     const auto count = static_cast<Eigen::Index>(out.active.size());
     Eigen::VectorXd wide = Eigen::VectorXd::Zero(count);

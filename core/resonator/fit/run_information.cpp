@@ -48,7 +48,7 @@ MatrixXd positive_inverse(const MatrixXd& matrix, double least) {
 RunInformation reduced(const FitProblem& problem, std::size_t k, const VectorXd& p,
                        const std::vector<Index>& active, const VectorXd& own, double noise) {
     const ScaledRun& run = problem.runs[k];
-    const Linearised at = linearised(run, p.head(shared_count), own, run.size(), true);
+    const Linearised at = linearised(run, p.head(shared_count), own, run.size());
     const Index rows = at.residual.size();
     const Index first = problem.layout.at(k, 0);
     std::vector<Index> free;

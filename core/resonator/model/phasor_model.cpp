@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -143,24 +144,7 @@ void kick(Motion& motion, const Kick& by, Wanted wanted) {
     motion.by.by_cubic += by.of_plus * by_phase_plus + by.of_minus * by_phase_minus;
 }
 
-// Decides where a product with exp(M h) leads from one window to the next: not over gaps, and
-// limited in number because of rounding.
-class Walk {
-public:
-    bool step_to(double time_s, double step_s) {
-        constexpr int most_steps = 64;
-        const bool whole = std::abs(time_s - time_s_ - step_s) < 1e-10 * step_s;
-        steps_ = whole && steps_ < most_steps ? steps_ + 1 : 0;
-        time_s_ = time_s;
-        return steps_ > 0;
-    }
-
-private:
-    double time_s_ = -std::numeric_limits<double>::infinity();
-    int steps_ = 0;
-};
-
-// Sums of the parameters of the breaks before a time.
+// The breaks before a time together.
 class PassedBreaks {
 public:
     PassedBreaks(const ScaledRun& run, const Eigen::VectorXd& own) : run_(run), own_(own) {}
@@ -171,9 +155,9 @@ public:
         for (; next_ < run_.breaks.size() && time_s > run_.breaks[next_].time_s; ++next_) {
             const BreakKind kind = run_.breaks[next_].kind;
             if (kind == BreakKind::phase) {
-                phase_ += own_[at_];
+                factors_ *= std::polar(1.0, own_[at_]);
             } else if (kind == BreakKind::gain) {
-                gain_ += own_.segment<2>(at_);
+                factors_.array() *= own_.segment<2>(at_).array().exp();
             } else if (kind == BreakKind::start) {
                 start_ += Vector2cd(Complex(own_[at_], own_[at_ + 1]),
                                     Complex(own_[at_ + 2], own_[at_ + 3]));
@@ -184,8 +168,7 @@ public:
         return restarts;
     }
 
-    double phase() const { return phase_; }
-    const Eigen::Vector2d& gain() const { return gain_; }  // logarithms
+    const Vector2cd& factors() const { return factors_; }  // of C and D
     const Vector2cd& start() const { return start_; }
 
 private:
@@ -193,8 +176,7 @@ private:
     const Eigen::VectorXd& own_;
     std::size_t next_ = 0;
     Eigen::Index at_ = own_count;
-    double phase_ = 0;
-    Eigen::Vector2d gain_ = Eigen::Vector2d::Zero();
+    Vector2cd factors_ = Vector2cd::Ones();
     Vector2cd start_ = Vector2cd::Zero();
 };
 
@@ -292,26 +274,31 @@ public:
         : run_(run),
           shared_(shared),
           own_(own),
-          cross_(std::sin(shared[skew_at]), shared[crosstalk_at]) {}
+          cross_(std::sin(shared[skew_at]), shared[crosstalk_at]),
+          bend_(std::polar(1.0, 2 * pi * own[drift_at] * run.step_s * run.step_s)),
+          turn_beside_(std::polar(1.0, shared[phase_drift_at] * run.step_s / run.duration_s)) {}
 
-    Channels at(const PassedBreaks& breaks, double t) const {
+    // Precondition: windows in order.
+    Channels at(const PassedBreaks& breaks, double t) {
         Channels channels;
         channels.u = t - run_.reference_s;
         channels.x = t / run_.duration_s;
-        const double phi =
-            2 * pi * channels.u * (own_[frequency_at] + own_[drift_at] * channels.u / 2) +
-            breaks.phase();
-        channels.c = channels.d = std::polar(1.0, phi);
-        if (breaks.gain() != Eigen::Vector2d::Zero()) {
-            channels.c *= std::exp(breaks.gain()[0]);
-            channels.d *= std::exp(breaks.gain()[1]);
+        // A sine takes longer than all else of a window; a product from one to the next does not.
+        if (walk_.step_to(t, run_.step_s)) {
+            carrier_ *= turn_;
+            turn_ *= bend_;
+            beside_ *= turn_beside_;
+        } else {
+            const double u = channels.u;
+            const double h = run_.step_s;
+            carrier_ = std::polar(1.0, 2 * pi * u * (own_[frequency_at] + own_[drift_at] * u / 2));
+            turn_ =
+                std::polar(1.0, 2 * pi * h * (own_[frequency_at] + own_[drift_at] * (u + h / 2)));
+            beside_ = std::polar(1.0, shared_[phase_at] + shared_[phase_drift_at] * channels.x);
         }
-        channels.d /= shared_[kappa_at];
-        const double beside = shared_[phase_at] + shared_[phase_drift_at] * channels.x;
-        channels.gain = (1 + shared_[gain_drift_at] * channels.x) * channels.d;
-        if (beside != 0) {
-            channels.gain *= std::polar(1.0, beside);
-        }
+        channels.c = carrier_ * breaks.factors()[0];
+        channels.d = carrier_ * breaks.factors()[1] / shared_[kappa_at];
+        channels.gain = (1 + shared_[gain_drift_at] * channels.x) * channels.d * beside_;
         channels.cross = channels.d * cross_;
         return channels;
     }
@@ -321,6 +308,12 @@ private:
     const Eigen::VectorXd& shared_;
     const Eigen::VectorXd& own_;
     Complex cross_;
+    Walk walk_;
+    Complex carrier_;      // of the run's frequency, at the window
+    Complex turn_;         // of the carrier to the next window
+    Complex bend_;         // of that turn
+    Complex beside_;       // phase of D against C
+    Complex turn_beside_;  // of it to the next window
 };
 
 // What the mean over a window makes of the motion at its centre while the run's frequency drifts,
@@ -373,6 +366,49 @@ Vector2cd left_of(const ScaledRun& run, std::size_t window, const Vector2cd& exp
     return run.weighted(window, run.z[window] * std::polar(1.0, -std::arg(along)) - expected);
 }
 
+// Calls use(window, predicted phasors) for the first `windows` windows, until it is false.
+template <class Use>
+void for_expected(const ScaledRun& run, const Eigen::VectorXd& of_set, const Eigen::VectorXd& own,
+                  std::size_t windows, const Use& use) {
+    const Eigen::VectorXd shared = shared_of(run, of_set);
+    PassedBreaks breaks(run, own);
+    ChannelFactors channels(run, shared, own);
+    const DriftedMean mean(run, shared, own);
+    const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
+    const auto seen = [&](double t, const Vector2cd& z) {
+        const Vector2cd wave = turn.transpose() * (mean.drifts() ? Vector2cd(mean.at(t) * z) : z);
+        return Vector2cd(turn * channels.at(breaks, t).seen(wave));
+    };
+    if (shared[cubic_at] == 0) {
+        const SlowDynamics dynamics(rates_of(shared));
+        Vector2cd start = start_of(own);
+        const Eigen::Matrix2cd step = dynamics.propagator(run.step_s);
+        Walk walk;
+        Vector2cd z = start;
+        for (std::size_t k = 0; k < windows; ++k) {
+            const double t = run.time_s[k];
+            if (breaks.pass(t)) {
+                start = start_of(own) + breaks.start();
+                walk = {};
+            }
+            z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
+            if (!use(k, seen(t, z))) {
+                return;
+            }
+        }
+        return;
+    }
+    MotionSteps motion(run, shared, own, true, Wanted::motion);
+    for (std::size_t k = 0; k < windows; ++k) {
+        if (breaks.pass(run.time_s[k])) {
+            motion.restart(breaks.start());
+        }
+        if (!use(k, seen(run.time_s[k], motion.at(k).z))) {
+            return;
+        }
+    }
+}
+
 }  // namespace
 
 Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared) {
@@ -397,54 +433,30 @@ Vector2cd start_of(const Eigen::VectorXd& own) {
             Complex{own[start_at + 2], own[start_at + 3]}};
 }
 
-std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& of_set,
+std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
                                         const Eigen::VectorXd& own, std::size_t windows) {
-    const Eigen::VectorXd shared = shared_of(run, of_set);
     std::vector<Vector2cd> expected;
     expected.reserve(windows);
-    PassedBreaks breaks(run, own);
-    const ChannelFactors channels(run, shared, own);
-    const DriftedMean mean(run, shared, own);
-    const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
-    const auto seen = [&](double t, const Vector2cd& z) {
-        const Vector2cd wave = turn.transpose() * (mean.drifts() ? Vector2cd(mean.at(t) * z) : z);
-        return Vector2cd(turn * channels.at(breaks, t).seen(wave));
-    };
-    if (shared[cubic_at] == 0) {
-        const SlowDynamics dynamics(rates_of(shared));
-        Vector2cd start = start_of(own);
-        const Eigen::Matrix2cd step = dynamics.propagator(run.step_s);
-        Walk walk;
-        Vector2cd z = start;
-        for (std::size_t k = 0; k < windows; ++k) {
-            const double t = run.time_s[k];
-            if (breaks.pass(t)) {
-                start = start_of(own) + breaks.start();
-                walk = {};
-            }
-            z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
-            expected.push_back(seen(t, z));
-        }
-        return expected;
-    }
-    MotionSteps motion(run, shared, own, true, Wanted::motion);
-    for (std::size_t k = 0; k < windows; ++k) {
-        if (breaks.pass(run.time_s[k])) {
-            motion.restart(breaks.start());
-        }
-        expected.push_back(seen(run.time_s[k], motion.at(k).z));
-    }
+    for_expected(run, shared, own, windows, [&](std::size_t, const Vector2cd& z) {
+        expected.push_back(z);
+        return true;
+    });
     return expected;
 }
 
 Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
-                      const Eigen::VectorXd& own, std::size_t windows, bool with_cubic) {
+                      const Eigen::VectorXd& own, std::size_t windows, SharedColumns wanted,
+                      Linearised before) {
     const Eigen::VectorXd shared = shared_of(run, of_set);
     const auto rows = static_cast<Eigen::Index>(4 * windows);
-    Linearised out{Eigen::VectorXd(rows), RowMajor::Zero(rows, shared_count + own.size())};
+    Linearised out = std::move(before);
+    if (out.by_parameter.rows() != rows || out.by_parameter.cols() != shared_count + own.size()) {
+        out = {Eigen::VectorXd(rows), RowMajor::Zero(rows, shared_count + own.size())};
+    }
+    const bool with_cubic = wanted[cubic_at];
     MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0, Wanted::derivatives);
     PassedBreaks breaks(run, own);
-    const ChannelFactors factors(run, shared, own);
+    ChannelFactors factors(run, shared, own);
     const DriftedMean mean(run, shared, own);
     const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
     const Eigen::Matrix2d whitened_turn = run.whitening * turn;
@@ -466,39 +478,43 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         out.residual.segment<4>(row) = real(left_of(run, k, expected));
         Eigen::Matrix2cd seen;
         seen << channels.c, 0, channels.cross, channels.gain;
-        const RealMap map =
-            real(Eigen::Matrix2cd(run.weight[k] * (whitened_turn * seen * to_wave)));
+        const Eigen::Matrix2d to_residual = run.weight[k] * whitened_turn;
+        const RealMap map = real(Eigen::Matrix2cd(to_residual * seen * to_wave));
         out.by_parameter.block<4, rate_count>(row, 0) = map.lazyProduct(at.by.by_rates);
         const RealMap by_start = map.lazyProduct(at.by.by_start);
         out.by_parameter.block<4, 4>(row, own_column(start_at)) = by_start;
         if (with_cubic) {
             out.by_parameter.block<4, 1>(row, cubic_at) = map.lazyProduct(at.by.by_cubic);
         }
-        const auto put = [&](int column, const Vector2cd& change) {
-            out.by_parameter.block<4, 1>(row, column) = real(run.weighted(k, change));
-        };
         // Of the recorded channels.
         const auto put_channels = [&](int column, const Vector2cd& change) {
-            put(column, turn * change);
+            out.by_parameter.block<4, 1>(row, column) = real(Vector2cd(to_residual * change));
+        };
+        const auto put_d = [&](int column, const Complex& change) {
+            if (wanted[static_cast<std::size_t>(column)]) {
+                put_channels(column, {0, change});
+            }
         };
         const Complex d_gain = channels.gain * wave[1];
         const Complex d_cross = channels.d * wave[0];
-        put_channels(kappa_at, {0, -of_channels[1] / kappa});
-        put_channels(skew_at, {0, std::cos(shared[skew_at]) * d_cross});
-        put_channels(crosstalk_at, {0, i * d_cross});
-        put_channels(phase_at, {0, i * d_gain});
-        put_channels(phase_drift_at, {0, i * channels.x * d_gain});
-        put_channels(gain_drift_at,
-                     {0, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain});
-        put(own_column(frequency_at), 2 * pi * channels.u * i * expected);
-        put(own_column(drift_at), pi * channels.u * channels.u * i * expected);
+        put_d(kappa_at, -of_channels[1] / kappa);
+        put_d(skew_at, std::cos(shared[skew_at]) * d_cross);
+        put_d(crosstalk_at, i * d_cross);
+        put_d(phase_at, i * d_gain);
+        put_d(phase_drift_at, i * channels.x * d_gain);
+        put_d(gain_drift_at, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain);
+        const Real by_phase = real(Vector2cd(to_residual * (i * of_channels)));
+        out.by_parameter.block<4, 1>(row, own_column(frequency_at)) =
+            2 * pi * channels.u * by_phase;
+        out.by_parameter.block<4, 1>(row, own_column(drift_at)) =
+            pi * channels.u * channels.u * by_phase;
         int column = own_column(own_count);
         for (const RunBreak& each : run.breaks) {
             if (run.time_s[k] <= each.time_s) {
                 break;
             }
             if (each.kind == BreakKind::phase) {
-                put(column, i * expected);
+                out.by_parameter.block<4, 1>(row, column) = by_phase;
             } else if (each.kind == BreakKind::gain) {
                 put_channels(column, {of_channels[0], 0});
                 put_channels(column + 1, {0, of_channels[1]});
@@ -522,17 +538,22 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
 
 Eigen::VectorXd residual_of(const ScaledRun& run, const Eigen::VectorXd& shared,
                             const Eigen::VectorXd& own, std::size_t windows) {
-    const std::vector<Vector2cd> expected = expected_phasors(run, shared, own, windows);
     Eigen::VectorXd residual(static_cast<Eigen::Index>(4 * windows));
-    for (std::size_t k = 0; k < windows; ++k) {
-        residual.segment<4>(static_cast<Eigen::Index>(4 * k)) = real(left_of(run, k, expected[k]));
-    }
+    for_expected(run, shared, own, windows, [&](std::size_t k, const Vector2cd& expected) {
+        residual.segment<4>(static_cast<Eigen::Index>(4 * k)) = real(left_of(run, k, expected));
+        return true;
+    });
     return residual;
 }
 
 double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
-                  std::size_t windows) {
-    return residual_of(run, shared, own, windows).squaredNorm();
+                  std::size_t windows, double most) {
+    double sum = 0;
+    for_expected(run, shared, own, windows, [&](std::size_t k, const Vector2cd& expected) {
+        sum += left_of(run, k, expected).squaredNorm();
+        return !(sum > most);
+    });
+    return sum;
 }
 
 }  // namespace vybeg

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <bitset>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -42,24 +44,30 @@ std::vector<Eigen::Vector2cd> expected_phasors(const ScaledRun& run, const Eigen
 // Where the phase of a run is lost, the measured phasors are turned to the predicted ones, and what
 // a common phase of C and D would change is projected out of residuals and derivatives.
 
+// Some of the shared parameters.
+using SharedColumns = std::bitset<shared_count>;
+inline constexpr SharedColumns all_shared{(1ULL << shared_count) - 1};
+
 // Weighted residuals (measured less predicted) of the first `windows` windows, Re c, Im c, Re d, Im
 // d of each, and derivatives of the predicted ones with the same weights: a row for each residual,
-// the shared parameters before the own ones. The derivative by the cubic term is computed only if
-// `with_cubic`.
+// the shared parameters before the own ones. Of the shared parameters beside the rates, those of
+// `wanted` have derivatives, the others zeros. `before`: of the same arguments at another point,
+// for its memory.
 struct Linearised {
     Eigen::VectorXd residual;
     RowMajor by_parameter;
 };
 Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
-                      const Eigen::VectorXd& own, std::size_t windows, bool with_cubic);
+                      const Eigen::VectorXd& own, std::size_t windows,
+                      SharedColumns wanted = all_shared, Linearised before = {});
 
 // The residuals alone, a twentieth of the work.
 Eigen::VectorXd residual_of(const ScaledRun& run, const Eigen::VectorXd& shared,
                             const Eigen::VectorXd& own, std::size_t windows);
 
-// The sum of their squares.
+// The sum of their squares; of some of them only where these exceed `most`.
 double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
-                  std::size_t windows);
+                  std::size_t windows, double most = std::numeric_limits<double>::infinity());
 
 // The rates among the shared parameters.
 SlowRates rates_of(const Eigen::VectorXd& shared);

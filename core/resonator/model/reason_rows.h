@@ -28,7 +28,10 @@ ROW(free_model,
 ROW(modes_not_apart, VYBEG_MESSAGE("Reason", "The two modes cannot be told apart."))
 // args: least tau (s)
 ROW(no_decay,
-    VYBEG_MESSAGE("Reason", "The decay is within its noise: tau is at least %1 s. Record longer."))
+    VYBEG_MESSAGE(
+        "Reason",
+        "The decay is within its noise: tau is at least %1 s. Record longer, and with the "
+        "drive off, which holds the amplitude as well."))
 // no angle where a_A = |a_B|
 ROW(circular_wave, VYBEG_MESSAGE("Reason", "A circular wave has no angle."))
 // no drift function: too few angles of the waves

@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <complex>
+#include <limits>
 
 namespace vybeg {
 
@@ -74,6 +76,23 @@ private:
     Eigen::Matrix2cd traceless_;
     std::complex<double> square_;                                  // s^2
     std::array<std::complex<double>, rate_count> square_by_rate_;  // d(s^2)/d(rate)
+};
+
+// Decides where a product with exp(M h) leads from one window to the next: not over gaps, and
+// limited in number because of rounding.
+class Walk {
+public:
+    bool step_to(double time_s, double step_s) {
+        constexpr int most_steps = 64;
+        const bool whole = std::abs(time_s - time_s_ - step_s) < 1e-10 * step_s;
+        steps_ = whole && steps_ < most_steps ? steps_ + 1 : 0;
+        time_s_ = time_s;
+        return steps_ > 0;
+    }
+
+private:
+    double time_s_ = -std::numeric_limits<double>::infinity();
+    int steps_ = 0;
 };
 
 }  // namespace vybeg

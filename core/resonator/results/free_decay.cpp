@@ -51,8 +51,9 @@ bool explains_all(const ResonatorFit& fit) {
 
 // Whether the set holds a recording for which a verdict may be the cause.
 bool is_refused(const ResonatorFit& fit) {
-    return warns_of(fit, {DiagnosticKind::structured_refused, DiagnosticKind::foreign_among,
-                          DiagnosticKind::set_inconsistent});
+    return warns_of(fit,
+                    {DiagnosticKind::structured_refused, DiagnosticKind::foreign_among,
+                     DiagnosticKind::set_inconsistent, DiagnosticKind::anisotropy_not_passive});
 }
 
 // Whether the motion has another cause that the fit has named.
@@ -80,11 +81,11 @@ void withdraw(std::size_t recording, ResonatorFit& fit) {
     });
 }
 
-// Whether two modes with amplitudes of their own in each channel leave noise only: a free decay,
-// also where the fit has missed it.
-bool is_two_modes(const PhasorRun& run) {
+// Two modes with amplitudes of their own in each channel, if they leave noise only.
+std::optional<ModeSum> two_modes(const PhasorRun& run) {
     const std::optional<ModeSum> sum = sum_of_modes(run, 2);
-    return sum && sum->chi2 < noise_bound(sum->freedom) * sum->freedom;
+    const bool noise = sum && sum->chi2 < noise_bound(sum->freedom) * sum->freedom;
+    return noise ? sum : std::nullopt;
 }
 
 // Windows from one index to another.
@@ -109,8 +110,12 @@ public:
     // All recordings, or that which the set leaves out.
     void add(bool all) {
         for (std::size_t k = 0; k < runs_.size() && !job_.cancelled(); ++k) {
-            if (!(all || fit_.left_out == k) || laws_[k].windows == 0 || driven(k) ||
-                is_two_modes(runs_[k])) {
+            if (!(all || fit_.left_out == k) || laws_[k].windows == 0 || driven(k)) {
+                continue;
+            }
+            // They are a free decay, also where the fit has missed it.
+            if (const std::optional<ModeSum> two = two_modes(runs_[k])) {
+                judge_modes(k, *two);
                 continue;
             }
             const ResonatorFit* alone = &fit_;
@@ -180,6 +185,31 @@ private:
                                           "of the other recordings decays (%2 1/s)"),
                             {number_arg(rate, 2), number_arg(usual, 3)}));
         return true;
+    }
+
+    // A drive at its own frequency holds one motion while that of the start decays.
+    void judge_modes(std::size_t k, const ModeSum& two) {
+        constexpr double held_below = 0.02;  // of the other's rate, the deviation included
+        constexpr double least_share = 0.1;  // of the other's amplitude
+        constexpr double least_fall = 1;     // of the logarithm of the other's amplitude
+        const std::size_t held = two.rates[0].real() > two.rates[1].real() ? 0 : 1;
+        const std::size_t other = 1 - held;
+        const double rate = -two.rates[held].real();
+        const double usual = -two.rates[other].real();
+        const double width = 3 * two.rate_sd[held];
+        const double length_s = runs_[k].time_s.back() - runs_[k].time_s.front();
+        if (std::abs(rate) < width && std::abs(rate) + width < held_below * usual &&
+            usual * length_s > least_fall &&
+            two.shapes[held].norm() > least_share * two.shapes[other].norm()) {
+            withdraw(k, fit_);
+            say(DiagnosticKind::no_free_decay,
+                {recording_arg(k),
+                 words(VYBEG_MESSAGE("Words",
+                                     "one of its two motions is held, as by a drive "
+                                     "(decay rate %1 1/s), while the other decays "
+                                     "(%2 1/s)"),
+                       {number_arg(rate, 2), number_arg(usual, 3)})});
+        }
     }
 
     // Decay rate of the amplitude that the fit of the set predicts for a recording.

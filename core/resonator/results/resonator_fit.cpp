@@ -37,34 +37,40 @@ struct OpenedBreaks {
 
 // Fits the set with each of the breaks; the fewest parameters that explain as much are kept.
 // Beating modes also determine a number of samples; numbers with the phase of a step are tried.
-OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak> likely,
-                        const FitTask& task) {
+// `before`: the set without them.
+OpenedBreaks open_break(const OpenedBreaks& opened, const SetFit& before,
+                        std::span<const FittedBreak> likely, const FitTask& task) {
     constexpr double price = 9;  // chi^2 that a parameter must explain
     OpenedBreaks best;
     double least = std::numeric_limits<double>::infinity();
+    // Returns the size with which the break is fitted.
     const auto consider = [&](const FittedBreak& found, double parameters) {
         // A set keeps references to its runs.
         OpenedBreaks next{opened.runs, opened.breaks, {}};
         next.runs[found.run] = with_break(opened.runs[found.run], found);
         if (next.runs[found.run].time_s.size() < least_windows || task.job.cancelled()) {
-            return;
+            return found.size[0];
         }
-        next.set = solved_set(next.runs, task, Effort::trial);
+        // Still waves do not lead to a fast beat.
+        next.set = solved_set(next.runs, task, Effort::trial, before.with_room_for(found));
         next.breaks.push_back(found);
+        const double size = next.set->size_of(found)[0];
         const double cost =
             next.set->excess() + price * parameters * std::max(1.0, next.set->chi2_per_dof());
         if (cost < least) {
             least = cost;
             best = std::move(next);
         }
+        return size;
     };
     for (FittedBreak found : likely) {
-        consider(found, break_size(found.kind));
+        // That by the score is far off where the fit without the break has followed the step.
+        const double step_rad = consider(found, break_size(found.kind));
         if (found.kind != BreakKind::phase) {
             continue;
         }
         const PhasorRun& run = opened.runs[found.run];
-        for (const int samples : possible_samples(found.size[0], run.f_ref_hz, run.rate_hz)) {
+        for (const int samples : possible_samples(step_rad, run.f_ref_hz, run.rate_hz)) {
             found.shift_s = samples / run.rate_hz;
             consider(found, break_size(found.kind) + 1);
         }
@@ -84,9 +90,9 @@ OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& close
     OpenedBreaks opened{good, {}, {}};
     std::vector<FittedBreak> likely = closed.unexplained_breaks();
     while (!likely.empty() && opened.breaks.size() < most_breaks && !task.job.cancelled()) {
-        OpenedBreaks next = open_break(opened, likely, task);
-        constexpr double halved = 0.6;
         const SetFit& before = opened.set ? *opened.set : closed;
+        OpenedBreaks next = open_break(opened, before, likely, task);
+        constexpr double halved = 0.6;
         if (!next.set || (!next.set->at_noise() && next.set->excess() > halved * before.excess())) {
             break;
         }
@@ -129,6 +135,62 @@ std::vector<FittedBreak> open_own_breaks(const SetExamination& examination,
         }
     }
     return all;
+}
+
+// An event at an end of a run as the step of phase that the unmerged windows up to that end show:
+// there are too few of them for a merged one beyond the step. `motion`: that of the other windows.
+void name_step(const PhasorRun& run, const FittedMotion& motion, FittedBreak& found) {
+    constexpr std::size_t fewest = 3;  // windows beyond the step
+    constexpr double least_fall = 50;  // of chi^2, as that of an event
+    const auto before = static_cast<std::size_t>(
+        std::ranges::lower_bound(run.time_s, found.time_s - found.reach_s) - run.time_s.begin());
+    const auto upto = static_cast<std::size_t>(
+        std::ranges::upper_bound(run.time_s, found.time_s + found.reach_s) - run.time_s.begin());
+    const std::size_t after = run.time_s.size() - upto;
+    const std::size_t merged = upto - before;
+    const bool at_start = before < merged;
+    if (found.kind != BreakKind::event || (!at_start && after >= merged)) {
+        return;
+    }
+    // From the end of the run inwards.
+    std::vector<std::size_t> windows(at_start ? upto : run.time_s.size() - before);
+    std::iota(windows.begin(), windows.end(), at_start ? 0 : before);
+    if (!at_start) {
+        std::ranges::reverse(windows);
+    }
+    const std::vector<Phasors> expected = predicted_phasors(motion, found.run, run.time_s);
+    const auto misses = [&](std::size_t k, std::complex<double> turn) {
+        return (std::norm(run.c[k] - turn * expected[k].c) +
+                std::norm(run.d[k] - turn * expected[k].d)) /
+               (run.sd[k] * run.sd[k]);
+    };
+    double without = 0;
+    for (const std::size_t k : windows) {
+        without += misses(k, 1);
+    }
+    double inside = without;
+    const double dof = 4 * static_cast<double>(windows.size()) - 5;
+    double least = std::min(noise_bound(dof) * dof, without - least_fall);
+    std::complex<double> beyond = 0;
+    for (std::size_t place = 0; place < windows.size(); ++place) {
+        // The step lies in this window, those before it are beyond it.
+        const std::size_t in = windows[place];
+        inside -= misses(in, 1);
+        double chi2 = inside;
+        const std::complex<double> turn = std::polar(1.0, std::arg(beyond));
+        for (std::size_t k = 0; k < place; ++k) {
+            chi2 += misses(windows[k], turn);
+        }
+        if (place >= fewest && chi2 < least) {
+            least = chi2;
+            found.kind = BreakKind::phase;
+            found.time_s = run.time_s[in];
+            found.reach_s = run.window_s;
+            found.size = {at_start ? -std::arg(beyond) : std::arg(beyond), 0};
+        }
+        beyond += (std::conj(expected[in].c) * run.c[in] + std::conj(expected[in].d) * run.d[in]) /
+                  (run.sd[in] * run.sd[in]);
+    }
 }
 
 // The breaks without those of a run that is left out.
@@ -216,10 +278,11 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     const FitOptions usual = with_assumed(stated);
     std::unique_ptr<SetFit> set = solved_set(good, {scale, stated, job});
     bool by_usual = false;
+    // What channels within their usual tolerances explain is no finding, and hides the run that
+    // does not belong to the set. Errors of their size lead to no other maximum of the posterior.
     if (usual.tolerance != stated.tolerance &&
-        !(set->explains() && set->is_white() && set->unexplained_breaks().empty())) {
-        // What channels within their usual tolerances explain is no finding, and hides the run that
-        // does not belong to the set.
+        !(set->explains() && set->is_white() && set->unexplained_breaks().empty()) &&
+        (!set->agrees() || set->may_be_explained_by(usual.tolerance))) {
         std::unique_ptr<SetFit> open = solved_set(good, {scale, usual, job});
         by_usual = open->explains() || (!set->agrees() && !has_foreign(*set) && has_foreign(*open));
         if (by_usual) {
@@ -228,6 +291,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     const FitTask task{scale, by_usual ? usual : stated, job};
     std::vector<FittedBreak> breaks;
+    std::vector<PhasorRun> unbroken = good;
     if (!set->agrees()) {
         breaks = open_own_breaks(set->examination(), good, task);
         if (!breaks.empty()) {
@@ -236,7 +300,9 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     const std::unique_ptr<SetFit> whole = without_foreign(good, set, task);
     if (whole) {
-        breaks = breaks_without(std::move(breaks), whole->examination().foreign.front());
+        const std::size_t out = whole->examination().foreign.front();
+        breaks = breaks_without(std::move(breaks), out);
+        unbroken.erase(unbroken.begin() + static_cast<std::ptrdiff_t>(out));
     }
     OpenedBreaks opened;
     if (set->agrees()) {
@@ -249,6 +315,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     ResonatorFit fit = set->described();
     for (FittedBreak& each : breaks) {
         each.size = set->size_of(each);
+        name_step(unbroken[each.run], set->motion(), each);
         fit.warnings.push_back(break_finding(each));
     }
     fit.breaks = std::move(breaks);

@@ -1,6 +1,6 @@
 #include "core/resonator/results/set_fit.h"
 
-#include "core/resonator/fit/fit_start.h"
+#include "core/resonator/fit/pencil_start.h"
 #include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/noise/noise_claim.h"
@@ -10,9 +10,13 @@
 #include "core/resonator/runs/channels.h"
 #include "core/resonator/runs/merge_windows.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -50,6 +54,19 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
     return merged;
 }
 
+// Rates of the M that has these modes; empty for modes of one shape.
+std::optional<SlowRates> rates_of_modes(const ModeSum& modes) {
+    constexpr double least_sine = 1e-6;
+    Eigen::Matrix2cd shapes;
+    shapes << modes.shapes[0], modes.shapes[1];
+    if (!(std::abs(shapes.determinant()) >
+          least_sine * modes.shapes[0].norm() * modes.shapes[1].norm())) {
+        return {};
+    }
+    const Eigen::Vector2cd rates(modes.rates[0], modes.rates[1]);
+    return rates_of(Eigen::Matrix2cd(shapes * rates.asDiagonal() * shapes.inverse()));
+}
+
 std::size_t number_of_windows(const PhasorRun& run) {
     return run.time_s.size();
 }
@@ -69,6 +86,17 @@ SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
     if (effort == Effort::trial) {
         problem_.noise_ratio = std::numeric_limits<double>::infinity();
     }
+}
+
+Eigen::VectorXd SetFit::with_room_for(const FittedBreak& found) const {
+    Eigen::Index place = problem_.layout.at(found.run, own_count);
+    for (const RunBreak& each : scaled_[found.run].breaks) {
+        place += each.time_s < found.time_s ? break_size(each.kind) : 0;
+    }
+    const Eigen::VectorXd& p = set_.fit.p;
+    Eigen::VectorXd start(p.size() + break_size(found.kind));
+    start << p.head(place), Eigen::VectorXd::Zero(break_size(found.kind)), p.tail(p.size() - place);
+    return start;
 }
 
 NeededWindows SetFit::solve() {
@@ -159,6 +187,20 @@ bool SetFit::explains() const {
            examination_.verdict == SetVerdict::fits && at_noise() && has_usual_channels();
 }
 
+bool SetFit::may_be_explained_by(const ChannelTolerance& tolerance) const {
+    constexpr double near = 2;
+    if (set_.model == ResonatorModel::free) {
+        return true;
+    }
+    FitProblem open = problem_;
+    for (const ChannelError& error : channel_errors) {
+        open.priors.sd[error.parameter] = tolerance.*error.tolerance;
+    }
+    const double dof = degrees_of_freedom(open);
+    const MapFit fit = minimise(open, set_.fit.p, own_steps, task_.job);
+    return fit.chi2 < near * noise_bound(dof) * dof;
+}
+
 ResonatorFit SetFit::described() {
     set_.spread = examination_.spread;
     ResonatorFit fit = describe(set_, task_.job);
@@ -206,10 +248,31 @@ bool SetFit::is_noise() const {
 }
 
 void SetFit::find_main() {
-    const StillFit wave = fit_waves(problem_, task_.job);
+    const StillFit wave = start_.size() > 0 ? fit_near_start() : fit_waves(problem_, task_.job);
     std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, task_.job);
     phase_left_ = still.has_value();
-    set_.fit = still ? *std::move(still) : fit_modes(problem_, wave, task_.job);
+    no_motion_ = !still && wave.best.chi2 > hopeless * degrees_of_freedom(problem_) &&
+                 is_no_motion(wave.best.p);
+    set_.fit =
+        still ? *std::move(still)
+              : fit_modes(problem_, wave, task_.job, no_motion_ ? Starts::together : Starts::all);
+}
+
+StillFit SetFit::fit_near_start() {
+    const Priors& known = problem_.priors;
+    start_ = (known.sd.array() > 0).select(start_, known.mean);
+    const MapFit near = fit_from(problem_, start_, task_.job);
+    const double dof = degrees_of_freedom(problem_);
+    if (near.chi2 < noise_bound(dof) * dof) {
+        return {near, {}, {}};
+    }
+    const Priors priors = problem_.priors;
+    StillFit waves = fit_waves(problem_, task_.job);
+    if (near.cost < waves.best.cost) {
+        waves.best = near;
+        problem_.priors = priors;
+    }
+    return waves;
 }
 
 void SetFit::try_cubic() {
@@ -311,11 +374,57 @@ void SetFit::choose_model() {
     set_.fit = std::move(free_fit);
 }
 
+std::optional<ModeSum> SetFit::modes_of(std::size_t run, const Eigen::VectorXd& p) const {
+    const ScaledRun& scaled = scaled_[run];
+    if (scaled.phase_lost || !scaled.breaks.empty() || !scaled.whitening.isIdentity(0)) {
+        return {};
+    }
+    PhasorRun even = runs_[run];
+    const double drift = p[problem_.layout.at(run, drift_at)];
+    for (std::size_t k = 0; k < even.time_s.size(); ++k) {
+        const double u = even.time_s[k] - scaled.reference_s;
+        const std::complex<double> back = std::polar(1.0, -std::numbers::pi * drift * u * u);
+        even.c[k] *= back;
+        even.d[k] *= back;
+    }
+    std::optional<ModeSum> with = sum_of_modes(even, 2);
+    std::optional<ModeSum> without = sum_of_modes(runs_[run], 2);
+    return without && (!with || without->chi2 < with->chi2) ? without : with;
+}
+
+bool SetFit::is_no_motion(const Eigen::VectorXd& p) const {
+    for (std::size_t k = 0; k < runs_.size() && !task_.job.cancelled(); ++k) {
+        const std::optional<ModeSum> modes = modes_of(k, p);
+        if (modes && modes->chi2 > hopeless * modes->freedom) {
+            return true;
+        }
+    }
+    return false;
+}
+
 MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
     MapFit near = minimise(problem, start, 60, task_.job);
     const double dof = degrees_of_freedom(problem);
     const double ratio = noise_bound(dof);
     if (phase_left_ || near.chi2 < ratio * dof) {
+        return near;
+    }
+    // No other start is better than the sum of two modes, and where that is far from the noise, no
+    // motion of channels explains the runs.
+    constexpr double close = 1.02;
+    if (runs_.size() == 1) {
+        const std::optional<ModeSum> modes = modes_of(0, near.p);
+        if (modes && !(near.chi2 < close * modes->chi2)) {
+            if (const std::optional<SlowRates> rates = rates_of_modes(*modes)) {
+                MapFit fit = minimise(problem, parameters_under(problem, *rates), 60, task_.job);
+                near = fit.cost < near.cost ? std::move(fit) : std::move(near);
+            }
+        }
+        if (modes && near.chi2 < close * modes->chi2) {
+            return near;
+        }
+    }
+    if (no_motion_) {
         return near;
     }
     // Channels with nearly one mixture hide the second mode in a chi^2 of two.
@@ -353,7 +462,7 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
 }
 
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const FitTask& task,
-                                   Effort effort) {
+                                   Effort effort, const Eigen::VectorXd& start) {
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
     std::unique_ptr<SetFit> set;
@@ -361,6 +470,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
     NeededWindows needed;
     const auto solve = [&](const std::vector<PhasorRun>& runs) {
         set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
+        set->start_at(start);
         needed = set->solve();
         // What a fit this far from the noise leaves does not show the noise.
         if (!whitenings.empty() || set->chi2_per_dof() > hopeless) {
@@ -369,6 +479,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         whitenings = vybeg::whitenings(set->motion(), good);
         if (std::ranges::any_of(whitenings, [](const auto& one) { return !one.isIdentity(0); })) {
             set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
+            set->start_at(start);
             needed = set->solve();
         }
     };

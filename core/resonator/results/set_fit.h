@@ -1,18 +1,22 @@
 #pragma once
 
+#include "core/resonator/fit/fit_start.h"
 #include "core/resonator/fit/fitted_break.h"
 #include "core/resonator/results/describe_fit.h"
 #include "core/resonator/results/fit_options.h"
 #include "core/resonator/results/resonator_result.h"
 #include "core/resonator/results/set_examination.h"
 #include "core/resonator/runs/merge_windows.h"
+#include "core/resonator/runs/sum_of_modes.h"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -33,6 +37,12 @@ public:
     // `fine`: the runs before merging of windows; `whitenings` of channels.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
            std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort);
+
+    // Parameters near the most likely ones, if they are known.
+    void start_at(Eigen::VectorXd start) { start_ = std::move(start); }
+
+    // The present parameters of a set with one break more, whose parameters are zero.
+    Eigen::VectorXd with_room_for(const FittedBreak& found) const;
 
     // Finds the most likely parameters; returns the number of windows of a run that they need.
     NeededWindows solve();
@@ -71,6 +81,10 @@ public:
     // structured model is not refused, and the channels are usual.
     bool explains() const;
 
+    // Whether channel errors of such tolerances may leave only noise: a fit from the present
+    // parameters, with these tolerances for priors, comes near it. Of runs that agree.
+    bool may_be_explained_by(const ChannelTolerance& tolerance) const;
+
     FittedMotion motion() const { return motion_of(set_); }
 
     // Results of the present parameters.
@@ -86,6 +100,9 @@ private:
     bool is_noise() const;
 
     void find_main();
+
+    // The fit from the known start, and from still waves where that leaves more than noise.
+    StillFit fit_near_start();
 
     // Opens a dependence of the frequency on the amplitude only if the data require it, because
     // elliptic waves would otherwise lose their rotation.
@@ -108,6 +125,13 @@ private:
 
     void choose_model();
 
+    // The sum of two modes of a run by itself, without the drift of its frequency at p: what no M
+    // explains better. Empty where the run is not such a sum in the model either.
+    std::optional<ModeSum> modes_of(std::size_t run, const Eigen::VectorXd& p) const;
+
+    // Whether two modes of its own leave a run far above its noise.
+    bool is_no_motion(const Eigen::VectorXd& p) const;
+
     // The free model has no cubic term, because |z|^2 of channels of unknown scale beats.
     MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const;
 
@@ -117,15 +141,19 @@ private:
     Effort effort_;
     FitProblem problem_;
     SolvedSet set_;            // refers to the runs and the problem
+    Eigen::VectorXd start_;    // empty: none
     bool phase_left_ = false;  // still waves explain everything except the phase
+    bool no_motion_ = false;   // a run is known to be no motion that a model has
     SetExamination examination_;
     double free_over_structured_ = 0;
     bool structured_refused_ = false;  // with a finding
     std::vector<Diagnostic> warnings_;
 };
 
-// The set with as many windows of a run as its solution needs; it refers to the runs.
+// The set with as many windows of a run as its solution needs; it refers to the runs. `start`: as
+// of SetFit.
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, const FitTask& task,
-                                   Effort effort = Effort::whole);
+                                   Effort effort = Effort::whole,
+                                   const Eigen::VectorXd& start = {});
 
 }  // namespace vybeg

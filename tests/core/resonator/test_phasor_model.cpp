@@ -42,7 +42,7 @@ Eigen::VectorXd some_shared(double cubic) {
 
 Eigen::VectorXd residuals_of(const ScaledRun& run, const Eigen::VectorXd& shared,
                              const Eigen::VectorXd& own) {
-    return linearised(run, shared, own, run.size(), true).residual;
+    return linearised(run, shared, own, run.size()).residual;
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ private slots:
         const Eigen::VectorXd shared = some_shared(cubic);
         Eigen::VectorXd own = some_own();
         own[drift_at] = drift;
-        const Linearised at = linearised(run, shared, own, run.size(), true);
+        const Linearised at = linearised(run, shared, own, run.size());
         constexpr double step = 1e-5;
         for (Eigen::Index k = 0; k < shared.size() + own.size(); ++k) {
             const bool is_shared = k < shared.size();
@@ -178,6 +178,42 @@ private slots:
                 }
             }
         }
+    }
+
+    // From window to window the motion and the carrier are products.
+    void each_window_is_that_of_its_instant() {
+        ScaledRun run = some_run();
+        run.breaks.clear();
+        run.step_s = run.window_s = 0.01;
+        run.time_s.clear();
+        for (int k = 0; k < 400; ++k) {
+            run.time_s.push_back(0.01 * (k < 150 ? k : k + 7) + 0.005);
+        }
+        const Eigen::VectorXd shared = some_shared(0);
+        Eigen::VectorXd own = some_own().head(own_count);
+        own[frequency_at] = 3;
+        own[drift_at] = 0.2;
+        const std::vector<Eigen::Vector2cd> all =
+            expected_phasors(run, shared, own, run.time_s.size());
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            ScaledRun one = run;
+            one.time_s = {run.time_s[k]};
+            const Eigen::Vector2cd alone = expected_phasors(one, shared, own, 1)[0];
+            VYBEG_LESS((all[k] - alone).norm() / alone.norm(), 1e-12,
+                       qPrintable(QString::number(k)));
+        }
+    }
+
+    void chi_square_ends_above_its_bound() {
+        const ScaledRun run = some_run();
+        const Eigen::VectorXd shared = some_shared(0);
+        const Eigen::VectorXd own = some_own();
+        const double all = chi_square(run, shared, own, run.size());
+        QCOMPARE(chi_square(run, shared, own, run.size(), 2 * all), all);
+        const double part = chi_square(run, shared, own, run.size(), all / 4);
+        QVERIFY(part > all / 4);
+        QVERIFY(part < all);
+        QCOMPARE(residual_of(run, shared, own, run.size()).squaredNorm(), all);
     }
 
     void a_prior_of_no_width_holds_its_parameter() {
