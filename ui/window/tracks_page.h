@@ -3,12 +3,15 @@
 #include "ui/plots/measured_page.h"
 #include "ui/values/ids.h"
 
+class QLabel;
+
 namespace vybeg::ui {
 
 class Document;
 class TrackView;
 
-// The plots of all shown analyses, as the document has them.
+// The plots of all shown analyses, as the document has them, and of the tracks of logs, whose names
+// stand above.
 class TracksPage : public MeasuredPage {
     Q_OBJECT
 
@@ -29,8 +32,11 @@ public:
 
 private:
     void showAnalyses();
+    void nameLogs();
+    void retranslate() override { nameLogs(); }
 
     Document& document_;
+    QLabel* logs_;
     TrackView* tracks_;
     AnalysisId chosen_ = AnalysisId::none;
 };
