@@ -71,8 +71,8 @@ struct OpenThings {
 };
 
 // The middle of the window: pages, and their tabs, which stand elsewhere. While no recording is
-// open, the welcome stands in the place of those about recordings, but for the tracks of logs; while
-// nothing is, alone.
+// open, the welcome stands in the place of those about recordings, but for the tracks of logs;
+// while nothing is, alone.
 class PageStack : public QWidget {
     Q_OBJECT
 

@@ -83,11 +83,11 @@ void TracksPage::nameLogs() {
     QStringList names;
     for (const ShownAnalysis& log : document_.logTracks().shown()) {
         names << QStringLiteral("<span style=\"color:%1\">■</span> %2")
-                     .arg(readable(log.color, theme(), log.shade).name(),
-                          log.name.toHtmlEscaped());
+                     .arg(readable(log.color, theme(), log.shade).name(), log.name.toHtmlEscaped());
     }
-    logs_->setText(names.isEmpty() ? QString()
-                                   : tr("Tracks of logs: %1").arg(names.join(QStringLiteral("  "))));
+    logs_->setText(names.isEmpty()
+                       ? QString()
+                       : tr("Tracks of logs: %1").arg(names.join(QStringLiteral("  "))));
     logs_->setVisible(!names.isEmpty());
 }
 

@@ -130,8 +130,8 @@ class TestJourneys : public QObject, private WindowTest {
     QString phasorTable(const QString& name) const {
         QByteArray text = "t,Xc,Yc,Xd,Yd,F (Hz)\n";
         for (const Row& row : phasors_) {
-            text += rowOf({row.t, row.c.real(), row.c.imag(), row.d.real(), row.d.imag(),
-                           test::f_ref_hz});
+            text += rowOf(
+                {row.t, row.c.real(), row.c.imag(), row.d.real(), row.d.imag(), test::f_ref_hz});
         }
         return home_.file(name, text);
     }
@@ -146,8 +146,8 @@ private slots:
         const std::vector<Complex> c = test::demodulated(c_, filter);
         const std::vector<Complex> d = test::demodulated(d_, filter);
         for (std::size_t k = filter.settling(); k < c.size(); ++k) {
-            phasors_.push_back({static_cast<double>(k) * filter.samples / test::rate_hz, c[k],
-                                d[k]});
+            phasors_.push_back(
+                {static_cast<double>(k) * filter.samples / test::rate_hz, c[k], d[k]});
         }
     }
     void init() {
@@ -182,9 +182,8 @@ private slots:
         for (const auto& [name, channel] : {std::pair{"sig0001", &c_}, std::pair{"sig0002", &d_}}) {
             files << home_.file(QString(name) + ".ana",
                                 QByteArray::fromStdString(test::zetlab_ana(*channel, 1e-6)));
-            home_.file(QString(name) + ".anp",
-                       QByteArray::fromStdString(
-                           test::zetlab_anp(test::rate_hz, 1e-6, QString(name), "V")));
+            home_.file(QString(name) + ".anp", QByteArray::fromStdString(test::zetlab_anp(
+                                                   test::rate_hz, 1e-6, QString(name), "V")));
         }
         drop(files);
         pressOpen<ImportDialog>();
@@ -214,7 +213,8 @@ private slots:
 
     // The frame follows from the columns.
     void a_phasemeter_of_moku() {
-        QByteArray text = "% Moku:Pro Phasemeter\r\n% Acquisition rate: 3.3333e+02 Hz\r\n% Time (s)";
+        QByteArray text =
+            "% Moku:Pro Phasemeter\r\n% Acquisition rate: 3.3333e+02 Hz\r\n% Time (s)";
         for (const QByteArray input : {"Input 1", "Input 2"}) {
             for (const char* column :
                  {"Set Frequency (Hz)", "Frequency (Hz)", "Phase (cyc)", "I (V)", "Q (V)"}) {
@@ -275,8 +275,8 @@ private slots:
         const WholeAngleLog log = test::simulated_log(loop);
         QByteArray text = "t_s,theta_rad,amplitude,quadrature\n";
         for (std::size_t k = 0; k < log.time_s.size(); ++k) {
-            text += rowOf({log.time_s[k], log.theta[k], log.amplitude_effort[k],
-                           log.quadrature_effort[k]});
+            text += rowOf(
+                {log.time_s[k], log.theta[k], log.amplitude_effort[k], log.quadrature_effort[k]});
         }
         drop({home_.file("held.csv", text)});
         QTRY_VERIFY_WITH_TIMEOUT(document().drift().outcome(), longest_ms);
