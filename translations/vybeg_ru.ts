@@ -3124,6 +3124,14 @@
         <translation>10⁻⁴ проникания</translation>
     </message>
     <message>
+        <source>Calibrate with δ = %1 µs</source>
+        <translation>Калибровать с δ = %1 мкс</translation>
+    </message>
+    <message>
+        <source>Take the offsets of the channels out</source>
+        <translation>Убрать смещения каналов</translation>
+    </message>
+    <message>
         <source>Calibrate with κ = %1</source>
         <translation>Калибровать с κ = %1</translation>
     </message>
@@ -3653,6 +3661,10 @@
     <message>
         <source>column %1 is the phase of X + iY itself: choose --phasors fixed</source>
         <translation>столбец %1 — это фаза самого X + iY: выберите --phasors fixed</translation>
+    </message>
+    <message>
+        <source>the phase in column %1 moves, so that this is not the frame: choose --phasors %2</source>
+        <translation>фаза в столбце %1 меняется, значит, система отсчёта не эта: задайте --phasors %2</translation>
     </message>
     <message>
         <source>the frequency of the reference is not in the file: give --f-ref</source>
@@ -7872,6 +7884,10 @@ Open a recording and press Keep (F5).</source>
 </context>
 <context>
     <name>vybeg::ui::TracksPage</name>
+    <message>
+        <source>Tracks of logs: %1</source>
+        <translation>Треки журналов: %1</translation>
+    </message>
     <message>
         <source>%1: %2; window %3, step %4 samples; f0 = %5 Hz</source>
         <translation>%1: %2; окно %3, шаг %4 отсчётов; f0 = %5 Гц</translation>
