@@ -7886,7 +7886,7 @@ Open a recording and press Keep (F5).</source>
     <name>vybeg::ui::TracksPage</name>
     <message>
         <source>Tracks of logs: %1</source>
-        <translation>Треки журналов: %1</translation>
+        <translation>Ряды журналов: %1</translation>
     </message>
     <message>
         <source>%1: %2; window %3, step %4 samples; f0 = %5 Hz</source>

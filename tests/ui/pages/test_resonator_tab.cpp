@@ -464,48 +464,6 @@ private slots:
         QVERIFY(!the<QuantityTable>("differences").isVisible());
     }
 
-    void the_gain_ratio_that_is_found_calibrates() {
-        openRuns(resonatorRuns(home_, "gain", {.kappa = 1.02}));
-        setStore().addToCurrent(ids());
-        identify();
-        auto& sentence = the<QLabel>("statistical");
-        QVERIFY2(sentence.text().contains("Calibrate with κ = 1.0"), qPrintable(sentence.text()));
-        const Estimate found = outcome()->identification.fit.resonator.kappa;
-        emit sentence.linkActivated("kappa");
-        VYBEG_EQUAL(document().settings().calibration.kappa, found.value);
-        VYBEG_CLOSE(*document().tolerance().kappa, found.uncertainty() / 1.02, 1e-6);
-        identify();
-        VYBEG_CLOSE(outcome()->identification.fit.resonator.kappa.value, 1.02, 3 * found.sd);
-        QVERIFY(!sentence.text().contains("href"));
-        document().undoStack().undo();
-        VYBEG_EQUAL(document().settings().calibration.kappa, 1.0);
-    }
-
-    // Of 20 us at 1 kHz: 0.13 rad.
-    void the_delay_that_is_found_calibrates() {
-        openRuns(resonatorRuns(home_, "delay", {.delay_d_s = 20e-6}));
-        setStore().addToCurrent(ids());
-        identify();
-        auto& sentence = the<QLabel>("statistical");
-        QVERIFY2(sentence.text().contains("Calibrate with δ"), qPrintable(sentence.text()));
-        emit sentence.linkActivated("delay");
-        VYBEG_CLOSE(document().settings().calibration.delay_d_s, 20e-6, 1.5e-6);
-        document().undoStack().undo();
-        VYBEG_EQUAL(document().settings().calibration.delay_d_s, 0.0);
-    }
-
-    void offsets_that_are_found_are_taken_out() {
-        openRuns(resonatorRuns(home_, "offset", {.offset_c = 0.05}));
-        setStore().addToCurrent(ids());
-        identify();
-        auto& sentence = the<QLabel>("statistical");
-        QVERIFY2(sentence.text().contains("href=\"offset\""), qPrintable(sentence.text()));
-        emit sentence.linkActivated("offset");
-        QVERIFY(document().settings().calibration.offset_auto);
-        identify();
-        QVERIFY2(!sentence.text().contains("href"), qPrintable(sentence.text()));
-    }
-
     void a_damaged_passport_is_told_of() {
         setStore().openPassport(home_.file("bad.json", "{"));
         QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));
