@@ -3635,8 +3635,8 @@
         <translation>%1 меньше %2 в %3 строках из %4, чего быть не может: столбцы переставлены или в разных единицах</translation>
     </message>
     <message>
-        <source>no wave stands out of the noise</source>
-        <translation>волна не выделяется из шума</translation>
+        <source>no wave stands out of the noise; choose the seconds of the decay, or other columns</source>
+        <translation>волна не выделяется из шума; выберите время выбега или другие столбцы</translation>
     </message>
     <message>
         <source>no data show the sign of Y: give --y-sign + or -</source>

@@ -555,7 +555,9 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     if (!holds_wave(settled_run, neighbours, recurrence.explained)) {
         return Error{ErrorCode::fit_failed,
                      path.string(),
-                     {words(VYBEG_MESSAGE("Words", "no wave stands out of the noise"))}};
+                     {words(VYBEG_MESSAGE("Words",
+                                          "no wave stands out of the noise; choose the seconds "
+                                          "of the decay, or other columns"))}};
     }
     // Means over more than the filter's own would lose a fast beat.
     const std::size_t count = rows_in(std::max(usual_window_s, filter.delay_s() / 10));
