@@ -196,23 +196,6 @@ UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
     return found;
 }
 
-Track track_of(const WholeAngleLog& log) {
-    const UnwrappedAngle angle = unwrapped_angle(log);
-    std::size_t rows = 0;
-    for (const AngleStretch& stretch : angle.stretches) {
-        rows += stretch.rows.size();
-    }
-    Track track(rows);
-    std::size_t row = 0;
-    for (const AngleStretch& stretch : angle.stretches) {
-        for (std::size_t k = 0; k < stretch.rows.size(); ++k, ++row) {
-            track.time_s()[row] = stretch.time_s[k];
-            track.values(SlowVariable::two_theta_A)[row] = 2 * stretch.theta[k];
-        }
-    }
-    return track;
-}
-
 Status check_log_columns(const std::string& columns) {
     const auto wishes = column_wishes(columns, log_roles());
     return wishes ? Status() : Status(wishes.error());

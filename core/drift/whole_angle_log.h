@@ -3,7 +3,6 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
-#include "core/track/track.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -48,10 +47,6 @@ struct UnwrappedAngle {
 // quarters of a turn, whatever its period; across a gap it is the nearest one to the turn so far,
 // and where the gap is too long for that a new stretch begins. An angle beyond one turn is whole.
 UnwrappedAngle unwrapped_angle(const WholeAngleLog& log);
-
-// The slow variables of a log: 2theta_A alone, continuous within each stretch; its rows are those
-// with an angle.
-Track track_of(const WholeAngleLog& log);
 
 // How a whole-angle log is read.
 struct LogReading {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <complex>
-#include <span>
 
 namespace vybeg {
 
@@ -22,15 +21,5 @@ struct LockIn {
 
     friend bool operator==(const LockIn&, const LockIn&) = default;
 };
-
-// Removes from the phasors of both channels, relative to f_ref_hz, what a filter of few stages
-// leaves of the mixer's sum at twice the carrier: the image
-//     h conj(z) exp(-2i 2 pi f_ref t)
-// with one complex h of both channels, by least squares of the second differences, in which the
-// motion is small. Rows that are too far apart for these, an image below the noise, and one that
-// folds onto the motion itself stay as they are. `time_s`, `c`, `d`: of one length, in the order of
-// time; all values finite.
-void remove_image(double f_ref_hz, std::span<const double> time_s,
-                  std::span<std::complex<double>> c, std::span<std::complex<double>> d);
 
 }  // namespace vybeg

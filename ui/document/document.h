@@ -4,7 +4,6 @@
 #include "ui/document/background_jobs.h"
 #include "ui/document/drift_store.h"
 #include "ui/document/edits.h"
-#include "ui/document/log_tracks.h"
 #include "ui/document/message.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/set_store.h"
@@ -112,9 +111,6 @@ public:
     DriftStore& drift() { return drift_; }
     const DriftStore& drift() const { return drift_; }
 
-    // Tracks of logs.
-    const LogTracks& logTracks() const { return log_tracks_; }
-
     void report(const Message& message) { emit reported(message); }
 
 signals:
@@ -175,7 +171,6 @@ private:
     RequestQueue queue_{job_};
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
     DriftStore drift_{job_, ids_, steps_};
-    LogTracks log_tracks_{job_, sets_, drift_, ids_};
     bool live_ = false;
     TimeRange visible_;
     std::map<RecordingId, std::vector<AnalysisWish>> restored_;  // by recording, until it is open

@@ -3,6 +3,7 @@
 #include "core/analysis/analyse_logs.h"
 #include "ui/widgets/theme.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -23,12 +24,26 @@ ShownAnalysis shownTrack(const std::filesystem::path& path, Analysis analysis) {
     return shown;
 }
 
+// 2theta_A alone, continuous within each stretch.
+Track trackOf(const WholeAngleLog& log) {
+    const UnwrappedAngle angle = unwrapped_angle(log);
+    Track track;
+    for (const AngleStretch& stretch : angle.stretches) {
+        Track rows(stretch.rows.size());
+        std::ranges::copy(stretch.time_s, rows.time_s().begin());
+        std::ranges::transform(stretch.theta, rows.values(SlowVariable::two_theta_A).begin(),
+                               [](double theta) { return 2 * theta; });
+        track.append(rows);
+    }
+    return track;
+}
+
 Result<Analysis> angleOf(const std::filesystem::path& path, const LogReading& reading,
                          const JobControl& job) {
     const auto log = TRY(read_whole_angle_log(path, reading, job));
     Analysis analysis;
     analysis.settings.f0_hz = std::numeric_limits<double>::quiet_NaN();
-    analysis.track = track_of(log);
+    analysis.track = trackOf(log);
     analysis.settings.window = analysis.settings.hop = 1;
     analysis.plan = {0, 1, 1, static_cast<std::int64_t>(analysis.track.rows())};
     return analysis;
@@ -36,9 +51,7 @@ Result<Analysis> angleOf(const std::filesystem::path& path, const LogReading& re
 
 }  // namespace
 
-LogTracks::LogTracks(BackgroundJobs& job, const SetStore& sets, const DriftStore& drift,
-                     IdCounter& ids)
-    : job_(job), sets_(sets), drift_(drift), ids_(ids) {
+LogTracks::LogTracks(const SetStore& sets, const DriftStore& drift) : sets_(sets), drift_(drift) {
     connect(&sets_, &SetStore::changed, this, &LogTracks::follow);
     connect(&drift_, &DriftStore::changed, this, &LogTracks::follow);
 }
@@ -96,16 +109,14 @@ void LogTracks::follow() {
         return;
     }
     of_ = std::move(input);
+    constexpr int key = 1;
     if (of_.logs.empty() && of_.whole_angle.empty()) {
-        if (key_ != 0) {  // none of its own was ever started
-            job_.forget(key_);
-        }
+        job_.forget(key);
         take({});
         return;
     }
-    key_ = key_ == 0 ? ids_.next() : key_;
     job_.run<std::vector<ShownAnalysis>>(
-        key_, [input = of_](const JobControl& job) { return tracksOf(input, job); },
+        key, [input = of_](const JobControl& job) { return tracksOf(input, job); },
         [this](Result<std::vector<ShownAnalysis>> tracks) {
             take(tracks ? std::move(*tracks) : std::vector<ShownAnalysis>());
         });
@@ -116,7 +127,7 @@ void LogTracks::take(std::vector<ShownAnalysis> tracks) {
     int place = 0;
     for (ShownAnalysis& each : shown_) {
         const CurveStyle style = curveStyle(place++);
-        each.id = ids_.next<AnalysisId>();
+        each.id = static_cast<AnalysisId>(--made_);
         each.color = style.color;
         each.shade = style.shade;
     }

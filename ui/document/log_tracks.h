@@ -23,7 +23,7 @@ class LogTracks : public QObject {
     Q_OBJECT
 
 public:
-    LogTracks(BackgroundJobs& job, const SetStore& sets, const DriftStore& drift, IdCounter& ids);
+    LogTracks(const SetStore& sets, const DriftStore& drift);
 
     // In the order of the logs, those of the set first.
     const std::vector<ShownAnalysis>& shown() const { return shown_; }
@@ -56,13 +56,12 @@ private:
     void follow();
     void take(std::vector<ShownAnalysis> tracks);
 
-    BackgroundJobs& job_;
     const SetStore& sets_;
     const DriftStore& drift_;
-    IdCounter& ids_;
-    int key_ = 0;  // of the job
+    int made_ = 0;  // ids below zero, which no analysis of the document has
     Input of_;
     std::vector<ShownAnalysis> shown_;
+    BackgroundJobs job_;
 };
 
 }  // namespace vybeg::ui

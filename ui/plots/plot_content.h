@@ -44,7 +44,7 @@ struct RecordedTime {
 ZoomState clipped(ZoomState state, const std::vector<ShownAnalysis>& analyses,
                   const RecordedTime& recorded = {});
 
-// Reference of frequency deviations: the carrier of the first visible analysis that has one, or 0.
+// Reference of frequency deviations: the carrier of the first visible analysis, or 0.
 double referenceFrequency(const std::vector<ShownAnalysis>& analyses);
 
 }  // namespace vybeg::ui

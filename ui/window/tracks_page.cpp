@@ -58,6 +58,7 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
 TracksPage::TracksPage(Document& document, QWidget* parent)
     : MeasuredPage(parent),
       document_(document),
+      log_tracks_(document.sets(), document.drift()),
       logs_(sentence(this, "tracks_of_logs")),
       tracks_(new TrackView(this)) {
     // Where the page is too low for all plots.
@@ -66,13 +67,13 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
     fill(new QVBoxLayout(this), {}, 0, {logs_, {scroll, 1}});
     connect(&document_, &Document::analysesChanged, this, &TracksPage::showAnalyses);
     connect(&document_, &Document::liveChanged, this, &TracksPage::showAnalyses);
-    connect(&document_.logTracks(), &LogTracks::changed, this, &TracksPage::showAnalyses);
+    connect(&log_tracks_, &LogTracks::changed, this, &TracksPage::showAnalyses);
     showAnalyses();
 }
 
 void TracksPage::showAnalyses() {
     std::vector<ShownAnalysis> analyses = document_.plottedAnalyses();
-    std::ranges::copy(document_.logTracks().shown(), std::back_inserter(analyses));
+    std::ranges::copy(log_tracks_.shown(), std::back_inserter(analyses));
     const int unlike = drawnWith(chosen_, analyses);
     tracks_->setAnalyses(std::move(analyses), unlike);
     nameLogs();
@@ -81,7 +82,7 @@ void TracksPage::showAnalyses() {
 // The ledger names the analyses; logs are not in it.
 void TracksPage::nameLogs() {
     QStringList names;
-    for (const ShownAnalysis& log : document_.logTracks().shown()) {
+    for (const ShownAnalysis& log : log_tracks_.shown()) {
         names << QStringLiteral("<span style=\"color:%1\">■</span> %2")
                      .arg(readable(log.color, theme(), log.shade).name(), log.name.toHtmlEscaped());
     }
@@ -131,7 +132,7 @@ FigureSource TracksPage::figures() const {
             settings << settingsText(entry);
         }
     }
-    for (const ShownAnalysis& log : document_.logTracks().shown()) {
+    for (const ShownAnalysis& log : log_tracks_.shown()) {
         if (drawn(log)) {
             recordings << log.recording;
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/log_tracks.h"
 #include "ui/plots/measured_page.h"
 #include "ui/values/ids.h"
 
@@ -19,6 +20,7 @@ public:
     explicit TracksPage(Document& document, QWidget* parent = nullptr);
 
     TrackView& tracks() const { return *tracks_; }
+    const LogTracks& logTracks() const { return log_tracks_; }
     // The analysis whose axis crossings are marked, and which is drawn alone where others are
     // unlike it.
     void chooseAnalysis(AnalysisId id);
@@ -36,6 +38,7 @@ private:
     void retranslate() override { nameLogs(); }
 
     Document& document_;
+    LogTracks log_tracks_;
     QLabel* logs_;
     TrackView* tracks_;
     AnalysisId chosen_ = AnalysisId::none;
