@@ -97,32 +97,6 @@ PhasorRun merged_by(const PhasorRun& run, std::size_t count) {
     return merged;
 }
 
-struct MergedRun {
-    PhasorRun run;
-    std::size_t kept = 0;  // windows of the unmerged run
-};
-
-// Merged by `count` windows, or by somewhat fewer where that excludes fewer of them: a remainder
-// lies at an end, where a window says most of the rates.
-MergedRun with_least_remainder(const PhasorRun& run, std::size_t count) {
-    constexpr double harmless = 0.005;
-    constexpr std::size_t tries = 4;
-    const std::size_t windows = run.time_s.size();
-    const std::size_t least = std::max(count - std::min(count / 4, tries), std::size_t{2});
-    MergedRun best;
-    for (std::size_t by = count; by >= least; --by) {
-        PhasorRun merged = merged_by(run, by);
-        const std::size_t kept = by * merged.time_s.size();
-        if (by == count || kept > best.kept) {
-            best = {std::move(merged), kept};
-        }
-        if (static_cast<double>(windows - best.kept) <= harmless * static_cast<double>(windows)) {
-            break;
-        }
-    }
-    return best;
-}
-
 // Power over that of the noise around, of both channels: noise of a million bins reaches 20.
 constexpr double stands_out = 30;
 // Bins of a line, and those of noise around it.
@@ -239,8 +213,8 @@ PhasorRun merge_windows(const PhasorRun& run, std::size_t most) {
     std::size_t count =
         std::min((windows + most - 1) / most, static_cast<std::size_t>(std::max(by_turn, 1.0)));
     for (; count > 1; count /= 2) {
-        const auto [merged, kept] = with_least_remainder(run, count);
-        if (10 * kept >= 9 * windows) {
+        PhasorRun merged = merged_by(run, count);
+        if (10 * merged.time_s.size() * count >= 9 * windows) {
             return merged;
         }
     }
