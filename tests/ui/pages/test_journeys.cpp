@@ -171,7 +171,7 @@ private slots:
     }
 
     void a_text_of_lgraph() {
-        const QString text = test::lgraph_text({.rate_khz = 33.333}, {c_, d_});
+        const QString text = test::lgraph_text({}, {c_, d_});
         drop({home_.file("lgraph.txt", QByteArray::fromStdString(test::windows_1251(text)))});
         identify();
         showsSplit();
