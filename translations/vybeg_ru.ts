@@ -3096,6 +3096,14 @@
         <translation>10⁻⁴ проникания</translation>
     </message>
     <message>
+        <source>Calibrate with δ = %1 µs</source>
+        <translation>Калибровать с δ = %1 мкс</translation>
+    </message>
+    <message>
+        <source>Take the offsets of the channels out</source>
+        <translation>Убрать смещения каналов</translation>
+    </message>
+    <message>
         <source>Calibrate with κ = %1</source>
         <translation>Калибровать с κ = %1</translation>
     </message>
@@ -3599,8 +3607,8 @@
         <translation>%1 меньше %2 в %3 строках из %4, чего быть не может: столбцы переставлены или в разных единицах</translation>
     </message>
     <message>
-        <source>no wave stands out of the noise</source>
-        <translation>волна не выделяется из шума</translation>
+        <source>no wave stands out of the noise; choose the seconds of the decay, or other columns</source>
+        <translation>волна не выделяется из шума; выберите время выбега или другие столбцы</translation>
     </message>
     <message>
         <source>no data show the sign of Y: give --y-sign + or -</source>
@@ -3625,6 +3633,10 @@
     <message>
         <source>column %1 is the phase of X + iY itself: choose --phasors fixed</source>
         <translation>столбец %1 — это фаза самого X + iY: выберите --phasors fixed</translation>
+    </message>
+    <message>
+        <source>the phase in column %1 moves, so that this is not the frame: choose --phasors %2</source>
+        <translation>фаза в столбце %1 меняется, значит, система отсчёта не эта: задайте --phasors %2</translation>
     </message>
     <message>
         <source>the frequency of the reference is not in the file: give --f-ref</source>
@@ -7836,6 +7848,10 @@ Open a recording and press Keep (F5).</source>
 </context>
 <context>
     <name>vybeg::ui::TracksPage</name>
+    <message>
+        <source>Tracks of logs: %1</source>
+        <translation>Ряды журналов: %1</translation>
+    </message>
     <message>
         <source>%1: %2; window %3, step %4 samples; f0 = %5 Hz</source>
         <translation>%1: %2; окно %3, шаг %4 отсчётов; f0 = %5 Гц</translation>

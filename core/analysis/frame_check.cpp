@@ -78,6 +78,15 @@ bool is_followed(const ChannelMotion& channel, const ChannelMotion& other) {
            other.smooth > certain && still * other.turn > channel.turn;
 }
 
+// Sums over the second differences of the image of h = 1 and of the phasors.
+struct ImageSums {
+    double image = 0;         // |second difference of the image|^2
+    double image_itself = 0;  // |image|^2
+    std::complex<double> product = 0;
+    double rows = 0;  // |second difference of the phasors|^2
+    std::size_t count = 0;
+};
+
 }  // namespace
 
 std::optional<Diagnostic> mirrored_channel(const ChannelRows& c, const ChannelRows& d,
@@ -123,6 +132,52 @@ std::optional<Diagnostic> followed_channel(const ChannelRows& c, const ChannelRo
         return Diagnostic{DiagnosticKind::reference_follows, {"D", "C"}};
     }
     return std::nullopt;
+}
+
+void remove_image(double f_ref_hz, const std::vector<double>& time_s, ChannelRows& c,
+                  ChannelRows& d) {
+    constexpr double even = 0.01;
+    constexpr double most_image = 0.2;    // of a filter that lets no more than that through
+    constexpr double least_moves = 1e-4;  // an image that folds near zero is motion
+    constexpr double above_noise = 25;
+    const auto image_of = [&](const ChannelRows& z, std::size_t k) {
+        const double turns = std::fmod(2 * f_ref_hz * time_s[k], 1.0);
+        return std::conj(z[k]) * std::polar(1.0, -2 * std::numbers::pi * turns);
+    };
+    ImageSums sums;
+    for (std::size_t k = 1; k + 1 < time_s.size(); ++k) {
+        const double before = time_s[k] - time_s[k - 1];
+        const double behind = time_s[k + 1] - time_s[k];
+        if (std::abs(behind - before) > even * before) {
+            continue;
+        }
+        for (const ChannelRows* channel : {&c, &d}) {
+            const ChannelRows& z = *channel;
+            const std::complex<double> image = image_of(z, k);
+            const std::complex<double> bent = image_of(z, k - 1) - 2.0 * image + image_of(z, k + 1);
+            const std::complex<double> rows = z[k - 1] - 2.0 * z[k] + z[k + 1];
+            sums.image += std::norm(bent);
+            sums.image_itself += std::norm(image);
+            sums.product += std::conj(bent) * rows;
+            sums.rows += std::norm(rows);
+            ++sums.count;
+        }
+    }
+    if (!(sums.image > least_moves * sums.image_itself)) {
+        return;
+    }
+    const std::complex<double> h = sums.product / sums.image;
+    const double explained = std::norm(h) * sums.image;
+    const double noise = (sums.rows - explained) / static_cast<double>(sums.count);
+    if (std::abs(h) > most_image || !(explained > above_noise * noise)) {
+        return;
+    }
+    for (ChannelRows* channel : {&c, &d}) {
+        for (std::size_t k = 0; k < channel->size(); ++k) {
+            std::complex<double>& z = (*channel)[k];
+            z = (z - h * image_of(*channel, k)) / (1 - std::norm(h));
+        }
+    }
 }
 
 }  // namespace vybeg

@@ -8,8 +8,8 @@
 
 namespace vybeg {
 
-// What the phasors of both channels tell of their reference, before it is believed. The warnings
-// are without the recording as first argument.
+// What the phasors of both channels tell of their reference, before it is believed, and of what the
+// reference leaves among them. The warnings are without the recording as first argument.
 
 // Both channels hold the same two modes: only with a sign of Y of their own, or with the reference
 // just between modes each of which is in one channel, do they turn against each other.
@@ -23,5 +23,15 @@ std::optional<Diagnostic> mirrored_channel(const std::vector<std::complex<double
 // the difference of both phases. `c`, `d`: means over so many rows that their noise is new.
 std::optional<Diagnostic> followed_channel(const std::vector<std::complex<double>>& c,
                                            const std::vector<std::complex<double>>& d);
+
+// Removes from the phasors of both channels, relative to f_ref_hz, what a filter of few stages
+// leaves of the mixer's sum at twice the carrier: the image
+//     h conj(z) exp(-2i 2 pi f_ref t)
+// with one complex h of both channels, by least squares of the second differences, in which the
+// motion is small. Rows that are too far apart for these, an image below the noise, and one that
+// folds onto the motion itself stay as they are. `time_s`, `c`, `d`: of one length, in the order of
+// time; all values finite.
+void remove_image(double f_ref_hz, const std::vector<double>& time_s,
+                  std::vector<std::complex<double>>& c, std::vector<std::complex<double>>& d);
 
 }  // namespace vybeg

@@ -81,6 +81,19 @@ struct Channel {
     const LogColumn* phase;  // nullptr: that of the reference
 };
 
+// Whether its phase is that of X + iY itself: one that a loop follows leaves none there.
+bool repeats_phase(const Channel& channel, const LogColumn& phase, double rad) {
+    constexpr double alike = 0.01;
+    std::size_t own = 0;
+    std::size_t turned = 0;
+    for (std::size_t k = 0; k < phase.values.size(); ++k) {
+        const double of_x_y = std::atan2(channel.y.values[k], channel.x.values[k]);
+        own += std::abs(std::remainder(rad * phase.values[k] - of_x_y, 2 * pi)) < alike ? 1U : 0U;
+        turned += std::abs(of_x_y) > alike ? 1U : 0U;
+    }
+    return 10 * own > 9 * phase.values.size() && 2 * turned > phase.values.size();
+}
+
 Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const Channel& channel,
                                         const LogChoice& choice) {
     const PhasorChoice& how = choice.phasors;
@@ -93,25 +106,37 @@ Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const
         return phasors;
     }
     const double rad = TRY(angle_factor(path, *channel.phase, choice.rad_per_angle_unit));
-    constexpr double alike = 0.01;
-    std::size_t own = 0;
-    std::size_t turned = 0;
-    for (std::size_t k = 0; k < phasors.size(); ++k) {
-        const double phase = rad * channel.phase->values[k];
-        const double of_x_y = std::atan2(channel.y.values[k], channel.x.values[k]);
-        own += std::abs(std::remainder(phase - of_x_y, 2 * pi)) < alike ? 1U : 0U;
-        turned += std::abs(of_x_y) > alike ? 1U : 0U;
-        phasors[k] *= std::polar(1.0, phase);
-    }
-    // A phase that the loop follows leaves none in X + iY.
-    if (10 * own > 9 * phasors.size() && 2 * turned > phasors.size()) {
+    if (repeats_phase(channel, *channel.phase, rad)) {
         return wrong_choice(how,
                             VYBEG_MESSAGE("Words",
                                           "column %1 is the phase of X + iY itself: choose "
                                           "--phasors fixed"),
                             {channel.phase->name});
     }
+    for (std::size_t k = 0; k < phasors.size(); ++k) {
+        phasors[k] *= std::polar(1.0, rad * channel.phase->values[k]);
+    }
     return phasors;
+}
+
+// A phase beside the phasors that moves, and that the declared frame leaves aside.
+Status check_left_aside(const std::filesystem::path& path, const Channel& channel,
+                        const LogChoice& choice, PhasorFrame of_phase) {
+    constexpr double harmless_rad = 0.01 * 2 * pi;
+    if (channel.phase == nullptr) {
+        return {};
+    }
+    const auto rad = angle_factor(path, *channel.phase, choice.rad_per_angle_unit);
+    const auto [least, most] = range_of(*channel.phase);
+    if (!rad || !(*rad * (most - least) > harmless_rad) ||
+        repeats_phase(channel, *channel.phase, *rad)) {
+        return {};
+    }
+    return wrong_choice(choice.phasors,
+                        VYBEG_MESSAGE("Words",
+                                      "the phase in column %1 moves, so that this is not the "
+                                      "frame: choose --phasors %2"),
+                        {channel.phase->name, frame_name(of_phase)});
 }
 
 Status check_told(const PhasorChoice& choice) {
@@ -233,12 +258,20 @@ Result<LogRows> rows_of_one_table(const std::filesystem::path& path, const OpenO
     LogRows rows;
     rows.time_s = columns.time_s;
     const auto channel = [&](const char* x, const char* y, const char* phase) {
-        return phasors_of(path, {columns.of(x), columns.of(y), own ? columns.find(phase) : nullptr},
-                          choice);
+        return Channel{columns.of(x), columns.of(y), columns.find(phase)};
     };
-    auto c = TRY(channel("Xc", "Yc", "Pc"));
+    const Channel of_c = channel("Xc", "Yc", own ? "Pc" : "");
+    const Channel of_d = channel("Xd", "Yd", own ? "Pd" : "");
+    if (!own) {
+        TRY(check_left_aside(path, channel("Xc", "Yc", "Pc"), choice, PhasorFrame::pll));
+        TRY(check_left_aside(path, channel("Xd", "Yd", "Pd"), choice, PhasorFrame::pll));
+    }
+    if (choice.phasors.frame == PhasorFrame::fixed) {
+        TRY(check_left_aside(path, channel("Xc", "Yc", "P"), choice, PhasorFrame::common));
+    }
+    auto c = TRY(phasors_of(path, of_c, choice));
     rows.c = std::move(c);
-    auto d = TRY(channel("Xd", "Yd", "Pd"));
+    auto d = TRY(phasors_of(path, of_d, choice));
     rows.d = std::move(d);
     TRY(refer(columns.find("F"), columns.find("P"), path, choice, rows));
     return rows;
@@ -513,6 +546,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
             rows.d[k] /= response;
         }
     }
+    remove_image(rows.f_ref_hz, rows.time_s, rows.c, rows.d);
     calibrate(signal.calibration, rows);
     const PhasorRun settled_run = windows_of_rows(rows, apart, step_s);
     const auto [settled_correlation, settled_share] = correlation_of(filter, apart, step_s);
@@ -521,7 +555,9 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     if (!holds_wave(settled_run, neighbours, recurrence.explained)) {
         return Error{ErrorCode::fit_failed,
                      path.string(),
-                     {words(VYBEG_MESSAGE("Words", "no wave stands out of the noise"))}};
+                     {words(VYBEG_MESSAGE("Words",
+                                          "no wave stands out of the noise; choose the seconds "
+                                          "of the decay, or other columns"))}};
     }
     // Means over more than the filter's own would lose a fast beat.
     const std::size_t count = rows_in(std::max(usual_window_s, filter.delay_s() / 10));

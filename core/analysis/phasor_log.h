@@ -36,10 +36,10 @@ std::vector<ColumnRole> roles_of_one(PhasorFrame frame);
 // the frame that the choice declares, and applies their calibration but for the offsets. One table
 // holds both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and
 // lowers the phasors, and correlates their noise; it leaves frequencies, decay and axes as they
-// are, because it commutes with the motion. Their noise is what a linear recurrence z(t + T) = A
-// z(t) leaves. A frame that the rows contradict is an error. Errors: setting_invalid,
-// rate_unknown, too_few_frames, those of column_wishes(), read_log() and
-// angle_factor().
+// are, because it commutes with the motion. What it leaves at twice the carrier is taken out
+// (remove_image()). The noise is what a linear recurrence z(t + T) = A z(t) leaves. A frame that
+// the rows contradict is an error. Errors: setting_invalid, rate_unknown, too_few_frames, those of
+// column_wishes(), read_log() and angle_factor().
 Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,
                                   const LogChoice& choice, const SignalSettings& signal,
                                   const JobControl& job);

@@ -289,6 +289,7 @@ private slots:
         const Outcome refused = identify_fixed({"noise.csv"}, {});
         QCOMPARE(refused.status, 4);
         QVERIFY2(refused.err.contains("noise.csv: no wave stands out of the noise"), refused.err);
+        QVERIFY2(refused.err.contains("choose the seconds of the decay"), refused.err);
     }
 
     // A real Moku Pro phasemeter, 37.25 Hz.

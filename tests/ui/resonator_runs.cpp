@@ -17,6 +17,8 @@ QStringList resonatorRuns(const GuiTestHome& home, const QString& prefix,
         decay.theta_w = resonator.theta_w;
         decay.tau_s = resonator.tau_s;
         decay.kappa = resonator.kappa;
+        decay.delay_d_s = resonator.delay_d_s;
+        decay.offset_c = resonator.offset_c;
         decay.noise = 1e-3;
         decay.seed = static_cast<std::uint64_t>(k + 1);
         paths << home.recording(QStringLiteral("%1-%2.wav").arg(prefix).arg(k * 45 / 2), decay);

@@ -12,6 +12,8 @@ struct TestResonator {
     double theta_w = 0.2;
     double tau_s = 40;
     double kappa = 1;
+    double delay_d_s = 0;
+    double offset_c = 0;
 };
 
 // Four runs of 4 s at 8000 Hz (carrier 1000 Hz, amplitude 1, noise 1e-3) of one resonator, started

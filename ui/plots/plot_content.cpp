@@ -88,7 +88,8 @@ ZoomState clipped(ZoomState state, const std::vector<ShownAnalysis>& analyses,
 double referenceFrequency(const std::vector<ShownAnalysis>& analyses) {
     const auto first =
         std::find_if(analyses.begin(), analyses.end(), [](const ShownAnalysis& shown) {
-            return shown.visible && shown.analysis && shown.analysis->settings.f0_hz;
+            return shown.visible && shown.analysis && shown.analysis->settings.f0_hz &&
+                   std::isfinite(shown.analysis->f0_hz());
         });
     return first == analyses.end() ? 0 : first->analysis->f0_hz();
 }

@@ -58,8 +58,9 @@ NumbersView::NumbersView(QWidget* parent)
       modes_(withName(new QuantityTable(this), "modes")),
       runs_(withName(new QuantityTable(this), "runs")) {
     statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
-    connect(statistical_, &QLabel::linkActivated, this,
-            [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
+    connect(statistical_, &QLabel::linkActivated, this, [this](const QString& offer) {
+        emit calibrationChosen(offer, foundCalibration(shown_->identification));
+    });
     auto* column = fill(new QVBoxLayout(this), {}, 2, {warnings_});
     resonator_section_ = addSection(*column, {resonator_, statistical_});
     waves_section_ = addSection(*column, {waves_, findings_});
@@ -96,7 +97,7 @@ void NumbersView::rebuild() {
     const QStringList headers{tr("Value"), tr("Limits")};
     resonator_->setContent(limits_.empty() ? QStringList() : headers, rows);
     resonator_section_->setVisible(!rows.empty());
-    const QString offer = gainRatioOffer(found);
+    const QString offer = calibrationOffers(foundCalibration(found));
     statistical_->setText(offer.isEmpty()
                               ? uncertaintyText(found)
                               : offer + QStringLiteral("<br>") + uncertaintyText(found));

@@ -3,6 +3,7 @@
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_view.h"
+#include "ui/resonator/resonator_text.h"
 #include "ui/values/recording_set.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
@@ -76,7 +77,8 @@ public:
     void setLimits(const std::vector<ParameterLimit>& limits);
 
 signals:
-    void gainRatioChosen(const vybeg::Estimate& kappa);
+    // One of calibrationOffers().
+    void calibrationChosen(const QString& offer, const vybeg::ui::FoundCalibration& found);
 
 private:
     void rebuild() override;

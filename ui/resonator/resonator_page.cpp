@@ -32,7 +32,7 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     fill(new QHBoxLayout(this), {}, 4, {left, {scrolled(numbers), 5}, {scrolled(right), 3}});
     connect(figures_, &FiguresView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(comparison_, &ComparisonView::exportWanted, this, &ResonatorPage::exportWanted);
-    connect(numbers_, &NumbersView::gainRatioChosen, this, &ResonatorPage::calibrate);
+    connect(numbers_, &NumbersView::calibrationChosen, this, &ResonatorPage::calibrate);
     connect(&document_.sets(), &SetStore::changed, this, &ResonatorPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPage::refresh);
     connect(&document_, &Document::busyChanged, this,
@@ -65,12 +65,18 @@ void ResonatorPage::showComparison() {
     comparison_->open();
 }
 
-void ResonatorPage::calibrate(const Estimate& kappa) {
+void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& found) {
     Settings settings = document_.settings();
-    settings.calibration.kappa = kappa.value;
-    Tolerance tolerance = document_.tolerance();
-    tolerance.kappa = kappa.uncertainty() / kappa.value;
-    document_.setTolerance(tolerance);
+    if (offer == QStringLiteral("kappa") && found.kappa) {
+        settings.calibration.kappa = found.kappa->value;
+        Tolerance tolerance = document_.tolerance();
+        tolerance.kappa = found.kappa->uncertainty() / found.kappa->value;
+        document_.setTolerance(tolerance);
+    } else if (offer == QStringLiteral("delay") && found.delay_d_s) {
+        settings.calibration.delay_d_s = *found.delay_d_s;
+    } else if (offer == QStringLiteral("offset") && found.offsets) {
+        settings.calibration.offset_auto = true;
+    }
     document_.setSettings(settings);
 }
 

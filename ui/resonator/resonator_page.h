@@ -11,6 +11,7 @@ class ComparisonView;
 class FiguresView;
 class NumbersView;
 class SetPanel;
+struct FoundCalibration;
 
 // The resonator of the current set: recordings and numbers at the left, figures and the comparison
 // with a passport at the right.
@@ -31,7 +32,7 @@ private:
     void refresh();
     void retranslate() override { refresh(); }
     void rebuild();
-    void calibrate(const Estimate& kappa);
+    void calibrate(const QString& offer, const FoundCalibration& found);
     void showState(const RecordingSet* set);
     QString stateText(const RecordingSet* set) const;
     static QString modelText(ResonatorModel model);

@@ -1,5 +1,6 @@
 #include "ui/resonator/resonator_text.h"
 
+#include "core/base/number_text.h"
 #include "core/output/identify_json.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/panels/measuring.h"
@@ -432,17 +433,6 @@ QString clockText(const IdentifySettings& settings) {
                : ResonatorWords::tr("Frequencies by the clock of the recorder.");
 }
 
-QString gainRatioOffer(const Identification& found) {
-    constexpr double certain = 3;
-    const Estimate& kappa = found.fit.resonator.kappa;
-    const double calibrated = found.settings.signal.calibration.kappa;
-    if (!kappa.given() || !(std::abs(kappa.value - calibrated) > certain * kappa.uncertainty())) {
-        return {};
-    }
-    return QStringLiteral("<a href=\"kappa\">%1</a>")
-        .arg(ResonatorWords::tr("Calibrate with κ = %1").arg(valueText(kappa.value, kappa.sd)));
-}
-
 QString uncertaintyText(const Identification& found) {
     const QStringList tolerances = toleranceTexts(found.settings);
     QString text = ResonatorWords::tr("± is the statistical standard deviation.");
@@ -453,6 +443,54 @@ QString uncertaintyText(const Identification& found) {
                 .arg(tolerances.join(QStringLiteral("; ")));
     }
     return QStringLiteral("%1 %2").arg(text, clockText(found.settings)).trimmed();
+}
+
+FoundCalibration foundCalibration(const Identification& found) {
+    constexpr double certain = 3;
+    FoundCalibration other;
+    const Calibration& calibrated = found.settings.signal.calibration;
+    const Estimate& kappa = found.fit.resonator.kappa;
+    if (kappa.given() && std::abs(kappa.value - calibrated.kappa) > certain * kappa.uncertainty()) {
+        other.kappa = kappa;
+    }
+    for (const Diagnostic& warning : found.fit.warnings) {
+        // A rotation may be one of the base.
+        const bool of_channels = warning.kind == DiagnosticKind::quadrature_by_channel ||
+                                 warning.kind == DiagnosticKind::misfit_channel ||
+                                 warning.kind == DiagnosticKind::prior_left;
+        if (!other.delay_d_s && of_channels && warning.args.size() > 1 &&
+            warning.args[0].text == tolerance_names[delay_error] && warning.args[1].unit == "ns") {
+            if (const auto late_ns = parse_number(warning.args[1].text)) {
+                other.delay_d_s = calibrated.delay_d_s + *late_ns * 1e-9;
+            }
+        }
+    }
+    const bool taken_out =
+        calibrated.offset_auto || calibrated.offset_c != 0 || calibrated.offset_d != 0;
+    other.offsets = !taken_out && std::ranges::any_of(found.runs, [](const IdentifiedRun& run) {
+        return std::ranges::find(run.diagnostics, DiagnosticKind::offset, &Diagnostic::kind) !=
+               run.diagnostics.end();
+    });
+    return other;
+}
+
+QString calibrationOffers(const FoundCalibration& found) {
+    QStringList links;
+    const auto add = [&links](const char* offer, const QString& text) {
+        links << QStringLiteral("<a href=\"%1\">%2</a>").arg(QLatin1String(offer), text);
+    };
+    if (found.kappa) {
+        add("kappa", ResonatorWords::tr("Calibrate with κ = %1")
+                         .arg(valueText(found.kappa->value, found.kappa->sd)));
+    }
+    if (found.delay_d_s) {
+        add("delay", ResonatorWords::tr("Calibrate with δ = %1 µs")
+                         .arg(shortNumberText(*found.delay_d_s * 1e6, 4)));
+    }
+    if (found.offsets) {
+        add("offset", ResonatorWords::tr("Take the offsets of the channels out"));
+    }
+    return links.join(QStringLiteral("<br>"));
 }
 
 std::vector<Finding> recordingFindings(const ResonatorOutcome& outcome) {

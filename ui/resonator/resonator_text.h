@@ -10,6 +10,7 @@
 
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace vybeg::ui {
@@ -53,10 +54,17 @@ bool anyAssumed(const IdentifySettings& settings);
 // The clock that the frequencies follow, where its tolerance is not stated; or empty.
 QString clockText(const IdentifySettings& settings);
 // What ± and u hold, and whose clock the frequencies follow.
-// A link with the gain ratio that was found, where the calibration is another one; empty: nothing
-// to offer.
-QString gainRatioOffer(const Identification& found);
 QString uncertaintyText(const Identification& found);
+
+// What of the calibration a result shows to be another one than it was identified with.
+struct FoundCalibration {
+    std::optional<Estimate> kappa;
+    std::optional<double> delay_d_s;  // the whole one, to two digits of what is new
+    bool offsets = false;             // the channels have some, and none are taken out
+};
+FoundCalibration foundCalibration(const Identification& found);
+// Links that offer it: "kappa", "delay", "offset".
+QString calibrationOffers(const FoundCalibration& found);
 
 // Findings in the recordings, each with the names of the recordings, the worst first.
 std::vector<Finding> recordingFindings(const ResonatorOutcome& outcome);

@@ -218,6 +218,8 @@ void MainWindow::connectDocument() {
     connect(&document_.drift(), &DriftStore::opened, this,
             [this] { pages_->showPage(Page::drift); });
     connect(&document_.drift(), &DriftStore::changed, this, &MainWindow::showCurrentRecording);
+    connect(&tracks_page_->logTracks(), &LogTracks::changed, this,
+            &MainWindow::showCurrentRecording);
     connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
         if (document_.sets().passport()) {
             pages_->showPage(Page::resonator);
@@ -315,8 +317,9 @@ void MainWindow::showCurrentRecording() {
         welcome_->setRecent(menus_->recentFiles()->paths());
         welcome_->setOpened(openedText(document_));
     }
-    pages_->setOpen(recordings, std::ranges::any_of(document_.sets().all(), hasContent),
-                    !document_.drift().logs().empty());
+    pages_->setOpen({recordings, std::ranges::any_of(document_.sets().all(), hasContent),
+                     !document_.drift().logs().empty(),
+                     !tracks_page_->logTracks().shown().empty()});
     showTitle();
     commands_->refresh();
 }

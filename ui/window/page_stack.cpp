@@ -166,11 +166,9 @@ void PageStack::add(QWidget* page) {
     retranslate();
 }
 
-void PageStack::setOpen(bool recordings, bool sets, bool angle_logs) {
-    if (recordings_ != recordings || sets_ != sets || angle_logs_ != angle_logs) {
-        recordings_ = recordings;
-        sets_ = sets;
-        angle_logs_ = angle_logs;
+void PageStack::setOpen(const OpenThings& open) {
+    if (open != open_) {
+        open_ = open;
         showTab();
     }
 }
@@ -185,18 +183,24 @@ Page PageStack::page() const {
 }
 
 bool PageStack::welcomes() const {
+    const bool has_tracks = page() == Page::tracks && open_.tracks;
+    return isEmpty() && !has_tracks;
+}
+
+// Whether the page is about something of which nothing is open.
+bool PageStack::isEmpty() const {
     const About about = rowOf(page()).about;
-    return about != About::other && !recordings_ && !(about == About::sets && sets_);
+    return about != About::other && !open_.recordings && !(about == About::sets && open_.sets);
 }
 
 PageNeeds PageStack::needs() const {
     const PageNeeds& needs = rowOf(page()).needs;
-    return welcomes() ? PageNeeds{.sidebar = needs.sidebar && sets_} : needs;
+    return isEmpty() ? PageNeeds{.sidebar = needs.sidebar && open_.sets} : needs;
 }
 
 // Page 0 of the stack is the welcome.
 void PageStack::showTab() {
-    tabs_->setVisible(!welcomes() || sets_ || angle_logs_);
+    tabs_->setVisible(!welcomes() || open_.sets || open_.angle_logs);
     stack_->setCurrentIndex(welcomes() ? 0 : tabs_->currentIndex() + 1);
     emit pageShown();
 }

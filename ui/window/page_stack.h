@@ -59,8 +59,20 @@ std::optional<Page> pageOfWord(const QString& word);
 // As on its tab.
 QString pageTitle(Page page);
 
+// What is open: recordings, sets that show something without them, whole-angle logs, and tracks of
+// logs.
+struct OpenThings {
+    bool recordings = false;
+    bool sets = false;
+    bool angle_logs = false;
+    bool tracks = false;
+
+    friend bool operator==(const OpenThings&, const OpenThings&) = default;
+};
+
 // The middle of the window: pages, and their tabs, which stand elsewhere. While no recording is
-// open, the welcome stands in the place of those about recordings; while nothing is, alone.
+// open, the welcome stands in the place of those about recordings, but for the tracks of logs;
+// while nothing is, alone.
 class PageStack : public QWidget {
     Q_OBJECT
 
@@ -69,12 +81,10 @@ public:
 
     // Adds the next page in the order of Page.
     void add(QWidget* page);
-    // What is open: recordings, sets that show something without them, whole-angle logs.
-    void setOpen(bool recordings, bool sets, bool angle_logs);
+    void setOpen(const OpenThings& open);
     void showPage(Page page);
     Page page() const;
-    // Of the page that is shown; in place of the welcome the settings alone, which sets of logs
-    // have.
+    // Of the page that is shown; without a recording the settings alone, which sets of logs have.
     PageNeeds needs() const;
     QTabBar* tabs() const { return tabs_; }
 
@@ -82,15 +92,14 @@ signals:
     void pageShown();
 
 private:
+    bool isEmpty() const;
     bool welcomes() const;
     void showTab();
     void retranslate();
 
     QTabBar* tabs_;
     QStackedWidget* stack_;
-    bool recordings_ = false;
-    bool sets_ = false;
-    bool angle_logs_ = false;
+    OpenThings open_;
 };
 
 }  // namespace vybeg::ui

@@ -7,12 +7,14 @@
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
 
+#include <QLabel>
 #include <QLocale>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vybeg::ui {
 
@@ -54,20 +56,40 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
 }  // namespace
 
 TracksPage::TracksPage(Document& document, QWidget* parent)
-    : MeasuredPage(parent), document_(document), tracks_(new TrackView(this)) {
+    : MeasuredPage(parent),
+      document_(document),
+      log_tracks_(document.sets(), document.drift()),
+      logs_(sentence(this, "tracks_of_logs")),
+      tracks_(new TrackView(this)) {
     // Where the page is too low for all plots.
     auto* scroll = scrolled(tracks_, this);
     scroll->setFocusPolicy(Qt::NoFocus);
-    fill(new QVBoxLayout(this), {}, {scroll});
+    fill(new QVBoxLayout(this), {}, 0, {logs_, {scroll, 1}});
     connect(&document_, &Document::analysesChanged, this, &TracksPage::showAnalyses);
     connect(&document_, &Document::liveChanged, this, &TracksPage::showAnalyses);
+    connect(&log_tracks_, &LogTracks::changed, this, &TracksPage::showAnalyses);
     showAnalyses();
 }
 
 void TracksPage::showAnalyses() {
     std::vector<ShownAnalysis> analyses = document_.plottedAnalyses();
+    std::ranges::copy(log_tracks_.shown(), std::back_inserter(analyses));
     const int unlike = drawnWith(chosen_, analyses);
     tracks_->setAnalyses(std::move(analyses), unlike);
+    nameLogs();
+}
+
+// The ledger names the analyses; logs are not in it.
+void TracksPage::nameLogs() {
+    QStringList names;
+    for (const ShownAnalysis& log : log_tracks_.shown()) {
+        names << QStringLiteral("<span style=\"color:%1\">■</span> %2")
+                     .arg(readable(log.color, theme(), log.shade).name(), log.name.toHtmlEscaped());
+    }
+    logs_->setText(names.isEmpty()
+                       ? QString()
+                       : tr("Tracks of logs: %1").arg(names.join(QStringLiteral("  "))));
+    logs_->setVisible(!names.isEmpty());
 }
 
 void TracksPage::chooseAnalysis(AnalysisId id) {
@@ -100,15 +122,23 @@ FigureSource TracksPage::figures() const {
     FigureSource source;
     QStringList recordings;
     QStringList settings;
+    const auto drawn = [&content](const ShownAnalysis& shown) {
+        const auto found = std::ranges::find(content.analyses, shown.id, &ShownAnalysis::id);
+        return found != content.analyses.end() && found->visible;
+    };
     for (const AnalysisEntry& entry : document_.analyses()) {
-        const auto drawn = std::ranges::find(content.analyses, entry.shown.id, &ShownAnalysis::id);
-        if (drawn != content.analyses.end() && drawn->visible) {
+        if (drawn(entry.shown)) {
             recordings << entry.shown.recording;
             settings << settingsText(entry);
         }
     }
+    for (const ShownAnalysis& log : log_tracks_.shown()) {
+        if (drawn(log)) {
+            recordings << log.recording;
+        }
+    }
     recordings.removeDuplicates();
-    if (settings.isEmpty()) {
+    if (recordings.isEmpty()) {
         return source;
     }
     for (const SlowVariable variable : content.variables) {
@@ -157,7 +187,9 @@ FigureSource TracksPage::articleFigure() const {
 }
 
 void TracksPage::setTheme(const Theme& theme) {
+    MeasuredPage::setTheme(theme);
     tracks_->setTheme(theme);
+    nameLogs();
 }
 
 void TracksPage::setUnits(const DisplayUnits& units) {

@@ -1,14 +1,18 @@
 #pragma once
 
+#include "ui/document/log_tracks.h"
 #include "ui/plots/measured_page.h"
 #include "ui/values/ids.h"
+
+class QLabel;
 
 namespace vybeg::ui {
 
 class Document;
 class TrackView;
 
-// The plots of all shown analyses, as the document has them.
+// The plots of all shown analyses, as the document has them, and of the tracks of logs, whose names
+// stand above.
 class TracksPage : public MeasuredPage {
     Q_OBJECT
 
@@ -16,6 +20,7 @@ public:
     explicit TracksPage(Document& document, QWidget* parent = nullptr);
 
     TrackView& tracks() const { return *tracks_; }
+    const LogTracks& logTracks() const { return log_tracks_; }
     // The analysis whose axis crossings are marked, and which is drawn alone where others are
     // unlike it.
     void chooseAnalysis(AnalysisId id);
@@ -29,8 +34,12 @@ public:
 
 private:
     void showAnalyses();
+    void nameLogs();
+    void retranslate() override { nameLogs(); }
 
     Document& document_;
+    LogTracks log_tracks_;
+    QLabel* logs_;
     TrackView* tracks_;
     AnalysisId chosen_ = AnalysisId::none;
 };

@@ -18,6 +18,7 @@
 #include "ui/settings/settings_panel.h"
 #include "ui/widgets/number_field.h"
 #include "ui/window/file_commands.h"
+#include "ui/window/page_stack.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -268,7 +269,7 @@ private slots:
     }
 
     // The welcome asked for a recording, without a way to the page of the logs' resonator.
-    void without_a_recording_the_tracks_say_where_the_results_are() {
+    void without_a_recording_its_pages_say_where_the_results_are() {
         window_->files().openLogs({phasors("alone")});
         opened();
         QTRY_COMPARE(the<QComboBox>("kind").currentIndex(), 3);
@@ -276,7 +277,8 @@ private slots:
         acceptAndWait();
         auto& tabs = childOf<QTabBar>(*window_, "pages");
         auto& opened_text = childOf<QLabel>(*window_, "opened");
-        tabs.setCurrentIndex(0);
+        const int samples = static_cast<int>(Page::samples);
+        tabs.setCurrentIndex(samples);
         QVERIFY(opened_text.isVisible() && tabs.isVisible());
         QVERIFY2(opened_text.text().contains("alone.phasors"), qPrintable(opened_text.text()));
         // Calibration and tolerances hold for the logs.
@@ -287,11 +289,11 @@ private slots:
         QTRY_VERIFY(
             !childOf<MessageBar>(*window_).texts().filter("one of the open files").isEmpty());
         document().undoStack().undo();
-        tabs.setCurrentIndex(0);
+        tabs.setCurrentIndex(samples);
         QVERIFY(!opened_text.isVisible() && !tabs.isVisible());
         const QString turning = home_.file("turn.csv", "t,theta_deg\n0,0\n1,1\n2,2\n");
         document().drift().open({turning});
-        tabs.setCurrentIndex(0);
+        tabs.setCurrentIndex(samples);
         QVERIFY(opened_text.isVisible() && tabs.isVisible());
         QVERIFY2(opened_text.text().contains("turn.csv"), qPrintable(opened_text.text()));
         QVERIFY(!childOf<SettingsPanel>(*window_).isVisible());

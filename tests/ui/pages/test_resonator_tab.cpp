@@ -464,23 +464,6 @@ private slots:
         QVERIFY(!the<QuantityTable>("differences").isVisible());
     }
 
-    void the_gain_ratio_that_is_found_calibrates() {
-        openRuns(resonatorRuns(home_, "gain", {.kappa = 1.02}));
-        setStore().addToCurrent(ids());
-        identify();
-        auto& sentence = the<QLabel>("statistical");
-        QVERIFY2(sentence.text().contains("Calibrate with κ = 1.0"), qPrintable(sentence.text()));
-        const Estimate found = outcome()->identification.fit.resonator.kappa;
-        emit sentence.linkActivated("kappa");
-        VYBEG_EQUAL(document().settings().calibration.kappa, found.value);
-        VYBEG_CLOSE(*document().tolerance().kappa, found.uncertainty() / 1.02, 1e-6);
-        identify();
-        VYBEG_CLOSE(outcome()->identification.fit.resonator.kappa.value, 1.02, 3 * found.sd);
-        QVERIFY(!sentence.text().contains("href"));
-        document().undoStack().undo();
-        VYBEG_EQUAL(document().settings().calibration.kappa, 1.0);
-    }
-
     void a_damaged_passport_is_told_of() {
         setStore().openPassport(home_.file("bad.json", "{"));
         QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));

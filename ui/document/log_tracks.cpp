@@ -1,0 +1,139 @@
+#include "ui/document/log_tracks.h"
+
+#include "core/analysis/analyse_logs.h"
+#include "ui/widgets/theme.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+ShownAnalysis shownTrack(const std::filesystem::path& path, Analysis analysis) {
+    ShownAnalysis shown;
+    shown.name = shown.recording = QString::fromStdU16String(path.filename().u16string());
+    if (analysis.track.rows() > 0) {
+        shown.recorded_s = analysis.track.time_s().back() - analysis.track.time_s().front();
+    }
+    shown.analysis = std::make_shared<const Analysis>(std::move(analysis));
+    shown.curves = curvesOf(shown.analysis);
+    return shown;
+}
+
+// 2theta_A alone, continuous within each stretch.
+Track trackOf(const WholeAngleLog& log) {
+    const UnwrappedAngle angle = unwrapped_angle(log);
+    Track track;
+    for (const AngleStretch& stretch : angle.stretches) {
+        Track rows(stretch.rows.size());
+        std::ranges::copy(stretch.time_s, rows.time_s().begin());
+        std::ranges::transform(stretch.theta, rows.values(SlowVariable::two_theta_A).begin(),
+                               [](double theta) { return 2 * theta; });
+        track.append(rows);
+    }
+    return track;
+}
+
+Result<Analysis> angleOf(const std::filesystem::path& path, const LogReading& reading,
+                         const JobControl& job) {
+    const auto log = TRY(read_whole_angle_log(path, reading, job));
+    Analysis analysis;
+    analysis.settings.f0_hz = std::numeric_limits<double>::quiet_NaN();
+    analysis.track = trackOf(log);
+    analysis.settings.window = analysis.settings.hop = 1;
+    analysis.plan = {0, 1, 1, static_cast<std::int64_t>(analysis.track.rows())};
+    return analysis;
+}
+
+}  // namespace
+
+LogTracks::LogTracks(const SetStore& sets, const DriftStore& drift) : sets_(sets), drift_(drift) {
+    connect(&sets_, &SetStore::changed, this, &LogTracks::follow);
+    connect(&drift_, &DriftStore::changed, this, &LogTracks::follow);
+}
+
+LogTracks::Input LogTracks::present() const {
+    Input input;
+    if (const RecordingSet* set = sets_.current(); set && isOfLogs(*set)) {
+        const MeasurementSet measured = sets_.measured(*set);
+        input.choice = measured.settings.logs;
+        for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
+            const RecordingRef& log = measured.recordings[k];
+            input.logs.push_back({log.path, log.open, measured.settings.signal_of(k)});
+        }
+    }
+    for (const DriftLog& log : drift_.logs()) {
+        input.whole_angle.emplace_back(log.path.toStdU16String());
+    }
+    if (!input.whole_angle.empty()) {
+        input.reading = drift_.settings().reading;
+    }
+    return input;
+}
+
+Result<Analysis> LogTracks::analysisOf(const Log& log, const LogChoice& choice,
+                                       const JobControl& job) {
+    Settings settings;
+    static_cast<SignalSettings&>(settings) = log.signal;
+    return analyse_log(log.path, log.open, choice, settings, job);
+}
+
+Result<std::vector<ShownAnalysis>> LogTracks::tracksOf(const Input& input, const JobControl& job) {
+    std::vector<ShownAnalysis> tracks;
+    const auto add = [&tracks](const std::filesystem::path& path,
+                               Result<Analysis> analysis) -> Status {
+        if (!analysis && analysis.error().code == ErrorCode::interrupted) {
+            return analysis.error();
+        }
+        if (analysis && analysis->track.rows() > 0) {
+            tracks.push_back(shownTrack(path, std::move(*analysis)));
+        }
+        return {};
+    };
+    for (const Log& log : input.logs) {
+        TRY(add(log.path, analysisOf(log, input.choice, job)));
+    }
+    for (const std::filesystem::path& path : input.whole_angle) {
+        TRY(add(path, angleOf(path, input.reading, job)));
+    }
+    return tracks;
+}
+
+void LogTracks::follow() {
+    Input input = present();
+    if (input == of_) {
+        return;
+    }
+    of_ = std::move(input);
+    constexpr int key = 1;
+    if (of_.logs.empty() && of_.whole_angle.empty()) {
+        job_.forget(key);
+        take({});
+        return;
+    }
+    job_.run<std::vector<ShownAnalysis>>(
+        key, [input = of_](const JobControl& job) { return tracksOf(input, job); },
+        [this](Result<std::vector<ShownAnalysis>> tracks) {
+            take(tracks ? std::move(*tracks) : std::vector<ShownAnalysis>());
+        });
+}
+
+void LogTracks::take(std::vector<ShownAnalysis> tracks) {
+    shown_ = std::move(tracks);
+    int place = 0;
+    for (ShownAnalysis& each : shown_) {
+        const CurveStyle style = curveStyle(place++);
+        each.id = static_cast<AnalysisId>(--made_);
+        each.color = style.color;
+        each.shade = style.shade;
+    }
+    emit changed();
+}
+
+}  // namespace vybeg::ui
+
+#include "moc_log_tracks.cpp"
