@@ -7081,8 +7081,8 @@
         <translation>Записи</translation>
     </message>
     <message>
-        <source>What the fit found of each recording of the set</source>
-        <translation>Что подбор нашёл о каждой записи набора</translation>
+        <source>What the wave of each recording did, and what the fit found of it</source>
+        <translation>Что делала волна каждой записи и что о ней нашла подгонка</translation>
     </message>
     <message>
         <source>Frequencies and decay times of both modes</source>

@@ -64,10 +64,9 @@ NumbersView::NumbersView(QWidget* parent)
             [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
     tabs_->setDocumentMode(true);
     tabs_->setUsesScrollButtons(false);
-    auto* waves = new QWidget(this);
-    fill(new QVBoxLayout(waves), {}, 2, {waves_, findings_});
-    waves_tab_ = addTab(waves);
-    runs_tab_ = addTab(runs_);
+    auto* recordings = new QWidget(this);
+    fill(new QVBoxLayout(recordings), {}, 2, {waves_, findings_, runs_});
+    recordings_tab_ = addTab(recordings);
     modes_tab_ = addTab(modes_);
     sensitivities_tab_ = addTab(sensitivities_);
     fill(new QVBoxLayout(this), {}, 2, {warnings_, resonator_, statistical_, {tabs_, 1}});
@@ -84,7 +83,7 @@ void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
 }
 
 void NumbersView::rebuild() {
-    for (const int tab : {waves_tab_, runs_tab_, modes_tab_, sensitivities_tab_}) {
+    for (const int tab : {recordings_tab_, modes_tab_, sensitivities_tab_}) {
         tabs_->setTabVisible(tab, shown_ != nullptr);
     }
     for (QWidget* part : std::initializer_list<QWidget*>{warnings_, resonator_, statistical_}) {
@@ -96,7 +95,6 @@ void NumbersView::rebuild() {
     const ResonatorOutcome& outcome = *shown_;
     const Identification& found = outcome.identification;
     const std::vector<Finding> findings = recordingFindings(outcome);
-    const bool has_findings = !findings.empty();
     warnings_->setFindings(findings_of(found.fit.warnings));
     findings_->setFindings(findings);
     waves_->setContent(markedNames(outcome), waveRows(found, units_));
@@ -105,7 +103,6 @@ void NumbersView::rebuild() {
         return !run.wave.f_hz.given() || std::isfinite(run.wave.f_hz.value);
     });
     waves_->setVisible(has_motion);
-    tabs_->setTabVisible(waves_tab_, has_motion || has_findings);
     const auto rows = resonatorRows(found, units_, limits_, theme_);
     const QStringList headers{tr("Value"), tr("Limits")};
     const bool structured = !rows.empty();
@@ -142,9 +139,10 @@ void NumbersView::retranslate() {
         setWords(*widget, title, tip);
     };
     setWords(*resonator_, tr("Resonator"), tr("Ctrl+C copies the table"));
-    name(waves_tab_, waves_, tr("Motion of the waves"),
-         tr("What the wave of each recording did, free of the model"));
-    name(runs_tab_, runs_, tr("Recordings"), tr("What the fit found of each recording of the set"));
+    setWords(*waves_, tr("Motion of the waves"),
+             tr("What the wave of each recording did, free of the model"));
+    name(recordings_tab_, runs_, tr("Recordings"),
+         tr("What the wave of each recording did, and what the fit found of it"));
     name(modes_tab_, modes_, tr("Modes"), tr("Frequencies and decay times of both modes"));
     name(sensitivities_tab_, sensitivities_, tr("Sensitivity"),
          tr("By how much errors of a usual size would falsify a value"));

@@ -97,8 +97,7 @@ private:
     QuantityTable* runs_;
     QuantityTable* modes_;
     QuantityTable* sensitivities_;
-    int waves_tab_ = 0;
-    int runs_tab_ = 0;
+    int recordings_tab_ = 0;
     int modes_tab_ = 0;
     int sensitivities_tab_ = 0;
 };

@@ -5,6 +5,7 @@
 #include "ui/resonator/resonator_text.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/short_names.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -66,7 +67,7 @@ SetTree::SetTree(QWidget* parent) : QTreeWidget(parent) {
     setUniformRowHeights(true);
     setExpandsOnDoubleClick(false);
     setEditTriggers(EditKeyPressed | DoubleClicked);
-    setTextElideMode(Qt::ElideMiddle);
+    setItemDelegate(new NameDelegate(this));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // beside which no name is shortened
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     for (const auto changed : {&QTreeWidget::itemExpanded, &QTreeWidget::itemCollapsed}) {
@@ -312,6 +313,7 @@ void SetPanel::addMembers(QTreeWidgetItem* of, const RecordingSet* set) {
              temperature ? tr("%1 °C").arg(QLocale().toString(*temperature, 'g', 4)) : QString()},
             kind);
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setFirstColumnSpanned(!temperature);
         QStringList told{QDir::toNativeSeparators(path)};
         told += row ? conditionsText(*row) : QStringList();
         item->setToolTip(0, plainTip(told.join(QLatin1Char('\n'))));
