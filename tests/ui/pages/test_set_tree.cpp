@@ -64,7 +64,7 @@ private slots:
         QMimeData urls;
         urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
         drop(urls);
-        QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
+        QTRY_VERIFY_WITH_TIMEOUT(document().recordings().size() == 3 && allOpen(), 20000);
         QCOMPARE(setStore().current()->recordings, ids());
         QCOMPARE(the<SetTree>("sets").members().size(), std::size_t(3));
         QVERIFY(setStore().canIdentify());
